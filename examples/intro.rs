@@ -3,9 +3,9 @@
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
 use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
-use eightfold_window::screen::{Next, Screen};
+use eightfold_window::render_target::{Next, RenderTarget};
 use eightfold_window::sound::{Player, RATE, Source};
-use eightfold_window::{clock::SECOND, fixed::Fixed, window::Window};
+use eightfold_window::{clock::SECOND, static_cell::StaticCell, window::Window};
 use std::{error::Error, process::ExitCode};
 
 const LENGTH: f32 = 10.0;
@@ -14,10 +14,10 @@ const BEAT: f32 = 0.5;
 /// The soundtrack: the number of the next sample, and the last ones that were made.
 struct Kick(u32, [[f32; 2]; 48]);
 
-static KICK: Fixed<Kick> = Fixed::new(Kick(0, [[0.0; 2]; 48]));
+static KICK: StaticCell<Kick> = StaticCell::new(Kick(0, [[0.0; 2]; 48]));
 
 impl Source for Kick {
-    fn block(&mut self) -> &[[f32; 2]] {
+    fn chunk(&mut self) -> &[[f32; 2]] {
         for sample in &mut self.1 {
             let time = self.0 as f32 / RATE as f32 % BEAT;
             // From 250 Hz down to 50 within some hundredths of a second.

@@ -5,9 +5,9 @@ use eightfold_stage::{allocations::Counting, on_displays};
 use eightfold_tracer::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker};
 use eightfold_window::{
     cpu,
-    fixed::Fixed,
     pool::Pool,
-    screen::{Next, Screen},
+    render_target::{Next, RenderTarget},
+    static_cell::StaticCell,
     window::Window,
 };
 
@@ -17,8 +17,8 @@ static ALLOCATOR: Counting = Counting::new();
 /// The threads of the test: possibly more than processors.
 const THREADS: usize = 3;
 
-static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
-static WORKERS: Fixed<[Worker; THREADS]> = Fixed::new([const { Worker::new() }; THREADS]);
+static MEMORY: StaticCell<Memory> = StaticCell::new(Memory::new());
+static WORKERS: StaticCell<[Worker; THREADS]> = StaticCell::new([const { Worker::new() }; THREADS]);
 
 struct PoolThreads(Pool, &'static mut [Worker; THREADS]);
 

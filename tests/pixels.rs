@@ -3,7 +3,7 @@
 
 use eightfold_stage::{on_displays, run, tool};
 use eightfold_window::{
-    screen::{Next, Screen},
+    render_target::{Next, RenderTarget},
     window::Window,
 };
 use std::{env, thread::sleep, time::Duration};

@@ -5,10 +5,10 @@ use eightfold::sound::Synthesizer;
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     clock::SECOND,
-    fixed::Fixed,
     line::{self, Text},
-    screen::{Headless, Next, Screen, fit},
+    render_target::{Headless, Next, RenderTarget, fit},
     sound::{Player, Source},
+    static_cell::StaticCell,
     terminal::Terminal,
     window::Window,
 };
@@ -25,11 +25,11 @@ use super::{
 /// The soundtrack.
 struct Music(Synthesizer);
 
-static MUSIC: Fixed<Music> = Fixed::new(Music(Synthesizer::new()));
+static MUSIC: StaticCell<Music> = StaticCell::new(Music(Synthesizer::new()));
 
 impl Source for Music {
-    fn block(&mut self) -> &[[f32; 2]] {
-        self.0.block()
+    fn chunk(&mut self) -> &[[f32; 2]] {
+        self.0.chunk()
     }
 }
 
@@ -89,7 +89,7 @@ struct Playing<'a> {
 
 impl Playing<'_> {
     /// Plays on a screen until the show ends or the viewer ends it. Returns the exit code.
-    fn on(&mut self, screen: &mut dyn Screen) -> i32 {
+    fn on(&mut self, screen: &mut dyn RenderTarget) -> i32 {
         let options = self.options;
         // Decide how the quality is chosen, and when the show ends.
         let by_accuracy = options.psnr.filter(|_| !options.has_fps);

@@ -6,8 +6,8 @@ use eightfold_tracer::{
 };
 use eightfold_window::{
     clock::SECOND,
-    fixed::Fixed,
     pool::{self, Pool},
+    static_cell::StaticCell,
 };
 
 use super::{
@@ -23,7 +23,7 @@ struct Workspace {
 }
 
 /// Too large for the stack. Pages of workers that no thread uses are never touched, so they take no physical memory.
-static WORKSPACE: Fixed<Workspace> = Fixed::new(Workspace {
+static WORKSPACE: StaticCell<Workspace> = StaticCell::new(Workspace {
     scene: Scene::ZEROED,
     memory: Memory::new(),
     workers: [const { Worker::new() }; _],

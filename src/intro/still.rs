@@ -6,7 +6,7 @@ use core::fmt::{self, Write};
 use eightfold_tracer::Frame;
 use eightfold_window::{
     line::{self, Decimal, Writer},
-    screen::{Headless, Screen},
+    render_target::{Headless, RenderTarget},
 };
 
 use super::{

@@ -2,8 +2,8 @@
 
 use crate::{model::Coder, new_model, with_addresses};
 
-/// How many bits each byte takes in what [`pack`](crate::pack) makes of them all; what it adds are the lengths, the checksum
-/// and a few bits in which the encoder ends.
+/// Returns the bits that each byte costs when [`pack`](crate::pack) packs them all. The file also has the length, the checksum and
+/// a few bits that end the code.
 #[must_use]
 pub fn costs(bytes: &[u8]) -> Vec<f32> {
     let mut model = new_model();
@@ -16,9 +16,9 @@ pub fn costs(bytes: &[u8]) -> Vec<f32> {
     costs.collect()
 }
 
-/// Codes a byte to nothing, and adds up the bits that its bits would take.
+/// A coder that counts bits instead of writing them.
 struct Meter {
-    /// The bits that are left, from the highest on.
+    /// The remaining bits, highest first.
     byte: u8,
     bits: f32,
 }

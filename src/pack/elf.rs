@@ -1,4 +1,4 @@
-//! Executables of 64 bits as ELF has them, as far as they are packed.
+//! Reads and writes the headers of 64-bit ELF files.
 
 use std::ops::Range;
 
@@ -6,14 +6,14 @@ use object::{Object, ObjectSection};
 
 use crate::Error;
 
-/// A page of memory, and of a file that is mapped to it.
+/// The size of a memory page.
 pub const PAGE: u64 = 4096;
 pub const HEADER_SIZE: usize = 64;
 
-/// The kind of file that has fixed addresses.
+/// The file type with fixed addresses (`ET_EXEC`).
 pub const EXECUTABLE: u16 = 2;
 
-// Kinds of segments.
+// Segment types.
 pub const LOAD: u32 = 1;
 pub const INTERPRETER: u32 = 3;
 pub const NOTE: u32 = 4;
@@ -21,22 +21,22 @@ pub const PROGRAM_HEADERS: u32 = 6;
 pub const UNWINDING: u32 = 0x6474_e550;
 pub const STACK: u32 = 0x6474_e551;
 
-// What may be done with a segment.
+// Segment permissions.
 pub const EXECUTE: u32 = 1;
 pub const WRITE: u32 = 2;
 pub const READ: u32 = 4;
 
-/// A program header: a part of the file, and where that is in memory.
+/// A program header: a range of the file and its address in memory.
 #[derive(Clone, Copy, Default)]
 pub struct Segment {
     pub kind: u32,
     pub flags: u32,
     pub offset: u64,
     pub address: u64,
-    /// Where nobody looks.
+    /// Unused by Linux.
     pub physical_address: u64,
     pub file_size: u64,
-    /// In memory; what the file does not have is zero.
+    /// In memory; bytes beyond `file_size` are zero.
     pub size: u64,
 }
 
@@ -55,7 +55,7 @@ impl Segment {
         }
     }
 
-    /// As it is in a file, with an alignment to pages.
+    /// Returns the header's bytes, aligned to pages.
     pub fn to_bytes(self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(Segment::SIZE);
         bytes.extend(self.kind.to_le_bytes());
@@ -73,14 +73,14 @@ impl Segment {
         bytes
     }
 
-    /// Where it is in the file.
+    /// Returns the range in the file.
     pub fn range(&self) -> Range<usize> {
         let start = self.offset as usize;
         start..start.saturating_add(self.file_size as usize)
     }
 }
 
-/// The header of an executable for x86-64 Linux with an entry and so many program headers, which follow it.
+/// Returns an ELF header for x86-64 Linux; `segments` program headers follow it.
 pub fn header(entry: u64, segments: u16) -> Vec<u8> {
     let mut bytes = b"\x7fELF\x02\x01\x01".to_vec();
     bytes.resize(16, 0);
@@ -96,27 +96,27 @@ pub fn header(entry: u64, segments: u16) -> Vec<u8> {
     bytes
 }
 
-/// Returns the kind of a file, if it is for x86-64.
+/// Returns the type of an x86-64 ELF file.
 pub fn kind(file: &[u8]) -> Result<u16, Error> {
     if !file.starts_with(b"\x7fELF\x02\x01") || number(file, 18, 2) != 62 {
-        return Err("it is no program for x86-64".into());
+        return Err("file is not an x86-64 ELF program".into());
     }
     Ok(number(file, 16, 2) as u16)
 }
 
-/// The program headers.
+/// Reads the program headers.
 pub fn segments(file: &[u8]) -> Result<Vec<Segment>, Error> {
     kind(file)?;
     let bytes = file
         .get(segment_range(file))
-        .ok_or("its program headers are not in it")?;
+        .ok_or("program headers are outside the file")?;
     Ok(bytes
         .chunks_exact(Segment::SIZE)
         .map(Segment::read)
         .collect())
 }
 
-/// Writes the program headers, and that there are no section headers.
+/// Writes the program headers, and sets the section headers to none.
 pub fn set_segments(file: &mut [u8], segments: &[Segment]) -> Result<(), Error> {
     let range = segment_range(file);
     let bytes: Vec<u8> = segments
@@ -127,7 +127,7 @@ pub fn set_segments(file: &mut [u8], segments: &[Segment]) -> Result<(), Error> 
         .get_mut(range)
         .filter(|place| place.len() == bytes.len());
     place
-        .ok_or("its program headers are not in it")?
+        .ok_or("program headers are outside the file")?
         .copy_from_slice(&bytes);
     file[40..48].fill(0);
     file[58..64].fill(0);
@@ -139,14 +139,14 @@ fn segment_range(file: &[u8]) -> Range<usize> {
     start..start.saturating_add(number(file, 56, 2) as usize * Segment::SIZE)
 }
 
-/// A section: where it is in memory and in the file.
+/// A section's address and its range in the file.
 pub struct Section {
     pub address: u64,
     pub range: Range<usize>,
 }
 
 impl Section {
-    /// A section of that name, if there is one.
+    /// Returns the section of this name.
     pub fn find(file: &object::File<'_>, name: &str) -> Option<Section> {
         let section = file.section_by_name(name)?;
         let (start, size) = section.file_range()?;
@@ -156,7 +156,7 @@ impl Section {
         })
     }
 
-    /// Where in the file so many bytes from an address on are, if they are in this section.
+    /// Returns the file range of `length` bytes from `address` on, if the section contains them.
     pub fn place(&self, address: u64, length: u64) -> Option<Range<usize>> {
         let start = address.checked_sub(self.address)?;
         let end = start.checked_add(length)?;
@@ -165,7 +165,7 @@ impl Section {
     }
 }
 
-/// A number of so many bytes; 0 if it is not there.
+/// Reads a little-endian number of `size` bytes; returns 0 beyond the end.
 pub fn number(bytes: &[u8], place: usize, size: usize) -> u64 {
     let bytes = bytes.get(place..place + size).unwrap_or_default();
     bytes

@@ -1,18 +1,18 @@
-//! The arithmetic encoder; the other side of [`Decoder`](crate::model::Decoder).
+//! The arithmetic encoder, the counterpart of [`Decoder`](crate::model::Decoder).
 
 use crate::model::Coder;
 
-/// Writes the bits of bytes.
+/// Encodes bits, and collects the bytes.
 pub struct Encoder {
-    /// The bits of the byte that are still to be written, from the highest on.
+    /// The byte's remaining bits, highest first.
     pub byte: u8,
-    /// The beginning of the interval, without what has been written.
+    /// The lower end of the interval, without the bytes already written.
     low: u64,
     range: u64,
     written: Vec<u8>,
 }
 
-/// `low` has so many bits: one byte more than the range, which is written when it is shifted out.
+/// The number of bits in `low`: a byte more than the range. That byte is written when it is shifted out.
 const LOW: u32 = 40;
 
 impl Encoder {
@@ -25,23 +25,23 @@ impl Encoder {
         }
     }
 
-    /// Makes room for more bits.
+    /// Writes the highest byte of `low`, and widens the interval.
     fn shift(&mut self) {
         self.range <<= 8;
         self.written.push((self.low >> 32) as u8);
         self.low = self.low << 8 & ((1 << LOW) - 1);
     }
 
-    /// All that was written.
+    /// Ends the code and returns its bytes.
     pub fn end(mut self) -> Vec<u8> {
         if self.written.is_empty() && self.range == 1 << 32 {
-            // Of no bits, none is read.
+            // No bits were encoded, so the decoder reads no bytes.
             return self.written;
         }
         for _ in 0..5 {
             self.shift();
         }
-        // The first byte is only what a carry could go to, and none does.
+        // The first byte only receives carries, and the code is below 1.
         self.written.split_off(1)
     }
 }

@@ -1,16 +1,16 @@
 //! Packs the intro when it is linked, and unpacks it when it starts.
 //!
-//! | part | where |
+//! | part | module |
 //! | --- | --- |
-//! | a model of x86 code, which predicts the next bit | `model` |
-//! | packing of bytes by it, and unpacking | [`pack`], [`unpack`] |
-//! | packing of an executable, and unpacking | [`pack_executable`], [`unpack_executable`] |
-//! | blanking of panic locations | `panics` |
+//! | the model of x86 code that predicts the next bit | `model` |
+//! | packing and unpacking bytes | [`pack`], [`unpack`] |
+//! | packing and unpacking executables | [`pack_executable`], [`unpack_executable`] |
+//! | blanking panic locations | `panics` |
 //! | the packed size of each byte | [`costs`] |
-//! | the code that starts a packed executable | `stub`: a program of its own that includes the model |
+//! | the code that starts a packed executable, a separate program that includes the model | `stub` |
 //! | the intro's build script and linker | [`build`] |
 //!
-//! # Why a packer of our own
+//! # Why a custom packer
 //!
 //! Sizes of an intro of 116,673 bytes:
 //!
@@ -21,16 +21,16 @@
 //! | zpaq -m5 | 52,543 | (no small one) | |
 //! | this one, at that time | 41,640 | 3,600 with its loader | 0.12 s |
 //!
-//! # The same bytes on every machine
+//! # Reproducible output
 //!
-//! The model computes with integers only, in a fixed order, by one function for both sides. It finds the slots of its table by hashes
-//! of the bytes read. So the packed bytes depend on the input only; a test compares SSE2 with the plain loops for other processors.
+//! The model uses only integers, in a fixed order, and the same function packs and unpacks. So the packed bytes depend on the input
+//! alone. A test compares SSE2 with the plain loops for other processors.
 //!
 //! # Time
 //!
-//! `time target/release/eightfold --version` is nearly all unpacking: 1.1 microseconds a byte. Huge pages save 0.03 s, SSE2 for slots
-//! 0.04 s. Tried without success: prefetching the buckets, one hash of a context per byte, inputs built in registers, 32 MB of buckets,
-//! four buckets for each hash (-76 bytes, +0.03 s), other sets of weights. `docs/size.md` has more.
+//! `time target/release/eightfold --version` is nearly all unpacking: 1.1 microseconds a byte. Huge pages save 0.03 s, SSE2 for
+//! slots 0.04 s. Tried without success: prefetching the buckets, one hash of a context per byte, inputs built in registers, 32 MB
+//! of buckets, four buckets for each hash (-76 bytes, +0.03 s), other sets of weights. `docs/size.md` has more.
 #![deny(missing_docs, unsafe_code)]
 
 pub mod build;
@@ -52,22 +52,26 @@ use encoder::Encoder;
 pub use executable::{System, Version, pack_executable, strip, unpack_executable};
 use model::Model;
 
-/// Why a program can't be packed, or not be built as it should be.
+/// Explains why a program cannot be packed, or is linked without replacing functions of std.
 pub type Error = Box<dyn error::Error>;
 
-/// Bytes packed: a checksum of all that follows it, how many bytes there were (both as 32 bits, little-endian), and their code.
+/// Packs bytes. The result is an FNV-1a checksum of the rest, the unpacked length (both 32 bits, little-endian), and the code.
 ///
 /// # Panics
-/// If they are longer than [`LONGEST`].
+/// If there are more than [`LONGEST`] bytes.
 #[must_use]
 pub fn pack(bytes: &[u8]) -> Vec<u8> {
-    assert!(bytes.len() <= LONGEST, "{} bytes are too many", bytes.len());
+    assert!(
+        bytes.len() <= LONGEST,
+        "size is {} bytes; must be at most {LONGEST}",
+        bytes.len()
+    );
     let length = (bytes.len() as u32).to_le_bytes();
     let rest = [&length, &*encode(bytes)].concat();
     [&checksum(&rest).to_le_bytes(), &*rest].concat()
 }
 
-/// The code of bytes.
+/// Returns the arithmetic code of bytes.
 fn encode(bytes: &[u8]) -> Vec<u8> {
     let mut model = new_model();
     let mut encoder = Encoder::new();
@@ -78,7 +82,7 @@ fn encode(bytes: &[u8]) -> Vec<u8> {
     encoder.end()
 }
 
-/// Bytes of a program with addresses in place of the offsets in its instructions.
+/// Replaces the relative offsets in a program's instructions by addresses.
 fn with_addresses(bytes: &[u8]) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     let reader = &mut new_model().reader;
@@ -91,10 +95,10 @@ fn with_addresses(bytes: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// The bytes that were packed.
+/// Unpacks bytes that [`pack`] has packed.
 ///
 /// # Errors
-/// If it is not what [`pack`] has made.
+/// If the checksum or the length is wrong.
 pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
     let (sum, rest) = packed.split_first_chunk().ok_or(Damaged)?;
     let (length, code) = rest.split_first_chunk().ok_or(Damaged)?;
@@ -104,7 +108,7 @@ pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
     decode(code, u32::from_le_bytes(*length) as usize)
 }
 
-/// As many bytes as a code is of.
+/// Decodes `length` bytes.
 fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Damaged> {
     if length > LONGEST {
         return Err(Damaged);
@@ -114,23 +118,23 @@ fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Damaged> {
     is_whole.then_some(bytes).ok_or(Damaged)
 }
 
-/// The FNV-1a hash.
+/// Returns the FNV-1a hash.
 fn checksum(bytes: &[u8]) -> u32 {
     bytes.iter().fold(0x811c_9dc5, |hash, &byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     })
 }
 
-/// The most bytes that can be packed: they take 16 seconds.
+/// The maximum number of bytes to pack; packing them takes 16 seconds.
 pub const LONGEST: usize = 1 << 24;
 
-/// An error: what was to be unpacked was never packed, or has changed since.
+/// An error: the packed data is damaged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Damaged;
 
 impl fmt::Display for Damaged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("what was packed is damaged")
+        f.write_str("packed data is damaged")
     }
 }
 
@@ -138,7 +142,7 @@ impl error::Error for Damaged {}
 
 #[allow(unsafe_code, reason = "68 MB do not fit on a stack")]
 fn new_model() -> Box<Model> {
-    // SAFETY: it is made of integers, of which zero is a value.
+    // SAFETY: all fields are integers, for which zero is valid.
     let mut model = unsafe { Box::<Model>::new_zeroed().assume_init() };
     model.fill();
     model

@@ -1,15 +1,15 @@
-//! Blanks what a panic would have told: where in the source it was.
+//! Blanks panic locations.
 //!
-//! Such a `Location` is a record of 24 bytes in `.data.rel.ro`: the address and the length of a file's name in `.rodata`, a line and
-//! a column. Code that panics passes its address along. Packed, zeros take next to nothing: of 66,047 bytes this saves 1,091.
+//! A `Location` is a record of 24 bytes in `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column. Code
+//! that panics passes its address. Zeros pack to nearly nothing: this saves 1,091 of 66,047 bytes.
 //!
-//! # Why nobody misses it
+//! # Why this is safe
 //!
-//! - Only what tells of a panic reads a record, and the diet has left that out: what is called instead has no arguments. Where the
-//!   panic handler is not redirected, as in any other program, all stays as it is.
-//! - A record is known by all of its parts: an address in `.rodata`, the length of a name there that ends in `.rs`, and a line and a
-//!   column, which count from 1. So a program must not have such records of its own to read, nor read the names; the intro has no
-//!   names of source files but these.
+//! - Only panic messages read a location. `build::redirect` has replaced their code by an abort that takes no arguments. Programs
+//!   whose panic handler is not redirected stay unchanged.
+//! - A record is recognised by all of its fields: an address in `.rodata`, the length of a name there that ends in `.rs`, a line
+//!   and a column of 1 or more. So a program must not have such records of its own, nor read the names; the intro has no other
+//!   names of source files.
 
 use std::ops::Range;
 
@@ -20,19 +20,19 @@ use crate::{
     elf::{Section, number},
 };
 
-/// The function that the diet has called in place of those that panic.
+/// The function that replaces the panicking ones.
 pub const ABORT: &str = "eightfold_abort";
 
-/// The end of the panic handler's name, which is mangled.
+/// The end of the panic handler's mangled name.
 const HANDLER: &str = "17rust_begin_unwind";
 
-/// Bytes of a `Location`.
+/// The size of a `Location` in bytes.
 const RECORD: usize = 24;
 
-/// Blanks locations and the names of their files, if panics go to [`ABORT`].
+/// Blanks the locations and their files' names if panics go to [`ABORT`].
 ///
 /// # Errors
-/// If it is no ELF file.
+/// If `program` is not an ELF file.
 pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
     let file = object::File::parse(&*program)?;
     let section = |name| Section::find(&file, name);
@@ -47,7 +47,7 @@ pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Whether all that the panic handler does is a jump to [`ABORT`].
+/// Returns whether the panic handler is a single jump to [`ABORT`].
 fn is_redirected(file: &object::File<'_>, program: &[u8], code: &Section) -> bool {
     let address = |is_it: fn(&str) -> bool| {
         let mut symbols = file.symbols();
@@ -80,7 +80,7 @@ fn blank(program: &mut [u8], names: &Section, records: &Section) {
     }
 }
 
-/// Where the name of a location's file is, if there is a location.
+/// Returns the file range of the location's name, if there is a location at `place`.
 fn location(
     program: &[u8],
     place: usize,
@@ -106,11 +106,11 @@ mod tests {
     use crate::elf::Section;
 
     const NAMES: &[u8] = b"src/a.rssrc/b.rssrc/c.rsno path.";
-    /// Where in memory the file is.
+    /// The file's address in memory.
     const BASE: u64 = 0x20_0000;
 
     #[test]
-    fn locations_and_their_names_are_blanked() {
+    fn panic_locations_are_blanked() {
         let record = |name: u64, line: u32, column: u32| {
             let words = [BASE + name, 8].map(u64::to_le_bytes);
             let halves = [line, column].map(u32::to_le_bytes);

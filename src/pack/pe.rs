@@ -1,4 +1,4 @@
-//! Executables of 64 bits as Windows has them, as far as they are written.
+//! Writes 64-bit PE files.
 
 use std::ops::Range;
 
@@ -15,18 +15,18 @@ use crate::{
     elf::{PAGE, number},
 };
 
-/// What the beginning of an image in memory is a multiple of.
+/// The alignment of an image's base address.
 pub const BASE_ALIGNMENT: u64 = 1 << 16;
-/// What each part of a file is filled to.
+/// The alignment of each part of a file.
 const FILE_ALIGNMENT: usize = 512;
 
-// What may be done with a section.
+// Section permissions.
 pub const CODE: SectionFlags =
     SectionFlags(IMAGE_SCN_CNT_CODE.0 | IMAGE_SCN_MEM_EXECUTE.0 | IMAGE_SCN_MEM_READ.0);
 pub const MEMORY: SectionFlags =
     SectionFlags(IMAGE_SCN_CNT_UNINITIALIZED_DATA.0 | IMAGE_SCN_MEM_READ.0 | IMAGE_SCN_MEM_WRITE.0);
 
-/// A section, by the page where it begins in the image. It goes on up to the next one; what is not in the file is zero.
+/// A section. It extends to the next one; bytes beyond `bytes` are zero.
 pub struct Section {
     pub name: &'static str,
     pub flags: SectionFlags,
@@ -34,33 +34,33 @@ pub struct Section {
     pub bytes: Vec<u8>,
 }
 
-/// An executable: addresses are counted from where the image begins.
+/// An executable. Addresses are relative to `base`.
 pub struct Executable {
     pub base: u64,
-    /// Where it ends.
+    /// The image's size in memory.
     pub end: u64,
     pub entry: u64,
     pub sections: Vec<Section>,
-    /// Kinds of directories, and where they are.
+    /// Directory indices and their address ranges.
     pub directories: Vec<(usize, Range<u64>)>,
 }
 
-/// A program that runs in windows: no console opens for it.
+/// A GUI program: Windows opens no console.
 const SUBSYSTEM: pe::Subsystem = pe::IMAGE_SUBSYSTEM_WINDOWS_GUI;
 
-/// Memory for the stack of the first thread, as on Linux where threads of the pool have theirs, and how much of it is there at once:
-/// more than any function takes before it calls another one.
+/// The first thread's stack: the same size as the pool's threads have on Linux. The committed part is larger than any function's
+/// frame.
 const STACK: u64 = 1 << 20;
 const STACK_AT_ONCE: u64 = 1 << 17;
 
-/// Kinds of directories.
+/// The number of data directories.
 const DIRECTORIES: usize = 16;
 
-/// Where the checksum is: in the optional header, behind a DOS header and that of COFF.
+/// The file offset of the checksum in the optional header, after the DOS and COFF headers.
 const CHECKSUM: usize = 64 + 4 + 20 + 64;
 
 impl Executable {
-    /// Writes the file, with a record as the last bytes of its headers.
+    /// Returns the file. `record` becomes the last bytes of its headers.
     pub fn to_bytes(&self, record: &[u8]) -> Result<Vec<u8>, Error> {
         let mut file = Vec::new();
         let alignment = FILE_ALIGNMENT as u32;
@@ -75,13 +75,13 @@ impl Executable {
         for (section, end) in self.sections.iter().zip(ends.chain([self.end])) {
             let size = end.checked_sub(section.address);
             let size = size.filter(|&size| size >= section.bytes.len() as u64);
-            let size = size.ok_or("its segments share a page")?;
+            let size = size.ok_or("section overlaps the next one")?;
             let mut name = [0; 8];
             name[..section.name.len()].copy_from_slice(section.name.as_bytes());
             let length = section.bytes.len() as u32;
             let place = writer.reserve_section(name, section.flags, size as u32, length);
             if u64::from(place.virtual_address) != section.address {
-                return Err("its segments are not at pages".into());
+                return Err("section is not aligned to a page".into());
             }
             places.push(place.file_offset);
         }
@@ -89,7 +89,6 @@ impl Executable {
             let size = range.end - range.start;
             writer.set_data_directory(*directory, range.start as u32, size as u32);
         }
-        // Write them.
         writer.write_empty_dos_header()?;
         writer.write_nt_headers(self.headers());
         writer.write_section_headers();
@@ -104,7 +103,7 @@ impl Executable {
     fn headers(&self) -> NtHeaders {
         NtHeaders {
             machine: pe::IMAGE_FILE_MACHINE_AMD64,
-            // Of no time, so that the same program gives the same bytes.
+            // Zero, for reproducible output.
             time_date_stamp: 0,
             characteristics: pe::IMAGE_FILE_RELOCS_STRIPPED
                 | pe::IMAGE_FILE_EXECUTABLE_IMAGE
@@ -113,7 +112,7 @@ impl Executable {
             minor_linker_version: 0,
             address_of_entry_point: self.entry as u32,
             image_base: self.base,
-            // 6.0, the first on x86-64 that has all of this: nothing newer is asked for.
+            // Windows 6.0 (Vista): the oldest x86-64 version that has all imported functions.
             major_operating_system_version: 6,
             minor_operating_system_version: 0,
             major_image_version: 0,
@@ -121,7 +120,7 @@ impl Executable {
             major_subsystem_version: 6,
             minor_subsystem_version: 0,
             subsystem: SUBSYSTEM,
-            // Data is not executed, and no exceptions are handled.
+            // Data is not executable, and no exceptions are handled.
             dll_characteristics: pe::IMAGE_DLLCHARACTERISTICS_NX_COMPAT
                 | pe::IMAGE_DLLCHARACTERISTICS_NO_SEH
                 | pe::IMAGE_DLLCHARACTERISTICS_TERMINAL_SERVER_AWARE,
@@ -133,7 +132,7 @@ impl Executable {
     }
 }
 
-/// Computes the checksum that a header has: the sum of all numbers of 16 bits, with what goes beyond added again, and the length.
+/// Sets the header's checksum: the one's complement sum of all 16-bit words, plus the length.
 fn set_checksum(file: &mut [u8]) {
     let sum = file.chunks(2).fold(0, |sum, pair| {
         let sum = sum + number(pair, 0, pair.len()) as u32;
@@ -143,19 +142,19 @@ fn set_checksum(file: &mut [u8]) {
     file[CHECKSUM..CHECKSUM + 4].copy_from_slice(&sum.to_le_bytes());
 }
 
-/// What Windows reads of functions that are imported of one library.
+/// The import table of one library.
 pub struct Imports {
-    /// What is in the place of the functions' addresses before Windows has put these there.
+    /// Addresses of the functions' names, which Windows replaces by the functions' addresses.
     pub addresses: Vec<u8>,
-    /// The directory, and the names.
+    /// The import directory and the names.
     pub names: Vec<u8>,
 }
 
 impl Imports {
-    /// Bytes of the directory: one library, and none.
+    /// The directory's size: one library, and a zero entry.
     pub const DIRECTORY: u64 = 2 * 20;
 
-    /// The imports for where in the image both are.
+    /// Builds the table for the image addresses of its two parts.
     pub fn new(library: &str, functions: &[&str], addresses: u64, names: u64) -> Imports {
         let library_at = (names + Imports::DIRECTORY) as u32;
         let descriptors = [0, 0, 0, library_at, addresses as u32, 0, 0, 0, 0, 0];
@@ -170,7 +169,7 @@ impl Imports {
             bytes.resize(bytes.len().next_multiple_of(2), 0);
             let address = names + bytes.len() as u64;
             imports.addresses.extend(address.to_le_bytes());
-            // No hint of where it may be found.
+            // The hint, unused.
             bytes.extend([0, 0]);
             bytes.extend(name.as_bytes());
             bytes.push(0);

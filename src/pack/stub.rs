@@ -1,5 +1,4 @@
-//! Links the stub and the loader, two parts of one object file: no linker has to do with it, as each is told in its own way what
-//! goes where.
+//! Links the stub and the loader, which are two parts of one object file.
 
 use std::collections::HashMap;
 
@@ -10,25 +9,25 @@ use object::{
 
 use crate::{Error, elf};
 
-/// The section that is executed first, and that of the loader.
+/// The stub's first section, and the loader's.
 pub const FIRST: &str = ".text.first";
 pub const LOADER: &str = ".text.loader";
 
 /// A part of the stub's object file, with its sections laid out from address 0 on.
 pub struct Stub<'a> {
     file: object::File<'a>,
-    /// Where each section is that is needed, in the order of places.
+    /// The needed sections and their offsets, in order.
     sections: Vec<(SectionIndex, usize)>,
     size: usize,
 }
 
 impl<'a> Stub<'a> {
-    /// Lays out a section, and all that it leads to.
+    /// Lays out the section `first` and all sections that it refers to.
     pub fn read(object: &'a [u8], first: &str) -> Result<Stub<'a>, Error> {
         let file = object::File::parse(object)?;
         let first = file
             .section_by_name(first)
-            .ok_or("the stub has no beginning")?;
+            .ok_or("stub section is missing")?;
         let mut found = vec![first.index()];
         let mut sections = Vec::new();
         let mut size = 0;
@@ -52,28 +51,31 @@ impl<'a> Stub<'a> {
         })
     }
 
-    /// Bytes.
+    /// Returns the size in bytes.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Bytes of the section that it begins with.
+    /// Returns the size of the first section in bytes.
     pub fn first_size(&self) -> usize {
         self.sections.get(1).map_or(self.size, |&(_, start)| start)
     }
 
-    /// Its bytes, which may be anywhere in memory.
+    /// Returns position-independent bytes.
+    ///
+    /// # Errors
+    /// If they depend on their address.
     pub fn link_anywhere(&self) -> Result<Vec<u8>, Error> {
         let names = HashMap::new();
         let bytes = self.link(0, &names)?;
         if self.link(elf::PAGE, &names)? == bytes {
             Ok(bytes)
         } else {
-            Err("the loader has addresses in it".into())
+            Err("loader is not position-independent".into())
         }
     }
 
-    /// Its bytes for an address, with these names for numbers.
+    /// Returns the bytes for `address`, with values for the undefined symbols.
     pub fn link(&self, address: u64, names: &HashMap<&str, u64>) -> Result<Vec<u8>, Error> {
         let places: HashMap<_, _> = self.sections.iter().copied().collect();
         let mut bytes = vec![0; self.size];
@@ -87,17 +89,17 @@ impl<'a> Stub<'a> {
                 let value = target.wrapping_add_signed(relocation.addend());
                 let relative = value.wrapping_sub(address + place as u64);
                 let RelocationFlags::Elf { r_type } = relocation.flags() else {
-                    return Err("the stub is no ELF file".into());
+                    return Err("stub is not an ELF file".into());
                 };
                 let (value, width) = match r_type {
                     R_X86_64_64 => (value, 8),
                     R_X86_64_32 | R_X86_64_32S => (value, 4),
                     R_X86_64_PC32 | R_X86_64_PLT32 => (relative, 4),
-                    _ => return Err(format!("the stub has a relocation {r_type:?}").into()),
+                    _ => return Err(format!("stub relocation {r_type:?} is not supported").into()),
                 };
                 let field = bytes
                     .get_mut(place..place + width)
-                    .ok_or("the stub's relocations are not in it")?;
+                    .ok_or("stub relocation is outside its section")?;
                 field.copy_from_slice(&value.to_le_bytes()[..width]);
             }
         }
@@ -112,18 +114,18 @@ impl<'a> Stub<'a> {
         address: u64,
     ) -> Result<u64, Error> {
         let RelocationTarget::Symbol(index) = target else {
-            return Err("the stub has a relocation without a symbol".into());
+            return Err("stub relocation has no symbol".into());
         };
         let symbol = self.file.symbol_by_index(index)?;
         if let Some(section) = symbol.section_index() {
             return Ok(address + places[&section] as u64 + symbol.address());
         }
         let name = symbol.name()?;
-        // A check that could panic ends here, too.
+        // A possible panic in the stub ends up here: its panic handler calls an undefined function.
         names
             .get(name)
             .copied()
-            .ok_or_else(|| format!("the stub needs {name}").into())
+            .ok_or_else(|| format!("stub symbol {name} is undefined").into())
     }
 }
 

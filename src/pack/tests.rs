@@ -1,4 +1,4 @@
-//! Properties that hold for all that is packed.
+//! Properties of packing and unpacking.
 
 use proptest::{collection::vec, prelude::*};
 
@@ -6,7 +6,7 @@ use crate::{
     Damaged, LONGEST, System, checksum, costs, model::Model, pack, pack_executable, unpack,
 };
 
-/// Bytes as programs have them: some random, some again and again, some of instructions.
+/// Bytes like a program's: random ones, runs, calls and other instructions.
 fn bytes() -> impl Strategy<Value = Vec<u8>> {
     let call = any::<i32>().prop_map(|to| [&[0xe8][..], &to.to_le_bytes()].concat());
     let again = (any::<u8>(), 1..300_usize).prop_map(|(byte, count)| vec![byte; count]);
@@ -21,35 +21,35 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
 }
 
 proptest! {
-    // Each needs 68 MB of memory that is zero.
+    // Each case needs 68 MB of zeroed memory.
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn any_bytes_come_back(bytes in bytes()) {
+    fn bytes_round_trip(bytes in bytes()) {
         prop_assert_eq!(unpack(&pack(&bytes)), Ok(bytes));
     }
 
     #[test]
-    fn what_has_changed_is_an_error(bytes in bytes(), at: prop::sample::Index, by in 1..=u8::MAX) {
+    fn changed_data_is_refused(bytes in bytes(), at: prop::sample::Index, by in 1..=u8::MAX) {
         let mut packed = pack(&bytes);
         *at.get_mut(&mut packed) ^= by;
         prop_assert_eq!(unpack(&packed), Err(Damaged));
     }
 
     #[test]
-    fn what_is_not_whole_is_an_error(bytes in bytes(), length: prop::sample::Index) {
+    fn truncated_data_is_refused(bytes in bytes(), length: prop::sample::Index) {
         let packed = pack(&bytes);
         prop_assert_eq!(unpack(&packed[..length.index(packed.len())]), Err(Damaged));
     }
 
     #[test]
-    fn what_was_never_packed_is_an_error(bytes in vec(any::<u8>(), 0..100)) {
+    fn random_bytes_are_refused(bytes in vec(any::<u8>(), 0..100)) {
         prop_assert_eq!(unpack(&bytes), Err(Damaged));
     }
 
-    /// With a checksum that is right, too: it is unpacked up to the end of the code.
+    /// With a valid checksum: decoding stops at the end of the code.
     #[test]
-    fn code_by_chance_ends(length in 0..2 * LONGEST as u32, code in vec(any::<u8>(), 0..50)) {
+    fn random_code_terminates(length in 0..2 * LONGEST as u32, code in vec(any::<u8>(), 0..50)) {
         let rest = [&length.to_le_bytes(), &*code].concat();
         let packed = [&checksum(&rest).to_le_bytes(), &*rest].concat();
         if let Ok(bytes) = unpack(&packed) {
@@ -58,16 +58,16 @@ proptest! {
     }
 
     #[test]
-    fn what_is_no_executable_is_not_packed(bytes in bytes()) {
+    fn non_executables_are_refused(bytes in bytes()) {
         prop_assert!(pack_executable(&bytes, &[], &System::Linux).is_err());
         let header = [b"\x7fELF\x02\x01\x01", &*bytes].concat();
         prop_assert!(pack_executable(&header, &[], &System::Linux).is_err());
     }
 }
 
-/// Nothing, next to nothing, all of one kind, and what no processor executes: prefixes without an end, offsets to nowhere.
+/// Empty, one byte, runs, and invalid code: endless prefixes, jumps beyond the end.
 #[test]
-fn mean_bytes_come_back() {
+fn adversarial_bytes_round_trip() {
     let all: Vec<u8> = (0..=u8::MAX).cycle().take(70_000).collect();
     let jumps = [0xe9, 0xff, 0xff, 0xff, 0x7f].repeat(3000);
     let runs = [0, 1, 0x0f, 0x62, 0x66, 0x90, 0xc4, 0xff].map(|byte| vec![byte; 20_000]);
@@ -78,11 +78,11 @@ fn mean_bytes_come_back() {
 }
 
 #[test]
-fn costs_add_up_to_what_is_packed() {
+fn costs_sum_to_packed_size() {
     let bytes: Vec<u8> = (0..10_000_u32).map(|i| ((i * i) >> 8) as u8).collect();
     let packed = pack(&bytes);
     let bits: f64 = costs(&bytes).into_iter().map(f64::from).sum();
-    // With 8 bytes before the code, and 4 or 5 that end it.
+    // Plus 8 bytes of header and 4 or 5 that end the code.
     let expected = bits / 8.0 + 12.5;
     assert!(
         (packed.len() as f64 - expected).abs() < 1.0,
@@ -91,16 +91,16 @@ fn costs_add_up_to_what_is_packed() {
     );
 }
 
-/// A third of the time to unpack goes to memory that no cache has. With that of the file, with what is left over where huge pages
-/// are aligned, and with 33 MB that the program has, it is the 105 MB that the stub speaks of.
+/// A third of the unpacking time is cache misses in this memory. With the file, the alignment to huge pages and the program's 33
+/// MB, the total is the 105 MB of the stub's message.
 #[test]
-fn the_model_needs_at_most_66_mib() {
+fn model_size_is_bounded() {
     assert!(size_of::<Model>() <= 66 << 20, "{}", size_of::<Model>());
 }
 
-/// The same on every machine and by every compiler. It changes with the model: then this is to be set anew.
+/// Guards against differences between machines and compilers. A changed model needs new values.
 #[test]
-fn the_same_bytes_are_packed_to_the_same_everywhere() {
+fn packing_is_reproducible() {
     let mut state = 1_u32;
     let mut noise = || {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

@@ -125,7 +125,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_camera_passes_through_its_keys(keys in keys(), count in 2_usize..6) {
+        fn camera_passes_through_keys(keys in keys(), count in 2_usize..6) {
             let keys = &keys[..count];
             for (number, key) in keys.iter().enumerate() {
                 let (camera, method) = at(keys, number as f32 / (keys.len() - 1) as f32);
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn the_speed_does_not_jump_at_a_key() {
+    fn camera_speed_is_continuous() {
         const STEP: f32 = 1.0 / 1024.0;
         let slope = |u: f32| {
             let (from, to) = (catmull_rom(u), catmull_rom(u + STEP));

@@ -55,7 +55,7 @@ pub(super) struct Instrument {
     pub damping: f32,
     /// The share of high pass in the filter's output, 0 to 1; the rest is low pass.
     pub high: f32,
-    /// The share of the way to its note that the pitch glides in each [block](super::BLOCK).
+    /// The share of the way to its note that the pitch glides in each [block](super::CHUNK).
     pub glide: f32,
     /// The amplitude of what is sent to the echo.
     pub echo: f32,

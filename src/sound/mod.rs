@@ -30,7 +30,7 @@ pub const RATE: u32 = 48_000;
 pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
 
 /// The samples of a block: a millisecond. Slow changes, such as those of the filters, are made once per block.
-const BLOCK: usize = 48;
+const CHUNK: usize = 48;
 
 /// Sixteenths in a bar.
 const STEPS_PER_BAR: u32 = 16;

@@ -3,7 +3,7 @@
 use super::instruments::INSTRUMENTS;
 use super::space::Space;
 use super::voice::{Mix, Mood, Voice};
-use super::{BLOCK, SONG_LENGTH, STEP, STEPS_PER_BAR, song};
+use super::{CHUNK, SONG_LENGTH, STEP, STEPS_PER_BAR, song};
 use glam::{Vec4, Vec4Swizzles};
 
 /// The delay of every other sixteenth, in blocks: a slight swing.
@@ -30,9 +30,9 @@ pub struct Synthesizer {
     seed: i32,
     /// The samples of the block that [`Synthesizer::play`] has returned.
     taken: usize,
-    block: [[f32; 2]; BLOCK],
+    chunk: [[f32; 2]; CHUNK],
     voices: [Voice; song::TRACKS],
-    mixes: [Mix; BLOCK],
+    mixes: [Mix; CHUNK],
     space: Space,
 }
 
@@ -47,14 +47,14 @@ impl Synthesizer {
                 next_kick: Vec4::ZERO,
                 light: Vec4::ZERO,
             },
-            mixes: [Mix::SILENCE; BLOCK],
+            mixes: [Mix::SILENCE; CHUNK],
             space: Space::ZERO,
             mean: Vec4::ZERO,
             seed: 0,
             position: 0,
             step: 0,
             wait: 0,
-            block: [[0.0; 2]; BLOCK],
+            chunk: [[0.0; 2]; CHUNK],
             taken: 0,
         }
     }
@@ -63,10 +63,10 @@ impl Synthesizer {
     pub fn play(&mut self, samples: &mut [[f32; 2]]) {
         for sample in samples {
             if self.taken == 0 {
-                self.block();
+                self.chunk();
             }
-            *sample = self.block[self.taken];
-            self.taken = (self.taken + 1) % BLOCK;
+            *sample = self.chunk[self.taken];
+            self.taken = (self.taken + 1) % CHUNK;
         }
     }
 
@@ -82,7 +82,7 @@ impl Synthesizer {
     }
 
     /// The next block of a millisecond: a faster alternative to [`Synthesizer::play`]. The song repeats.
-    pub fn block(&mut self) -> &[[f32; 2]] {
+    pub fn chunk(&mut self) -> &[[f32; 2]] {
         if self.position == SONG_LENGTH {
             *self = const { Self::new() };
         }
@@ -90,7 +90,7 @@ impl Synthesizer {
         for (voice, instrument) in self.voices.iter_mut().zip(&INSTRUMENTS) {
             voice.play(instrument, &self.mood, &mut self.mixes);
         }
-        for (mix, sample) in self.mixes.iter_mut().zip(&mut self.block) {
+        for (mix, sample) in self.mixes.iter_mut().zip(&mut self.chunk) {
             let heard = self.space.play(self.position as usize, mix);
             self.position += 1;
             *mix = Mix::SILENCE;
@@ -101,13 +101,13 @@ impl Synthesizer {
             let heard = heard - self.mean;
             *sample = limit(heard + heard.zwxy());
         }
-        &self.block
+        &self.chunk
     }
 
     /// Updates the mood and starts the notes of the next block.
     fn follow(&mut self) {
         /// Blocks in a step.
-        const BLOCKS: u32 = STEP / BLOCK as u32;
+        const CHUNKS: u32 = STEP / CHUNK as u32;
         /// The factor on the kick's level from block to block: it halves in 50 ms.
         const FADE: f32 = 0.986;
         let mood = &mut self.mood;
@@ -127,9 +127,9 @@ impl Synthesizer {
             }
             self.step += 1;
             self.wait = if self.step % 2 == 1 {
-                BLOCKS + SWING
+                CHUNKS + SWING
             } else {
-                BLOCKS - SWING
+                CHUNKS - SWING
             };
         }
         self.wait -= 1;

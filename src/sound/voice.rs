@@ -1,7 +1,7 @@
 //! The voice of one instrument: four oscillators, an amplitude envelope, a sweep and a filter.
 
 use super::instruments::{Instrument, LOUDNESS, Notes};
-use super::{BLOCK, song};
+use super::{CHUNK, song};
 use eightfold_tracer::maths::ROUND_TO_INTEGER;
 use glam::{Vec4, vec4};
 
@@ -109,11 +109,11 @@ impl Voice {
     }
 
     /// Adds a block of the voice's sound to the mix.
-    pub fn play(&mut self, instrument: &Instrument, mood: &Mood, mixes: &mut [Mix; BLOCK]) {
+    pub fn play(&mut self, instrument: &Instrument, mood: &Mood, mixes: &mut [Mix; CHUNK]) {
         /// Blocks in a beat.
-        const BEAT: f32 = (super::STEP * 4) as f32 / BLOCK as f32;
+        const BEAT: f32 = (super::STEP * 4) as f32 / CHUNK as f32;
         /// The attack lasts for two time constants: the level rises to 1 - 1/e^2 of its peak.
-        const ATTACK: f32 = 2.0 / BLOCK as f32;
+        const ATTACK: f32 = 2.0 / CHUNK as f32;
         self.age += 1.0;
         let (peak, rate) = if self.age * instrument.attack < ATTACK {
             (self.peak, instrument.attack)
@@ -129,7 +129,7 @@ impl Voice {
         let filter = Filter::new(instrument, self.sweep, mood.light);
         let mut voice = *self;
         let mut duck = 1.0 - instrument.duck * mood.kick;
-        let duck_slope = instrument.duck * (mood.next_kick - mood.kick) * (1.0 / BLOCK as f32);
+        let duck_slope = instrument.duck * (mood.next_kick - mood.kick) * (1.0 / CHUNK as f32);
         for mix in mixes {
             voice.level += (peak - voice.level) * rate;
             voice.sweep -= voice.sweep * instrument.sweep;

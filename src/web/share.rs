@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_frame_in_parts_has_the_same_bits() {
+    fn frame_in_parts_has_same_bits() {
         let mut scene = Box::<Scene>::default();
         // With edges, with a caption that tells the points, with squares of 32.
         for time in [62.3, 37.5, 24.05] {

@@ -1,13 +1,11 @@
 //! Replacements for functions of std in the intro.
 //!
-//! The intro is linked without what std needs to explain a panic, which is larger than all the rest of it: `src/pack/build/diet.rs`
-//! redirects the functions that lead there to these. In other programs nobody calls them.
-//!
-//! Code that must report an error never goes through a panic, so that is only for mistakes in the code.
+//! std's code that explains a panic is larger than the rest of the intro. `src/pack/build/redirect.rs` redirects the functions that
+//! lead there to these; other programs do not call them. Only bugs panic: errors never do.
 
 use crate::{line, terminal};
 
-/// Instead of a panic: gives the terminal back, says one line on standard error and aborts.
+/// Replaces a panic: restores the terminal, prints one line on standard error and aborts.
 #[unsafe(no_mangle)]
 pub extern "C" fn eightfold_abort() -> ! {
     terminal::restore();
@@ -15,7 +13,7 @@ pub extern "C" fn eightfold_abort() -> ! {
         line::ERROR,
         b"eightfold: a mistake in the program ended it\n",
     );
-    // The code for mistakes is the one of C's `abort`.
+    // The exit code of C's `abort`.
     #[cfg(feature = "windows")]
     super::arguments::end(3);
     // SAFETY: it may be called at any time.
@@ -25,11 +23,11 @@ pub extern "C" fn eightfold_abort() -> ! {
     }
 }
 
-/// Instead of the function that counts the characters of texts of 32 bytes and more, where they are padded.
+/// Replaces the function that counts the characters of texts from 32 bytes on, for padding.
 #[unsafe(no_mangle)]
 pub fn eightfold_count_chars(text: &str) -> usize {
     text.bytes().fold(0, |count, byte| {
-        // All bytes of a character but the first are 10xxxxxx.
+        // Skip continuation bytes, which are 10xxxxxx.
         count + usize::from(byte & 0xc0 != 0x80)
     })
 }
@@ -39,7 +37,7 @@ mod tests {
     use super::eightfold_count_chars;
 
     #[test]
-    fn characters_are_counted_and_not_bytes() {
+    fn count_chars_counts_characters() {
         for text in [
             "",
             "a",

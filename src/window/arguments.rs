@@ -10,9 +10,9 @@ pub use crate::backend::{
 
 /// Defines the C `main`, which calls a `fn(Arguments) -> i32` for the exit code.
 ///
-/// Use it in a crate with `#![no_main]`. Rust's own start of a program adds 9,564 bytes to the packed intro, most of them to
-/// explain a stack overflow, and std's way to the arguments 432. What matters of that start [`Arguments`] do: a broken pipe is an
-/// error of the write, not a signal, and the standard streams are open.
+/// Use it in a crate with `#![no_main]`. Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack
+/// overflow; std's arguments add 432. [`Arguments`] prepares the process as std does: a broken pipe is an error of the write, not a
+/// signal, and the standard streams are open.
 #[macro_export]
 #[cfg(not(feature = "windows"))]
 macro_rules! main {
@@ -22,7 +22,7 @@ macro_rules! main {
             count: core::ffi::c_int,
             values: *const *const core::ffi::c_char,
         ) -> core::ffi::c_int {
-            // SAFETY: these are the arguments of the C `main`, and this is the start of it.
+            // SAFETY: these are the arguments of the C `main`, which has just started.
             let arguments = unsafe { $crate::arguments::Arguments::start(count, values) };
             let run: fn($crate::arguments::Arguments) -> i32 = $run;
             run(arguments)
@@ -30,7 +30,7 @@ macro_rules! main {
     };
 }
 
-/// Defines the beginning of a program for Windows, which calls a `fn(Arguments) -> i32` for the exit code.
+/// Defines the entry point of a Windows program, which calls a `fn(Arguments) -> i32` for the exit code.
 ///
 /// Use it in a crate with `#![no_main]`.
 #[macro_export]
@@ -42,7 +42,7 @@ macro_rules! main {
             load_library: $crate::arguments::LoadLibrary,
             get_function: $crate::arguments::GetProcAddress,
         ) -> ! {
-            // SAFETY: it is called first, with these functions.
+            // SAFETY: this is the first call, with these functions.
             let arguments =
                 unsafe { $crate::arguments::Arguments::start(load_library, get_function) };
             let run: fn($crate::arguments::Arguments) -> i32 = $run;

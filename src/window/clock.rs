@@ -1,4 +1,4 @@
-//! Time that only goes forward, in nanoseconds.
+//! A monotonic clock, in nanoseconds.
 
 use core::sync::atomic::{AtomicU64, Ordering::Acquire};
 
@@ -7,39 +7,38 @@ use crate::backend::clock::{now, sleep_until};
 /// Nanoseconds in a second.
 pub const SECOND: u64 = 1_000_000_000;
 
-/// Time since it was started.
+/// The time since its start.
 #[derive(Clone, Copy)]
 pub struct Clock {
-    /// When, on the system's clock.
+    /// The start, on the system's clock.
     pub(crate) start: u64,
 }
 
 impl Clock {
-    /// Starts at zero now.
+    /// Starts a clock at zero.
     #[must_use]
     pub fn start() -> Clock {
         Clock { start: now() }
     }
 
-    /// Nanoseconds from the start until now.
+    /// Returns the nanoseconds since the start.
     #[must_use]
     pub fn time(&self) -> u64 {
         now() - self.start
     }
 
-    /// Sleeps until so many nanoseconds from the start have gone by, or a signal arrives. Returns at
-    /// once if they have.
+    /// Sleeps until `time` nanoseconds after the start, or until a signal arrives. Returns at once if this is past.
     pub fn sleep_until(&self, time: u64) {
         sleep_until(self.start + time);
     }
 }
 
-/// Sleeps for so many nanoseconds, or until a signal arrives.
+/// Sleeps for `time` nanoseconds, or until a signal arrives.
 pub(crate) fn sleep(time: u64) {
     sleep_until(now() + time);
 }
 
-/// Waits while a number is `value`, for three seconds at most: as long as a device on the network takes to be opened. Returns the number.
+/// Waits while `number` is `value`, for at most three seconds, the time that a network device may need to open. Returns the number.
 pub(crate) fn wait_while(number: &AtomicU64, value: u64) -> u64 {
     let clock = Clock::start();
     loop {
@@ -56,7 +55,7 @@ mod tests {
     use super::{Clock, SECOND};
 
     #[test]
-    fn sleeps_until_then_and_not_at_all_when_late() {
+    fn sleep_ends_on_time_or_at_once() {
         let clock = Clock::start();
         clock.sleep_until(SECOND / 20);
         assert!(clock.time() >= SECOND / 20);

@@ -1,27 +1,27 @@
-//! The instruction sets that the processor and the system have.
+//! The instruction sets that the processor and the system support.
 
 pub use fearless_simd::Level;
 
-/// An instruction set that the tracer has kernels for.
+/// An instruction set with kernels in the tracer.
 #[derive(Clone, Copy, Debug)]
 pub struct Isa {
-    /// Its name on a command line.
+    /// The name on the command line.
     pub name: &'static str,
-    /// The level by which kernels are chosen.
+    /// The level that selects kernels.
     pub level: Level,
 }
 
-/// The names of all instruction sets that the intro has kernels for on this kind of processor, the best first.
+/// The names of the intro's instruction sets for this architecture, best first.
 #[cfg(target_arch = "x86_64")]
 pub const NAMES: &[&str] = &["avx2", "sse2"];
-/// The names of all instruction sets that the intro has kernels for on this kind of processor, the best first.
+/// The names of the intro's instruction sets for this architecture, best first.
 #[cfg(target_arch = "aarch64")]
 pub const NAMES: &[&str] = &["neon"];
-/// The names of all instruction sets that the intro has kernels for on this kind of processor, the best first.
+/// The names of the intro's instruction sets for this architecture, best first.
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub const NAMES: &[&str] = &["portable"];
 
-/// The instruction sets that this machine has and the library has kernels for, the best first: those of [`shipped`], and AVX-512.
+/// Returns this machine's instruction sets with kernels in the library, best first: AVX-512 and [`shipped`].
 pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     #[cfg(target_arch = "x86_64")]
     let wide = Level::new().as_avx512().map(|simd| Isa {
@@ -33,9 +33,9 @@ pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     wide.into_iter().chain(shipped())
 }
 
-/// The instruction sets that this machine has and the intro has kernels for, the best first.
+/// Returns this machine's instruction sets with kernels in the intro, best first.
 ///
-/// A kernel for AVX-512 would take 5,100 of the intro's bytes, for a sixth of a frame's time.
+/// An AVX-512 kernel would add 5,100 bytes to the intro and save a sixth of a frame's time.
 pub fn shipped() -> impl Iterator<Item = Isa> {
     let isa = |name, level| Isa { name, level };
     #[cfg(target_arch = "x86_64")]
@@ -50,13 +50,13 @@ pub fn shipped() -> impl Iterator<Item = Isa> {
     sets.into_iter().flatten()
 }
 
-/// The instruction set of the intro with a name, if this machine has it.
+/// Returns the intro's instruction set of this name, if this machine has it.
 #[must_use]
 pub fn named(name: &str) -> Option<Isa> {
     shipped().find(|isa| isa.name == name)
 }
 
-/// The best instruction set of the intro that this machine has.
+/// Returns the best instruction set of the intro on this machine.
 #[must_use]
 pub fn best() -> Isa {
     shipped().next().unwrap_or(Isa {
@@ -65,9 +65,9 @@ pub fn best() -> Isa {
     })
 }
 
-/// Features of processors of the kind x86-64, asked for by the instruction CPUID.
+/// Features of x86-64 processors, by CPUID.
 ///
-/// `Level::new()` says the same. It asks by way of std for every feature there is, which takes 1,499 packed bytes of the intro.
+/// `Level::new()` gives the same answer, but queries all features through std, for 1,499 packed bytes.
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
     use core::arch::{
@@ -76,7 +76,7 @@ mod x86_64 {
     };
     use fearless_simd::x86::Avx2;
 
-    /// A word with these bits set.
+    /// Returns a word with these bits set.
     const fn bits(mut numbers: &[u32]) -> u32 {
         let mut word = 0;
         while let [number, rest @ ..] = numbers {
@@ -86,15 +86,15 @@ mod x86_64 {
         word
     }
 
-    /// Whether a word has all bits of another.
+    /// Returns whether `word` contains all `bits`.
     fn has(word: u32, bits: u32) -> bool {
         word & bits == bits
     }
 
-    /// The kinds of registers that the system saves (XCR0). The processor has to have OSXSAVE.
+    /// Returns the registers that the system saves (XCR0). The processor needs OSXSAVE.
     fn saved_registers() -> u32 {
         let saved: u32;
-        // SAFETY: OSXSAVE says that the system allows `xgetbv`.
+        // SAFETY: OSXSAVE allows `xgetbv`.
         unsafe {
             asm!(
                 "xgetbv",
@@ -107,10 +107,10 @@ mod x86_64 {
         saved
     }
 
-    /// AVX2, where there is all of x86-64-v3: FMA, BMI1 and BMI2, F16C, LZCNT, MOVBE, and YMM registers that the system saves.
+    /// Returns AVX2 if the machine has all of x86-64-v3: FMA, BMI1 and BMI2, F16C, LZCNT, MOVBE, and saved YMM registers.
     pub fn avx2() -> Option<Avx2> {
-        /// SSE3, SSSE3, FMA, CMPXCHG16B, SSE4.1, SSE4.2, MOVBE, POPCNT, XSAVE, OSXSAVE, AVX and F16C. Processors with these
-        /// have leaf 7.
+        /// SSE3, SSSE3, FMA, CMPXCHG16B, SSE4.1, SSE4.2, MOVBE, POPCNT, XSAVE, OSXSAVE, AVX and F16C. Processors with these have
+        /// leaf 7.
         const LEAF_1_ECX: u32 = bits(&[0, 9, 12, 13, 19, 20, 22, 23, 26, 27, 28, 29]);
         /// BMI1, AVX2 and BMI2.
         const LEAF_7_EBX: u32 = bits(&[3, 5, 8]);
@@ -122,7 +122,7 @@ mod x86_64 {
             && has(saved_registers(), SAVED)
             && has(__cpuid_count(7, 0).ebx, LEAF_7_EBX)
             && has(__cpuid(0x8000_0001).ecx, EXTENDED_ECX);
-        // SAFETY: the processor and the system have every feature that the type stands for.
+        // SAFETY: the processor and the system have all features of the type.
         is_there.then(|| unsafe { Avx2::assume_supported() })
     }
 
@@ -131,7 +131,7 @@ mod x86_64 {
         use fearless_simd::Level;
 
         #[test]
-        fn avx2_is_there_where_std_detects_it() {
+        fn avx2_matches_std_detection() {
             assert_eq!(super::avx2().is_some(), Level::new().as_avx2().is_some());
         }
     }

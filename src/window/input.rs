@@ -1,90 +1,86 @@
-//! Input at a window by the keyboard and the mouse, for programs that are worked with, as the lab's viewer is.
+//! Keyboard and mouse input for interactive programs such as the lab's viewer.
 //!
-//! The intro hears Esc, F, H and W alone, and does not listen to this: its file has no code for it.
+//! The intro has four keys (Esc, F, H, W) and does not link this module.
 
 use core::ffi::c_uint;
 
-/// Keys have the numbers of X11 (`keysym`) on every system: letters and digits are their ASCII codes.
+/// Key numbers are X11 keysyms on every system: letters and digits are their ASCII codes.
 pub(crate) const ESCAPE: c_uint = 0xff1b;
-/// To the beginning.
 pub(crate) const HOME: c_uint = 0xff50;
-/// The arrow to the left.
 pub(crate) const LEFT: c_uint = 0xff51;
-/// The arrow to the right.
 pub(crate) const RIGHT: c_uint = 0xff53;
-/// F1.
 pub(crate) const F1: c_uint = 0xffbe;
-/// The numbers over the picture.
+/// Shows or hides the numbers.
 pub(crate) const H: c_uint = b'h' as c_uint;
 /// No key.
 pub(crate) const NONE: c_uint = 0xff_ffff;
 
-/// Something that was done at the window.
+/// An event at the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
-    /// A key was pressed. [`Press::Left`] and [`Press::Right`] come again and again while they are held.
+    /// A key was pressed. [`Press::Left`] and [`Press::Right`] repeat while they are held.
     Key(Press),
-    /// Something was done with the mouse.
+    /// The mouse was used.
     Mouse(Mouse),
 }
 
-/// An action of the mouse, and where it was.
+/// A mouse event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mouse {
     /// The action.
     pub action: Action,
-    /// Pixels of the window, from its left edge; beyond the window while a button is held there.
+    /// Pixels from the window's left edge; may be outside while a button is held.
     pub x: i32,
-    /// Pixels of the window, from its upper edge.
+    /// Pixels from the window's upper edge.
     pub y: i32,
 }
 
-/// The actions of a mouse.
+/// A mouse action.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
     /// A button was pressed.
     Down(Button),
-    /// A button was let go.
+    /// A button was released.
     Up(Button),
     /// The pointer was moved.
     Move,
-    /// The wheel was turned by so many notches, away from the hand if positive.
+    /// The wheel was turned by this number of notches, away from the user if positive.
     Wheel(i32),
 }
 
-/// A button of the mouse.
+/// A mouse button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Button {
-    /// The left one, for right hands.
+    /// The left button.
     Left,
-    /// The middle one, or the wheel.
+    /// The middle button or wheel.
     Middle,
-    /// The right one, for right hands.
+    /// The right button.
     Right,
 }
 
-/// A key that the lab listens to.
+/// A key of the lab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Press {
-    /// Space, or one of 1 to 9 and the lower-case letters c, e, h, p, s and v.
+    /// Space, a digit from 1 to 9, or one of the letters c, e, h, p, s and v.
     Character(char),
-    /// The arrow to the left.
+    /// The left arrow.
     Left,
-    /// The arrow to the right.
+    /// The right arrow.
     Right,
-    /// To the beginning.
+    /// Home.
     Home,
-    /// `?`, with or without Shift, or F1, which is on every keyboard.
+    /// `?` with or without Shift, or F1, which is on every keyboard.
     Help,
 }
 
 impl Press {
-    /// Whether it comes again while it is held.
+    /// Returns whether the key repeats while it is held.
     pub(crate) fn repeats(self) -> bool {
         matches!(self, Press::Left | Press::Right)
     }
 
-    /// The key with this number.
+    /// Returns the key with this number.
     pub(crate) fn of(key: c_uint) -> Option<Press> {
         Some(match key {
             LEFT => Press::Left,

@@ -1,26 +1,25 @@
-//! Everything that touches the system, behind safe functions: the only `unsafe` of Eightfold.
+//! Access to the operating system by safe functions. This crate has Eightfold's only `unsafe` code.
 //!
-//! | what | module |
+//! | purpose | module |
 //! | --- | --- |
 //! | the C `main` and the arguments | [`main!`], [`arguments`] |
-//! | a screen to show frames on: a window, a terminal, or none | [`screen`], [`window`], [`terminal`] |
-//! | what is done at a window with keys and mouse | [`input`] |
-//! | sound, and the time by which it is heard | [`sound`] |
-//! | time, and sleeping until it comes | [`clock`] |
-//! | threads that share the work of a frame | [`pool`] |
+//! | output of frames: window, terminal or none | [`render_target`], [`window`], [`terminal`] |
+//! | keyboard and mouse events | [`input`] |
+//! | sound and its clock | [`sound`] |
+//! | time and sleep | [`clock`] |
+//! | a thread pool for the work of a frame | [`pool`] |
 //! | the best instruction set | [`cpu`] |
-//! | memory of fixed size | [`fixed`] |
-//! | lines of text to standard output and error | [`mod@line`] |
+//! | static memory | [`static_cell`] |
+//! | lines on standard output and error | [`mod@line`] |
 //!
-//! There are three backends, with one interface: `window`, `threads`, `clock`, `memory` and `arguments` are modules of each.
+//! Three backends have the same interface, the modules `window`, `threads`, `clock`, `memory` and `arguments`:
 //!
-//! - The small one has a window by Xlib, and the rest by libc: Linux on x86-64, where the intro has 64 kB.
-//! - The one for Windows in 64 kB, by the feature `windows`, calls functions of Windows alone, from code that is compiled for Linux
-//!   on x86-64.
-//! - The portable one has a window by `minifb`, and the rest by std: every other system and processor. On Linux on x86-64 it is
-//!   taken by the feature `portable`.
+//! - The small one, by Xlib and libc, for the 64 kB intro on x86-64 Linux.
+//! - The one for the 64 kB intro on Windows (feature `windows`). It is compiled for x86-64 Linux, and calls only functions of
+//!   Windows.
+//! - The portable one, by `minifb` and std, for other systems and processors. The feature `portable` selects it on x86-64 Linux.
 //!
-//! Files and terminals are those of Unix, or those of Windows, with each. Sound is by ALSA on Linux, by `cpal` on macOS.
+//! Files and terminals are those of the target, Unix or Windows. Sound is by ALSA on Linux, and by `cpal` on macOS.
 
 #![deny(missing_docs)]
 
@@ -49,15 +48,15 @@ pub mod arguments;
 mod backend;
 pub mod clock;
 pub mod cpu;
-pub mod fixed;
 #[cfg(not(feature = "windows"))]
 pub mod input;
 pub mod line;
 #[cfg(all(target_os = "linux", not(feature = "windows")))]
 mod loading;
 pub mod pool;
-pub mod screen;
+pub mod render_target;
 pub mod sound;
+pub mod static_cell;
 #[cfg_attr(feature = "windows", path = "system/win64.rs")]
 #[cfg_attr(not(feature = "windows"), path = "system/unix.rs")]
 mod system;

@@ -1,7 +1,6 @@
-//! Text to standard output and standard error.
+//! Text on standard output and standard error.
 //!
-//! Values are put into text by `write!` and `format_args!`, as everywhere in Rust. Only what std puts between that and the
-//! system is left out: locks, and errors with a text of their own.
+//! `write!` and `format_args!` format values as usual. This module replaces only std's I/O, with its locks and error messages.
 
 use core::fmt::{self, Arguments, Display, Formatter, Write};
 
@@ -10,8 +9,8 @@ pub use crate::system::{ERROR, OUTPUT, write};
 
 /// A buffered writer to a file descriptor.
 ///
-/// It writes when its buffer is full and when it is [flushed](Writer::flush), not when it is dropped. After an error it
-/// writes nothing more, and every call returns the error again.
+/// It writes when its buffer is full and when it is [flushed](Writer::flush), but not when it is dropped. After an error it writes
+/// nothing more, and every call returns the error again.
 pub struct Writer {
     file: i32,
     has_failed: bool,
@@ -21,7 +20,7 @@ pub struct Writer {
 }
 
 impl Writer {
-    /// A writer to an open file descriptor, which stays open.
+    /// Creates a writer to an open file descriptor, which stays open.
     #[must_use]
     pub const fn new(file: i32) -> Writer {
         Writer {
@@ -32,7 +31,7 @@ impl Writer {
         }
     }
 
-    /// Writes what is in the buffer.
+    /// Writes the buffered bytes.
     ///
     /// # Errors
     /// If this or an earlier write failed.
@@ -61,7 +60,7 @@ impl Write for Writer {
     }
 }
 
-/// A whole number in decimal. Numbers' own `Display`, which can pad, align and sign them, takes 628 packed bytes more.
+/// An integer in decimal. The integers' own `Display`, with padding, alignment and sign, takes 628 more packed bytes.
 pub struct Decimal(pub u64);
 
 impl Display for Decimal {
@@ -73,7 +72,7 @@ impl Display for Decimal {
     }
 }
 
-/// A number of tenths, shown in whole units with one decimal: 594 as `59.4`.
+/// Tenths, shown with one decimal: 594 as `59.4`.
 pub struct Tenths(pub u64);
 
 impl Display for Tenths {
@@ -82,7 +81,7 @@ impl Display for Tenths {
     }
 }
 
-/// A number of hundredths, shown in whole units with two decimals: 101 as `1.01`.
+/// Hundredths, shown with two decimals: 101 as `1.01`.
 pub struct Hundredths(pub u64);
 
 impl Display for Hundredths {
@@ -91,7 +90,7 @@ impl Display for Hundredths {
     }
 }
 
-/// Text as it is. A `str`'s own `Display`, which can pad and cut it, takes 364 packed bytes more.
+/// Text without padding. `str`'s own `Display` takes 364 more packed bytes.
 pub struct Text<'a>(pub &'a str);
 
 impl Display for Text<'_> {
@@ -100,8 +99,7 @@ impl Display for Text<'_> {
     }
 }
 
-/// Bytes that somebody may have typed, shown so that they can't steer a terminal: `?` for each that is not printable ASCII, and 60 at
-/// most.
+/// Bytes from the user, made harmless to a terminal: `?` for everything except printable ASCII, at most 60.
 pub struct Printable<'a>(pub &'a [u8]);
 
 impl Display for Printable<'_> {
@@ -114,24 +112,24 @@ impl Display for Printable<'_> {
     }
 }
 
-/// Bytes as text, if all of them are ASCII, as all is that the program understands.
+/// Returns bytes as text if they are ASCII.
 #[must_use]
 pub fn ascii(bytes: &[u8]) -> Option<&str> {
-    // The slice's own `is_ascii`, which is fast, takes 267 bytes more of the packed file.
+    // `[u8]::is_ascii`, which is faster, takes 267 more packed bytes.
     let is_ascii = bytes.iter().all(u8::is_ascii);
     // SAFETY: ASCII is UTF-8.
     is_ascii.then(|| unsafe { str::from_utf8_unchecked(bytes) })
 }
 
-/// Writes a line to standard error: the program's name and a message.
+/// Writes the program's name and a message to standard error.
 ///
-/// Whether it can be written is not told, for there is no place left to tell it.
+/// Ignores errors, which it could not report.
 pub fn complain(message: Arguments<'_>) {
     let mut errors = Writer::new(ERROR);
     let _ = writeln!(errors, "eightfold: {message}").and_then(|()| errors.flush());
 }
 
-/// Whether a standard stream is a terminal.
+/// Returns whether a standard stream is a terminal.
 #[must_use]
 pub fn terminal(file: i32) -> bool {
     system::is_terminal(file)
@@ -149,7 +147,7 @@ mod tests {
     };
 
     #[test]
-    fn fractions_have_all_their_digits() {
+    fn decimals_keep_leading_zeros() {
         for (hundredths, expected) in [(0, "0.00"), (7, "0.07"), (123, "1.23"), (2513, "25.13")] {
             assert_eq!(format!("{}", Hundredths(hundredths)), expected);
         }
@@ -158,13 +156,13 @@ mod tests {
     }
 
     #[test]
-    fn what_was_typed_can_not_steer_a_terminal() {
+    fn printable_replaces_control_bytes() {
         let shown = format!("{}", Printable(b"a b\x1b[2J\xff\n"));
         assert_eq!(shown, "a b?[2J??");
     }
 
     #[test]
-    fn text_longer_than_the_buffer_is_written_whole() {
+    fn text_longer_than_buffer_is_written() {
         let (mut read, write) = pipe().unwrap();
         let mut writer = Writer::new(write.as_raw_fd());
         let long = "x".repeat(5000);
@@ -177,10 +175,10 @@ mod tests {
     }
 
     #[test]
-    fn an_error_is_returned_again_by_every_later_call() {
+    fn write_error_persists() {
         let (read, write) = pipe().unwrap();
         drop(read);
-        // (Rust's programs ignore the signal for this.)
+        // Rust's programs ignore SIGPIPE.
         let mut writer = Writer::new(write.as_raw_fd());
         assert_eq!(writer.write_str("x"), Ok(()), "it is only in the buffer");
         assert_eq!(writer.flush(), Err(fmt::Error));

@@ -1,4 +1,4 @@
-//! Functions of libraries that are looked up when the program runs, so that it starts where they are not.
+//! Loads functions of libraries at run time, so that the program starts without them.
 
 use core::{
     cell::UnsafeCell,
@@ -12,8 +12,7 @@ use core::{
 
 use crate::line::ascii;
 
-/// A structure of functions that are looked up in a library, in the order of a block of names. A
-/// [`Table`] holds it.
+/// Defines a structure of functions and their names, for a [`Table`].
 macro_rules! loaded {
     ($(#[$doc:meta])* $table:ident, $names:ident: $( fn $name:ident($($argument:ty),* $(,)?) -> $result:ty; )*) => {
         $(#[$doc])*
@@ -22,20 +21,20 @@ macro_rules! loaded {
             $( pub $name: unsafe extern "C" fn($($argument),*) -> $result, )*
         }
 
-        /// The names of its functions, each with its NUL.
+        /// The functions' names, each with its NUL.
         static $names: &str = concat!($( stringify!($name), "\0" ),*);
     };
 }
 
 pub(crate) use loaded;
 
-/// A table of functions, made by [`loaded!`], filled once, read ever after.
+/// A table of functions, defined by [`loaded!`], which is filled once.
 pub struct Table<T> {
     functions: UnsafeCell<MaybeUninit<T>>,
     ready: AtomicBool,
 }
 
-// SAFETY: it is written by `open` alone, before `ready` is set, and only read after that.
+// SAFETY: only `open` writes it, before `ready` is set; afterwards it is only read.
 unsafe impl<T> Sync for Table<T> {}
 
 impl<T> Table<T> {
@@ -46,12 +45,10 @@ impl<T> Table<T> {
         }
     }
 
-    /// Fills the table, unless it is, with the functions of a library, from any one thread at a time.
-    /// `names` has one for each.
+    /// Fills the table, unless it is full, with a library's functions of these names. Only one thread may call this at a time.
     #[inline]
     pub fn open(&'static self, library: &CStr, names: &str) -> Option<&'static T> {
-        // SAFETY: nothing reads the table before `ready` is set; it is made of pointers, and `loaded!` gives it as many as
-        // names.
+        // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for each of `loaded!`'s names.
         if !unsafe { load(&self.ready, library, names, self.functions.get().cast()) } {
             return None;
         }
@@ -59,21 +56,21 @@ impl<T> Table<T> {
         Some(unsafe { self.loaded() })
     }
 
-    /// The functions.
+    /// Returns the functions.
     ///
     /// # Safety
-    /// `open` has to have found them.
+    /// `open` has to have succeeded.
     #[inline(always)]
     pub unsafe fn loaded(&'static self) -> &'static T {
-        // SAFETY: the caller vouches for it.
+        // SAFETY: required of the caller.
         unsafe { (*self.functions.get()).assume_init_ref() }
     }
 }
 
-/// Looks functions up in a library, unless they are ready. False if the library or one of the functions is not there.
+/// Looks up a library's functions, unless they are ready. Returns false if the library or a function is missing.
 ///
 /// # Safety
-/// There has to be room for as many pointers as `names` has NULs.
+/// `slot` has to have space for a pointer for each NUL in `names`.
 #[cold]
 unsafe fn load(
     ready: &AtomicBool,
@@ -85,7 +82,7 @@ unsafe fn load(
         return true;
     }
     let mut start = 0;
-    // SAFETY: each name has its NUL, and the caller vouches for the room.
+    // SAFETY: each name has its NUL, and the caller guarantees the space.
     unsafe {
         let library = libc::dlopen(library.as_ptr(), libc::RTLD_LAZY);
         if library.is_null() {
@@ -107,11 +104,10 @@ unsafe fn load(
     true
 }
 
-/// Why the last library that was asked for by this thread could not be loaded, in the system's words: it is not there, or there
-/// is no memory left for it, or it lacks a function.
+/// Returns the system's message for this thread's last failure to load a library: missing, out of memory, or without a function.
 #[must_use]
 pub fn why_not_loaded() -> &'static str {
-    // SAFETY: it is null or a string, which stays until this thread asks for another library.
+    // SAFETY: this is null or a string, which is valid until the thread's next call.
     let why = unsafe {
         let why = libc::dlerror();
         (!why.is_null()).then(|| CStr::from_ptr(why))

@@ -1,8 +1,7 @@
-//! Threads that share the work of a frame.
+//! A thread pool for the work of a frame.
 //!
-//! They start once. A run costs a few atomic operations, and nobody waits for a thread that the
-//! system has not woken up yet: the caller works too, closes the run when the last item is taken,
-//! and waits only for those that came in.
+//! The threads start once. A run costs a few atomic operations, and waits for no sleeping thread: the caller works too, closes the
+//! run when the last item is taken, and waits only for threads that have entered.
 
 use core::{
     cell::UnsafeCell,
@@ -19,31 +18,31 @@ use core::{
 pub use crate::backend::threads::processors;
 use crate::backend::threads::{Thread, spawn, wait, wake};
 
-/// Turns of a spinning wait before the thread goes to sleep: about 50 microseconds, several times
-/// what the rest of a frame takes between two runs.
+/// Iterations of a spinning wait before the thread sleeps: about 50 microseconds, several times the gap between two runs of a
+/// frame.
 const SPINS: u32 = 1000;
 
-/// Threads that work for whoever has the pool; they end when it is dropped.
+/// A thread pool. Its threads end when it is dropped.
 pub struct Pool {
     shared: Box<Shared>,
-    /// The others; as many as `count` says.
+    /// The first `count` are initialised.
     threads: [MaybeUninit<Thread>; Pool::MOST - 1],
     count: usize,
 }
 
-/// Work for one thread of a run, which it has a number in.
+/// The work of a thread in a run, by the thread's number.
 type Work<'a> = &'a (dyn Fn(usize) + Sync);
 
 struct Shared {
-    /// Counts the runs; threads without work sleep on it.
+    /// The number of runs; idle threads sleep on it.
     run: AtomicU32,
-    /// Threads that sleep on `run`, or are about to.
+    /// The number of threads that sleep on `run`, or are about to.
     sleeping: AtomicU32,
-    /// Threads inside of the current run, and [`OPEN`] while more may come in.
+    /// The number of threads in the current run, and [`OPEN`] while more may enter.
     inside: AtomicU32,
-    /// The work of the current run; not to be looked at from outside of it.
+    /// The current run's work; only valid for threads inside.
     work: UnsafeCell<MaybeUninit<Work<'static>>>,
-    /// The number that the next thread to start takes.
+    /// The number of the next thread to start.
     next: AtomicUsize,
     over: AtomicBool,
 }
@@ -51,16 +50,15 @@ struct Shared {
 /// See [`Shared::inside`].
 const OPEN: u32 = 1 << 31;
 
-// SAFETY: all is atomic but `work`, which the pool's owner writes while no run is open and no thread
-// is inside, and which threads read only while they are inside.
+// SAFETY: all is atomic except `work`. The pool's owner writes it while no run is open and no thread is inside; threads read it
+// only inside.
 unsafe impl Sync for Shared {}
 
 impl Pool {
-    /// The most threads of a pool, with the caller's.
+    /// The maximum number of threads, including the caller's.
     pub const MOST: usize = 256;
 
-    /// Starts threads so that there are `count` with the caller's, at most [`Pool::MOST`]. There may be fewer
-    /// if the system has no more.
+    /// Starts a pool of `count` threads including the caller's, at most [`Pool::MOST`]. It has fewer if the system refuses more.
     #[must_use]
     pub fn new(count: usize) -> Pool {
         let shared = Box::new(Shared {
@@ -75,7 +73,7 @@ impl Pool {
         let mut started = 0;
         let pointer = (&raw const *shared).cast_mut().cast();
         for thread in threads.iter_mut().take(count.saturating_sub(1)) {
-            // SAFETY: `shared` has a place of its own that lasts until every thread has been joined.
+            // SAFETY: `shared` has a fixed address until all threads have been joined.
             let Some(new) = (unsafe { spawn(thread_main, pointer) }) else {
                 break;
             };
@@ -89,16 +87,16 @@ impl Pool {
         }
     }
 
-    /// Threads, with the caller's.
+    /// Returns the number of threads, including the caller's.
     #[must_use]
     pub fn threads(&self) -> usize {
         self.count + 1
     }
 
-    /// Does a job on every item, each with one of the workers, and returns when all are done.
+    /// Runs a job on every item, each with one of the workers. Returns when all are done.
     ///
-    /// A worker belongs to one thread during the run, so no more threads take part than there are
-    /// workers; without any, nothing is done. Items are taken in order by whoever is free.
+    /// Each worker belongs to one thread during the run, so at most one thread for each worker takes part; without workers nothing
+    /// is done. Items are taken in order.
     ///
     /// # Panics
     /// If the job panics on the caller's thread. A panic on another thread aborts the process.
@@ -112,7 +110,7 @@ impl Pool {
         let workers = Each::new(workers);
         let items = Each::new(items);
         self.work(&|thread| {
-            // SAFETY: no two threads of a run have the same number.
+            // SAFETY: the threads of a run have different numbers.
             let Some(worker) = (unsafe { workers.get(thread) }) else {
                 return;
             };
@@ -123,14 +121,14 @@ impl Pool {
         });
     }
 
-    /// Has the work done by the caller's thread, with number 0, and by as many others as come in time.
+    /// Runs the work on the caller's thread, with number 0, and on all threads that enter in time.
     fn work(&mut self, work: Work<'_>) {
         let shared = &*self.shared;
         if self.count == 0 {
             return work(0);
         }
-        // SAFETY: no run is open and no thread inside, as `&mut self` and the end of `Run` see to.
-        // Threads look at `work` only while inside, and `Run` does not end before they have left.
+        // SAFETY: no run is open and no thread inside, by `&mut self` and the end of `Run`. Threads read `work` only inside, and
+        // `Run` ends after they have left.
         unsafe { (*shared.work.get()).write(transmute::<Work<'_>, Work<'static>>(work)) };
         let _run = Run::open(shared);
         work(0);
@@ -148,8 +146,7 @@ impl Drop for Pool {
     }
 }
 
-/// A run that threads may come into. It ends, also when the caller's work panics, once the threads
-/// inside have left.
+/// A run that threads may enter. It ends after all of them have left, even if the caller's work panics.
 struct Run<'a>(&'a Shared);
 
 impl<'a> Run<'a> {
@@ -178,7 +175,7 @@ impl Drop for Run<'_> {
 }
 
 impl Shared {
-    /// Has all threads look for work.
+    /// Wakes all threads.
     fn wake(&self) {
         self.run.fetch_add(1, SeqCst);
         if self.sleeping.load(SeqCst) != 0 {
@@ -186,7 +183,7 @@ impl Shared {
         }
     }
 
-    /// Waits for a run after the one that was seen last.
+    /// Waits for a run other than `seen`.
     fn wait(&self, seen: u32) -> u32 {
         for _ in 0..SPINS {
             let run = self.run.load(Acquire);
@@ -196,7 +193,7 @@ impl Shared {
             spin_loop();
         }
         self.sleeping.fetch_add(1, SeqCst);
-        // It sleeps only if the number is still the same, so no run goes by unseen.
+        // The wait returns if the number has changed, so no run is missed.
         while self.run.load(SeqCst) == seen {
             wait(&self.run, seen);
         }
@@ -204,13 +201,13 @@ impl Shared {
         self.run.load(Acquire)
     }
 
-    /// Comes into the run, if it is still open, does its work and leaves.
+    /// Enters the run if it is still open, does the work and leaves.
     fn take_part(&self, thread: usize) {
         let enter = |inside| (inside & OPEN != 0).then_some(inside + 1);
         if self.inside.fetch_update(Acquire, Relaxed, enter).is_err() {
             return;
         }
-        // SAFETY: this thread is inside, so the work has been written and lasts.
+        // SAFETY: this thread is inside, so the work is valid.
         let work = unsafe { (*self.work.get()).assume_init() };
         work(thread);
         if self.inside.fetch_sub(1, Release) == 1 {
@@ -220,7 +217,7 @@ impl Shared {
 }
 
 extern "C" fn thread_main(shared: *mut c_void) -> *mut c_void {
-    // SAFETY: `Pool::new` passes it, and `Pool::drop` waits for this thread before it frees it.
+    // SAFETY: `Pool::new` passes it, and `Pool::drop` joins this thread before freeing it.
     let shared = unsafe { &*shared.cast::<Shared>() };
     let thread = shared.next.fetch_add(1, Relaxed);
     let mut seen = 0;
@@ -237,7 +234,7 @@ struct Each<T> {
     length: usize,
 }
 
-// SAFETY: it hands out elements as a slice would, each to one thread.
+// SAFETY: each element goes to one thread.
 unsafe impl<T: Send> Sync for Each<T> {}
 
 impl<T> Each<T> {
@@ -248,12 +245,12 @@ impl<T> Each<T> {
         }
     }
 
-    /// An element, if there is one of that number.
+    /// Returns an element, if `index` is in the slice.
     ///
     /// # Safety
-    /// No element may be asked for twice, and the slice has to be borrowed all the while.
+    /// Each element may be requested once, and the slice has to stay borrowed.
     unsafe fn get<'a>(&self, index: usize) -> Option<&'a mut T> {
-        // SAFETY: it is inside of the slice, and the caller vouches for the rest.
+        // SAFETY: the index is in the slice; the rest is required of the caller.
         (index < self.length).then(|| unsafe { &mut *self.start.add(index) })
     }
 }

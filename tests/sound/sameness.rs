@@ -27,7 +27,7 @@ fn blocks_of_any_size_give_the_same_samples() {
     let mut synthesizer = Box::<Synthesizer>::default();
     let mut samples = Vec::new();
     while samples.len() < song.len() {
-        samples.extend_from_slice(synthesizer.block());
+        samples.extend_from_slice(synthesizer.chunk());
     }
     assert!(same(&samples[..song.len()], song), "its own blocks");
 }

@@ -10,7 +10,7 @@ use crate::output;
 use anyhow::{Result, ensure};
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::input::{Input, Press};
-use eightfold_window::screen::{Next, Screen, fit};
+use eightfold_window::render_target::{Next, RenderTarget, fit};
 use eightfold_window::window::Window;
 use std::ffi::CString;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! This program as a linker: it has the program linked, and packs it.
+//! Acts as the linker: runs the real one, and packs its output.
 
 use std::{
     env,
@@ -8,32 +8,32 @@ use std::{
     process::{Command, ExitStatus},
 };
 
-use super::{diet, order};
+use super::{order, redirect};
 use crate::{Error, System, Version, executable::packed_size, pack_executable};
 
-/// The largest file of a 64 kB intro.
+/// The size limit of a 64 kB intro.
 const LIMIT: usize = 65_536;
 
-/// The name of the stub's object file.
+/// The stub's object file.
 pub const STUB: &str = "stub.o";
 const SETTINGS: &str = "settings";
-/// The name of the diet's object file.
-const DIET: &str = "diet.o";
-/// The name of the file with functions in the order in which they are linked.
+/// The object file with replacements for functions of std.
+const REDIRECTIONS: &str = "redirections.o";
+/// The file that lists functions in link order.
 const ORDER: &str = "order";
 
-/// The build script's settings for the linker, in a file beside it.
+/// The build script's settings, in a file in the linker's folder.
 pub struct Settings {
-    /// The linker's path or name.
+    /// The real linker's path or name.
     pub linker: String,
-    /// The folder where the program is left as it was linked.
+    /// The folder for the unpacked program.
     pub unpacked: String,
-    /// What it is for.
+    /// The target system.
     pub system: System,
 }
 
 impl Settings {
-    /// Writes them as lines; the last two are empty for Linux.
+    /// Writes one setting a line; the last two are empty for Linux.
     pub fn write(&self, directory: &Path) -> Result<(), Error> {
         let [name, number] = match &self.system {
             System::Linux => ["", ""],
@@ -46,8 +46,8 @@ impl Settings {
     fn read(directory: &Path) -> Result<Settings, Error> {
         let text = fs::read_to_string(directory.join(SETTINGS))?;
         let lines: Vec<_> = text.split('\n').map(String::from).collect();
-        let [linker, unpacked, name, number] = <[String; 4]>::try_from(lines)
-            .map_err(|_| "the settings are not those of the build script")?;
+        let [linker, unpacked, name, number] =
+            <[String; 4]>::try_from(lines).map_err(|_| "linker settings are incomplete")?;
         Ok(Settings {
             linker,
             unpacked,
@@ -63,24 +63,24 @@ impl Settings {
         matches!(self.system, System::Windows(_))
     }
 
-    /// Whether the linker takes an order of functions.
+    /// Returns whether the linker accepts an order of functions.
     fn is_lld(&self) -> bool {
         let version = Command::new(&self.linker).arg("--version").output();
         version.is_ok_and(|version| String::from_utf8_lossy(&version.stdout).starts_with("LLD"))
     }
 
-    /// Runs the linker with more arguments before those that it was to be given.
+    /// Runs the linker with `more` before its own arguments.
     fn run_linker(&self, more: &[OsString], arguments: &[OsString]) -> Result<ExitStatus, Error> {
         let is_wanted = |argument: &&OsString| !self.is_for_windows() || !is_of_linux(argument);
         Command::new(&self.linker)
             .args(more)
             .args(arguments.iter().filter(is_wanted))
             .status()
-            .map_err(|error| format!("cannot run {}: {error}", self.linker).into())
+            .map_err(|error| format!("{}: {error}", self.linker).into())
     }
 }
 
-/// Links as it is told, and packs what came of it. Returns the exit code.
+/// Links with these arguments and packs the output. Returns the exit code.
 pub fn run(arguments: &[OsString]) -> i32 {
     link(arguments).unwrap_or_else(|error| {
         eprintln!("error: {error}");
@@ -90,29 +90,28 @@ pub fn run(arguments: &[OsString]) -> i32 {
 
 fn link(arguments: &[OsString]) -> Result<i32, Error> {
     let own = env::current_exe()?;
-    let directory = own.parent().ok_or("the linker is nowhere")?;
+    let directory = own.parent().ok_or("linker has no folder")?;
     let settings = Settings::read(directory)?;
-    let words = words(arguments)?;
+    let words = expand(arguments)?;
     let output = output(&words);
     let mut more = Vec::new();
     if output.is_some() {
-        // Have the diet's definitions come first.
-        let (object, missing) = diet::redirections(&words)?;
+        // Put the replacements first.
+        let (object, missing) = redirect::redirections(&words)?;
         if !missing.is_empty() {
             let missing = missing.join(", ");
-            eprintln!("warning: the program may be larger than 64 kB: this std has no {missing}");
+            eprintln!("warning: this std lacks {missing}; the program may exceed 64 kB");
         }
-        let path = directory.join(DIET);
+        let path = directory.join(REDIRECTIONS);
         fs::write(&path, object)?;
         more.push(path.into_os_string());
     }
-    // Have the linker link the program.
     let status = settings.run_linker(&more, arguments)?;
     let Some(path) = output.filter(|_| status.success()) else {
-        // Without an output it was asked for its version.
+        // Without an output, the call asked for the linker's version.
         return Ok(status.code().unwrap_or(1));
     };
-    // Have it do so again with functions in some orders, and at last in the one that packs best, if it can.
+    // Try several orders of functions, and link in the one that packs best.
     if settings.is_lld() {
         let file = directory.join(ORDER);
         let mut option = OsString::from("--symbol-ordering-file=");
@@ -122,7 +121,7 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
             fs::write(&file, order.join("\n"))?;
             let status = settings.run_linker(&more, arguments)?;
             if !status.success() {
-                return Err("the linker refuses an order of functions".into());
+                return Err("linker refuses an order of functions".into());
             }
             Ok(fs::read(&path)?)
         };
@@ -135,8 +134,8 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         }
         link(&best.1)?;
     }
-    // Keep the program as it was linked, under the name that cargo gives it: with libraries of other features it has another.
-    let mut name = path.file_name().ok_or("no name")?.to_owned();
+    // Keep the unpacked program under cargo's name, whose hash depends on the features.
+    let mut name = path.file_name().ok_or("output has no name")?.to_owned();
     name.push(".unpacked");
     fs::copy(&path, Path::new(&settings.unpacked).join(name))?;
     let program = fs::read(&path)?;
@@ -150,9 +149,9 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     };
     if file.len() > LIMIT {
         let size = file.len();
-        eprintln!("warning: the program has {size} bytes, more than the {LIMIT} of a 64 kB intro");
+        eprintln!("warning: program size is {size} bytes; a 64 kB intro has at most {LIMIT}");
     }
-    // In place, so that it stays executable.
+    // Overwrite the file to keep its permissions.
     fs::write(&path, &file)?;
     if settings.is_for_windows() {
         fs::write(name_for_windows(&path)?, &file)?;
@@ -160,22 +159,25 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     Ok(0)
 }
 
-/// Whether an argument is a library of Linux, or asks for what only its own programs have.
+/// Returns whether an argument is a Linux library or an option for Linux only.
 fn is_of_linux(argument: &OsStr) -> bool {
     let argument = argument.to_string_lossy();
     argument.starts_with("-l") || argument == "--eh-frame-hdr"
 }
 
-/// The name that a program for Windows has beside those that Cargo leaves.
+/// Returns the name of a Windows program next to cargo's.
 fn name_for_windows(path: &Path) -> Result<PathBuf, Error> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let name = name.rsplit_once('-').map_or(&*name, |(name, _)| name);
-    let folder = path.parent().and_then(Path::parent).ok_or("no folder")?;
+    let folder = path
+        .parent()
+        .and_then(Path::parent)
+        .ok_or("output has no folder")?;
     Ok(folder.join(name).with_extension("exe"))
 }
 
-/// The arguments of the link. (Where there are many, they are in a file.)
-fn words(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
+/// Returns the link's arguments, with response files expanded.
+fn expand(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
     let mut words = Vec::new();
     for argument in arguments {
         match argument
@@ -193,7 +195,7 @@ fn words(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
     Ok(words)
 }
 
-/// Finds the output file of the link.
+/// Returns the link's output file.
 fn output(words: &[OsString]) -> Option<PathBuf> {
     let place = words.iter().position(|word| word == "-o")?;
     words.get(place + 1).map(PathBuf::from)

@@ -1,22 +1,22 @@
-//! The intro's build script: it has the linker called by way of this program.
+//! The intro's build script.
 //!
-//! `cargo build --release` compiles the script, which Cargo runs: it compiles the stub, and says how to link the intro. Rust calls
-//! a C compiler for that, which is told to take its linker from `OUT_DIR/linker`: there, the script's own executable has the name
-//! of one. Called by that name, it runs the linker that would have been called, and packs what came of it in place.
+//! `cargo build --release` runs the script, which compiles the stub and tells cargo how to link the intro. rustc links with a C
+//! compiler; an option makes that look for its linker in `OUT_DIR/linker`, where the script's own executable has a linker's name.
+//! Called by this name, it runs the real linker, and packs the output in place.
 //!
-//! In the script's `OUT_DIR` are then
+//! `OUT_DIR` then contains
 //!
-//! | file | what |
+//! | file | content |
 //! | --- | --- |
-//! | `eightfold-*.unpacked` | the program of that name in `deps`, not packed, with its symbols: [`costs`](crate::costs) tells what its parts take packed |
-//! | `eightfold.map` | what the linker has put where in the latest |
-//! | `linker/` | the linker that packs, and the stub |
+//! | `eightfold-*.unpacked` | the unpacked program of this name in `deps`, with symbols for debuggers, profilers and [`costs`](crate::costs) |
+//! | `eightfold.map` | the latest link's map |
+//! | `linker/` | the linker and the stub |
 //!
-//! Debuggers and profilers take the program that is not packed. Where a program can't be packed, it is linked as any other, and one warning says why.
+//! If a program cannot be packed, it is linked as usual, with a warning that gives the reason.
 
-mod diet;
 mod linker;
 mod order;
+mod redirect;
 mod toolchain;
 
 use std::{
@@ -28,13 +28,13 @@ use std::{
 use crate::{Error, System, Version};
 use toolchain::Toolchain;
 
-/// The name by which a C compiler finds a linker, and by which this program knows that it is called for one.
+/// The linker's file name, by which the C compiler and this program recognise it.
 const LINKER: &str = "ld.bfd";
 
-/// Where this crate is, with the stub's source.
+/// This crate's folder, with the stub's source.
 const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
 
-/// Runs as the build script of a package with a program, or as the linker of that.
+/// Runs as the build script for `program`, or as its linker.
 pub fn main(program: &str) {
     let arguments: Vec<_> = env::args_os().collect();
     if let [own, rest @ ..] = &arguments[..]
@@ -43,7 +43,7 @@ pub fn main(program: &str) {
         std::process::exit(linker::run(rest));
     }
     println!("cargo::rerun-if-changed={SOURCE}");
-    // Unoptimised, nobody minds the size; nor where the window is by minifb, which alone is larger.
+    // Only release builds with a window of their own are packed: minifb's window exceeds the limit.
     let is_portable = env::var_os("CARGO_FEATURE_PORTABLE").is_some()
         || ["TARGET_OS", "TARGET_ARCH"].map(|part| env::var(format!("CARGO_CFG_{part}")).ok())
             != ["linux", "x86_64"].map(|name| Some(name.to_owned()));
@@ -51,13 +51,11 @@ pub fn main(program: &str) {
         return;
     }
     if let Err(error) = prepare(program) {
-        println!(
-            "cargo::warning={program} is built with all of std that it does not need, and not packed: {error}"
-        );
+        println!("cargo::warning={program} is not packed, and contains all of std: {error}");
     }
 }
 
-/// Says how the program is linked.
+/// Prints the options for linking.
 fn prepare(program: &str) -> Result<(), Error> {
     let toolchain = Toolchain::find()?;
     let output = PathBuf::from(env::var("OUT_DIR")?);
@@ -70,7 +68,7 @@ fn prepare(program: &str) -> Result<(), Error> {
     } else {
         System::Linux
     };
-    // Put this program where the compiler looks for a linker.
+    // Put this program where the C compiler looks for a linker.
     let directory = output.join("linker");
     fs::create_dir_all(&directory)?;
     let own = env::current_exe()?;
@@ -79,10 +77,10 @@ fn prepare(program: &str) -> Result<(), Error> {
         fs::remove_file(&linker)?;
     }
     fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
-    // Write the settings that it reads when it is called, and the stub.
+    // Write the settings and the stub for it.
     let text = |path: PathBuf| {
         let path = path.into_os_string().into_string();
-        path.map_err(|path| format!("{path:?} is not UTF-8"))
+        path.map_err(|path| format!("path {path:?} is not UTF-8"))
     };
     linker::Settings {
         linker: toolchain.linker.clone(),
@@ -94,29 +92,29 @@ fn prepare(program: &str) -> Result<(), Error> {
     let map = text(output.join(format!("{program}.map")))?;
     let for_system: &[&str] = if is_for_windows {
         &[
-            // Nothing of Linux starts it.
+            // No dynamic linker on Windows.
             "-Wl,--no-dynamic-linker",
-            // With room before it for the packed file, which begins where programs of Windows did before they had random addresses.
+            // The space below this address is for the packed file, which begins at 0x400000, as Windows programs do by convention.
             &format!("-Wl,{}=0x420000", toolchain.base()),
         ]
     } else {
-        // All functions of libraries are found when it starts: what would look them up later is left out.
+        // Functions of libraries are found at the start, which makes the code for lazy binding superfluous.
         &["-Wl,-z,now"]
     };
     let for_all = [
-        // It has a beginning of its own.
+        // The intro has an entry point of its own.
         "-nostartfiles",
         "-Wl,--entry=eightfold_start",
-        // At fixed addresses: so it needs no relocations, and the packed file has room for it.
+        // Fixed addresses need no relocations, and leave room for the packed file.
         "-no-pie",
-        // Pages of 4 KB: gaps between segments are packed, too.
+        // Pages of 4 KB keep the gaps between segments short.
         "-Wl,-z,max-page-size=4096",
         "-Wl,--build-id=none",
-        // Of functions that are redirected there are two; the first counts.
+        // Redirected functions are defined twice; the first definition counts.
         "-Wl,-z,muldefs",
         &format!("-Wl,-Map={map}"),
         &format!("-B{}", directory.display()),
-        // The last one says which linker it is.
+        // The last option selects the linker by its suffix.
         &format!("-fuse-ld={}", &LINKER[3..]),
     ];
     for argument in for_all.iter().chain(for_system) {
@@ -125,7 +123,7 @@ fn prepare(program: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Compiles the stub of a system to an object file, without what the user wants of other programs.
+/// Compiles a system's stub to an object file, without the user's flags for rustc.
 fn compile_stub(toolchain: &Toolchain, is_for_windows: bool, object: &Path) -> Result<(), Error> {
     let system = if is_for_windows { "windows" } else { "linux" };
     let source = Path::new(SOURCE).join("stub").join(system).join("main.rs");
@@ -139,13 +137,13 @@ fn compile_stub(toolchain: &Toolchain, is_for_windows: bool, object: &Path) -> R
         .args(["--target", toolchain::TARGET])
         .args([
             "-Cpanic=abort",
-            // Loops that are called through iterators inline, which `z` would not.
+            // `s` inlines loops over iterators, which `z` does not.
             "-Copt-level=s",
             "-Cjump-tables=no",
             "-Crelocation-model=static",
             "-Ccodegen-units=1",
         ])
-        // On Windows memory below the stack pointer may be written to at any time.
+        // Windows may overwrite memory below the stack pointer at any time.
         .args(is_for_windows.then_some("-Cno-redzone=yes"))
         .arg("-o")
         .args([object, &source])
@@ -153,6 +151,6 @@ fn compile_stub(toolchain: &Toolchain, is_for_windows: bool, object: &Path) -> R
     if done.success() {
         Ok(())
     } else {
-        Err("rustc cannot compile the stub".into())
+        Err("rustc failed to compile the stub".into())
     }
 }

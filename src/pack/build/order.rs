@@ -1,10 +1,7 @@
-//! Puts functions into orders in which each is like those before it, since the packer's model learns as it goes.
+//! Orders functions so that similar ones are adjacent, because the packer's model adapts as it goes.
 //!
-//! What that saves is in docs/size.md; in an order by chance there would be 600 bytes more. Which function the best order begins with
-//! shows when all are packed. Functions are compared by the rows of three
-//! bytes that they have in common, as texts are by their words: a row counts more if few functions have it, and the more often one has
-//! it (the weights are known as tf-idf, the measure as the cosine). All is computed from whole numbers by exact steps, so the order is
-//! the same on every machine.
+//! docs/size.md has the saving; a random order costs 600 bytes more. Functions are compared like texts: by the cosine of their
+//! tf-idf vectors, whose terms are sequences of three bytes. The arithmetic is exact, so the order is the same on every machine.
 
 use std::{
     cmp::{Ordering, Reverse},
@@ -15,19 +12,21 @@ use object::{Object, ObjectSection, ObjectSymbol, SymbolKind};
 
 use crate::Error;
 
-/// Bytes of a row.
-const ROW: usize = 3;
+/// The length of a sequence in bytes.
+const LENGTH: usize = 3;
 
-/// How many orders are tried: all that are packed take three seconds.
+/// The number of orders to try; packing them all takes three seconds.
 const ORDERS: usize = 6;
 
-/// Rows of a function, in order, and how much each counts.
-type Rows<'a> = Vec<(&'a [u8], f64)>;
+/// A function's sequences in order, with their weights.
+type Terms<'a> = Vec<(&'a [u8], f64)>;
 
-/// Returns the names of a program's functions in better orders, each of which begins with one of the largest.
+/// Returns orders of a program's functions by similarity. Each begins with one of the largest functions.
 pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
     let file = object::File::parse(program)?;
-    let section = file.section_by_name(".text").ok_or("there is no code")?;
+    let section = file
+        .section_by_name(".text")
+        .ok_or("program has no section .text")?;
     let code = section.data()?;
     let mut functions = Vec::new();
     for symbol in file.symbols() {
@@ -40,7 +39,7 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
         }
     }
     functions.sort_unstable();
-    // One function may have several names.
+    // A function may have several names.
     functions.dedup_by_key(|&mut (start, ..)| start);
     let codes: Vec<_> = functions.iter().map(|&(_, _, bytes)| bytes).collect();
     let mut starts: Vec<_> = (0..codes.len()).collect();
@@ -54,8 +53,8 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
         .collect())
 }
 
-/// Returns the order of functions that begins with one of them, and goes on with the one that is most like the last ones: each counts
-/// half of what the next one does.
+/// Returns the order that begins with `start` and continues with the function most similar to the previous ones. The weight of a
+/// previous function halves with each step.
 fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     let mut to_last = vec![0.0; likeness.len()];
     let mut left: Vec<_> = (0..likeness.len()).filter(|&i| i != start).collect();
@@ -75,47 +74,47 @@ fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     order
 }
 
-/// Returns how much each function is like each other.
+/// Returns the similarity of each pair of functions.
 fn likeness(codes: &[&[u8]]) -> Vec<Vec<f64>> {
-    let rows = rows(codes);
-    let to_all = |a| rows.iter().map(|b| product(a, b)).collect();
-    rows.iter().map(to_all).collect()
+    let terms = terms(codes);
+    let to_all = |a| terms.iter().map(|b| product(a, b)).collect();
+    terms.iter().map(to_all).collect()
 }
 
-/// The rows of each function that others have, too, with weights whose squares add up to 1.
-fn rows<'a>(codes: &[&'a [u8]]) -> Vec<Rows<'a>> {
+/// Returns the sequences that each function shares with others, with weights of norm 1.
+fn terms<'a>(codes: &[&'a [u8]]) -> Vec<Terms<'a>> {
     let counts = codes.iter().map(|code| {
         let mut counts = BTreeMap::new();
-        for row in code.windows(ROW) {
-            *counts.entry(row).or_insert(0_u32) += 1;
+        for term in code.windows(LENGTH) {
+            *counts.entry(term).or_insert(0_u32) += 1;
         }
         counts
     });
     let counts: Vec<_> = counts.collect();
     let mut functions = HashMap::new();
-    for &row in counts.iter().flat_map(BTreeMap::keys) {
-        *functions.entry(row).or_insert(0_u128) += 1;
+    for &term in counts.iter().flat_map(BTreeMap::keys) {
+        *functions.entry(term).or_insert(0_u128) += 1;
     }
     let all = codes.len() as u128;
     let weighed = counts.into_iter().map(|counts| {
-        let weight = |(row, count): (&'a [u8], u32)| {
+        let weight = |(term, count): (&'a [u8], u32)| {
             // Four times the binary logarithm.
-            let rarity = (all.pow(4) / functions[row].pow(4)).ilog2();
-            (row, f64::from((1 + count.ilog2()) * rarity))
+            let rarity = (all.pow(4) / functions[term].pow(4)).ilog2();
+            (term, f64::from((1 + count.ilog2()) * rarity))
         };
-        let shared = counts.into_iter().filter(|(row, _)| functions[row] > 1);
-        let mut rows: Rows<'_> = shared.map(weight).collect();
-        let length = product(&rows, &rows).sqrt();
-        for (_, weight) in &mut rows {
+        let shared = counts.into_iter().filter(|(term, _)| functions[term] > 1);
+        let mut terms: Terms<'_> = shared.map(weight).collect();
+        let length = product(&terms, &terms).sqrt();
+        for (_, weight) in &mut terms {
             *weight /= length.max(1.0);
         }
-        rows
+        terms
     });
     weighed.collect()
 }
 
-/// The sum of products of the weights that two have for the same rows.
-fn product(a: &Rows<'_>, b: &Rows<'_>) -> f64 {
+/// Returns the scalar product.
+fn product(a: &Terms<'_>, b: &Terms<'_>) -> f64 {
     let (mut a, mut b) = (a.iter().peekable(), b.iter().peekable());
     let mut sum = 0.0;
     while let (Some((first, x)), Some((second, y))) = (a.peek(), b.peek()) {
@@ -137,7 +136,7 @@ mod tests {
     use super::{chain, likeness};
 
     #[test]
-    fn what_is_alike_comes_together() {
+    fn similar_functions_are_adjacent() {
         let codes = [
             &b"abcdefgh"[..],
             b"rstuvw",

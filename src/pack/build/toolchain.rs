@@ -1,4 +1,4 @@
-//! The compiler and the linker that cargo has chosen.
+//! Finds the compiler and the linker that cargo uses.
 
 use std::{
     env,
@@ -14,16 +14,16 @@ pub const TARGET: &str = "x86_64-unknown-linux-gnu";
 
 pub struct Toolchain {
     pub rustc: OsString,
-    /// The linker of the program: a path, or a name to be looked up.
+    /// The program's linker: a path, or a name to look up.
     pub linker: String,
 }
 
 impl Toolchain {
-    /// Finds out, or says why the program can't be packed.
+    /// Finds them, or explains why the program cannot be packed.
     pub fn find() -> Result<Toolchain, Error> {
         let target = env::var("TARGET")?;
         if target != TARGET {
-            return Err(format!("only {TARGET} is, not {target}").into());
+            return Err(format!("target is {target}; must be {TARGET}").into());
         }
         let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
         let output = Command::new(&rustc).args(["--print", "sysroot"]).output()?;
@@ -38,7 +38,7 @@ impl Toolchain {
         Ok(Toolchain { rustc, linker })
     }
 
-    /// The linker's option for the address where a program begins.
+    /// Returns the linker's option for a program's base address.
     pub fn base(&self) -> &'static str {
         if self.linker.ends_with("lld") || self.linker.ends_with("mold") {
             "--image-base"
@@ -48,7 +48,7 @@ impl Toolchain {
     }
 }
 
-/// Finds the linker, by the user's flags for rustc, the C compiler that cargo calls, and the linker that rustc brings.
+/// Returns the linker, from the user's flags for rustc, cargo's C compiler, and rustc's own linker.
 fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
     // Options for code generation are `-Cname=value`, `-C name=value`, and the same with `--codegen`.
     let flags = flags
@@ -56,7 +56,7 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
         .replace("--codegen\x1f", "-C")
         .replace("-C\x1f", "-C");
     let options = flags.split('\x1f');
-    // Read them; later ones count more.
+    // Later options override earlier ones.
     let (mut compiler, mut chosen, mut own) = (compiler, None, own);
     for (name, value) in options.filter_map(|option| option.strip_prefix("-C")?.split_once('=')) {
         match name {
@@ -69,7 +69,7 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
             "link-arg" | "link-args" => {
                 for word in value.split(' ') {
                     if word.starts_with("--ld-path") {
-                        return Err(format!("{word} is chosen as its linker").into());
+                        return Err(format!("linker option {word} is not supported").into());
                     }
                     chosen = word.strip_prefix("-fuse-ld=").or(chosen);
                 }
@@ -84,9 +84,9 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
         .unwrap_or_default()
         .to_string_lossy();
     if name.ends_with("ld") || name.ends_with("ld.lld") || name == "mold" {
-        return Err(format!("{compiler} links it without a C compiler").into());
+        return Err(format!("linker is {compiler}; must be called by a C compiler").into());
     }
-    // Name the linker that the C compiler would call.
+    // Return the linker that the C compiler would call.
     Ok(match (chosen, own) {
         (Some(path), _) if path.contains('/') => path.into(),
         (Some(name), _) => format!("ld.{name}"),
@@ -99,13 +99,13 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
 mod tests {
     use super::linker;
 
-    /// Finds the linker where rustc brings a linker `own`; the flags are given with spaces between them.
+    /// Returns the linker for flags separated by spaces, where rustc's own linker is `own`.
     fn chosen(flags: &str) -> Option<String> {
         linker(&flags.replace(' ', "\x1f"), None, Some("own")).ok()
     }
 
     #[test]
-    fn the_linker_is_the_one_that_would_have_been_called() {
+    fn linker_matches_flags() {
         for (flags, expected) in [
             ("", "own"),
             ("-Ctarget-cpu=native --cfg linker", "own"),
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_c_compiler_calls_is_not_replaced() {
+    fn linker_without_c_compiler_is_refused() {
         for flags in [
             "-Clinker=rust-lld",
             "-Clinker=/usr/bin/ld.lld",

@@ -1,14 +1,12 @@
-//! Executables of Linux, packed.
+//! Packs Linux executables. The packed file has
 //!
-//! The packed file has
-//!
-//! | bytes | what |
+//! | bytes | content |
 //! | ---: | --- |
 //! | 64 | the ELF header |
 //! | 2 x 56 | program headers: this file; a stack that is not executable |
-//! | 138 | the stub's beginning, which checks all that follows: a file that was cut to no less than this says so |
+//! | 138 | the stub's first section, which verifies the rest; a file that was cut, but still has these bytes, prints an error |
 //! | 4,200 | the stub |
-//! | the rest | what was packed |
+//! | the rest | the packed program |
 
 use std::collections::HashMap;
 
@@ -19,26 +17,26 @@ use crate::{
     stub::{FIRST, LOADER, Stub},
 };
 
-/// Bytes before the stub: the headers, and so many that its constants are aligned.
+/// The size of the headers, with padding to align the stub's constants.
 const HEAD: usize = (elf::HEADER_SIZE + 2 * Segment::SIZE).next_multiple_of(16);
 
-/// Where in the file the checksum is: where the second program header has an address.
+/// The file offset of the checksum: the second program header's address field.
 const SUM: usize = elf::HEADER_SIZE + Segment::SIZE + 16;
 
-/// A packed executable of a stripped one and the stub's object file.
+/// Packs a stripped executable, with the stub's object file.
 pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let segments = elf::segments(stripped)?;
     for kind in [elf::INTERPRETER, elf::PROGRAM_HEADERS] {
         if !segments.iter().any(|segment| segment.kind == kind) {
-            return Err("no dynamic linker starts it".into());
+            return Err("program has no dynamic linker".into());
         }
     }
-    // Put the loader behind the program.
+    // Append the loader to the program.
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [stripped, &loader].concat();
     let packed = encode_both(&unpacked)?;
     let Memory { start, end } = Memory::of(&segments)?;
-    // The file lies right behind the program, so that the heap, which begins behind both, is where it always is.
+    // Place the file after the program, so that the heap, which follows both, is at its usual address.
     let stub = Stub::read(stub, FIRST)?;
     let size = (HEAD + stub.size() + packed.len()) as u64;
     let address = end.next_multiple_of(elf::PAGE);
@@ -54,11 +52,11 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         ("PROGRAM", start),
         ("PROGRAM_SIZE", end - start),
     ]);
-    // Link the stub to its address, and compute what it checks.
+    // Link the stub to its address.
     let linked = stub.link(entry, &names)?;
     let (first, rest) = linked.split_at(stub.first_size());
     let checked = [rest, &packed].concat();
-    // Write the header, the two segments, the stub and the packed bytes.
+    // Write the headers, the stub and the packed bytes.
     let mut file = elf::header(entry, 2);
     let file_itself = Segment {
         kind: elf::LOAD,
@@ -68,8 +66,8 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         size,
         ..Segment::default()
     };
-    // Of this one, Linux reads only the flags. The rest says where in the file the packed bytes are, how many bytes at its end are
-    // checked, what their checksum is, and how many bytes were packed.
+    // Linux reads only this header's flags. The other fields hold the packed bytes' offset, the number of bytes that the checksum
+    // covers, the checksum, and the unpacked length.
     let stack = Segment {
         kind: elf::STACK,
         flags: elf::READ | elf::WRITE,
@@ -88,14 +86,14 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(file)
 }
 
-/// The program that is in a packed executable, with the loader behind it.
+/// Returns a packed executable's program, with the loader behind it.
 pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
     let segments = elf::segments(file)?;
     let is_stack = |segment: &&Segment| segment.kind == elf::STACK;
-    let stack = segments.iter().find(is_stack).ok_or("it is not packed")?;
-    let packed = file.get(stack.range()).ok_or("it is not whole")?;
+    let stack = segments.iter().find(is_stack).ok_or("file is not packed")?;
+    let packed = file.get(stack.range()).ok_or("file is incomplete")?;
     let start = file.len().checked_sub(stack.size as usize);
-    let checked = file.get(start.ok_or("it is not whole")?..);
+    let checked = file.get(start.ok_or("file is incomplete")?..);
     if checked.is_none_or(|checked| u64::from(checksum(checked)) != stack.address) {
         return Err(Damaged.into());
     }

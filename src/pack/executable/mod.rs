@@ -1,7 +1,7 @@
-//! Makes a packed executable of an ordinary one.
+//! Packs executables.
 //!
-//! The packed content is an ELF file itself, without all that nobody reads who starts it, and the stub's loader, which loads it. Around
-//! that are the stub and the headers of the system that it is for: [`linux`] or [`windows`].
+//! The packed content is an ELF file, stripped to the parts that starting needs, and the stub's loader. The stub and the headers of
+//! the target system, [`linux`] or [`windows`], surround it.
 
 mod linux;
 mod strip;
@@ -19,40 +19,40 @@ use crate::{
     encode,
 };
 
-/// A system that executables are made for.
+/// A target system.
 pub enum System {
     /// Linux on x86-64.
     Linux,
-    /// Windows on x86-64, with what it shows of the program.
+    /// Windows on x86-64, with the program's version information.
     Windows(Version),
 }
 
-/// Where in memory a program's segments go: from the beginning of a page to the last byte's end.
+/// The addresses of a program's segments, from the beginning of a page to the last byte's end.
 struct Memory {
     start: u64,
     end: u64,
 }
 
 impl Memory {
-    /// Finds it, if the program is one that can be loaded.
+    /// Returns the addresses of a program that can be loaded.
     fn of(segments: &[Segment]) -> Result<Memory, Error> {
         let loads = segments.iter().filter(|segment| segment.kind == elf::LOAD);
         let starts = loads.clone().map(|load| load.address);
         let ends = loads.map(|load| load.address.saturating_add(load.size));
-        let start = starts.min().ok_or("nothing of it is loaded")? / elf::PAGE * elf::PAGE;
+        let start = starts.min().ok_or("program has no loaded segment")? / elf::PAGE * elf::PAGE;
         let end = ends.max().unwrap_or_default();
-        // The stub's addresses have four bytes, with a sign.
+        // The stub's addresses are 32-bit signed integers.
         if end > 1 << 31 {
-            return Err("it is not linked to addresses below 2 GB".into());
+            return Err("program is linked above 2 GB".into());
         }
         Ok(Memory { start, end })
     }
 }
 
-/// A packed executable of an ordinary one and the stub's object file.
+/// Packs an executable, with the stub's object file.
 ///
 /// # Errors
-/// If it is no executable that the stub can load.
+/// If the stub cannot load the executable.
 pub fn pack_executable(program: &[u8], stub: &[u8], system: &System) -> Result<Vec<u8>, Error> {
     let stripped = strip(program)?;
     match system {
@@ -61,22 +61,22 @@ pub fn pack_executable(program: &[u8], stub: &[u8], system: &System) -> Result<V
     }
 }
 
-/// How many bytes a program takes packed, without its stub.
+/// Returns a program's packed size in bytes, without the stub.
 pub fn packed_size(program: &[u8]) -> Result<usize, Error> {
     Ok(encode(&strip(program)?).len())
 }
 
-/// The program that is in a packed executable, as [`strip`] leaves it.
+/// Returns a packed executable's program, as left by [`strip`].
 ///
 /// # Errors
-/// If it is none, or not whole.
+/// If the file is not a packed executable, or damaged.
 pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
-    let mut unpacked = if windows::is_one(file) {
+    let mut unpacked = if windows::is_pe(file) {
         windows::unpack(file)?
     } else {
         linux::unpack(file)?
     };
-    // The rest is the loader.
+    // Cut off the loader.
     let ends = elf::segments(&unpacked)?
         .into_iter()
         .map(|segment| segment.range().end);
@@ -84,14 +84,18 @@ pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(unpacked)
 }
 
-/// Packs a program with its loader behind it, and makes sure that both can be unpacked.
+/// Packs a program followed by its loader, and checks that it unpacks.
 fn encode_both(unpacked: &[u8]) -> Result<Vec<u8>, Error> {
     if unpacked.len() > LONGEST {
-        return Err(format!("{} bytes are too many", unpacked.len()).into());
+        return Err(format!(
+            "program size is {} bytes; must be at most {LONGEST}",
+            unpacked.len()
+        )
+        .into());
     }
     let packed = encode(unpacked);
     if decode(&packed, unpacked.len())? != unpacked {
-        return Err("what is unpacked is not what was packed".into());
+        return Err("unpacking does not restore the program".into());
     }
     Ok(packed)
 }

@@ -1,4 +1,4 @@
-//! Takes away of an executable what nobody reads who starts it.
+//! Strips an executable to the parts that starting needs.
 
 use std::ops::Range;
 
@@ -8,20 +8,20 @@ use crate::{
     panics,
 };
 
-/// The kind of entry of the dynamic section with flags, and the flag of a program whose functions are all found when it starts.
+/// The dynamic section's entry with flags, and the flag that binds all functions at the start.
 const FLAGS: u64 = 30;
 const BIND_NOW: u64 = 8;
 
-/// Keeps what is read of an executable to start it: its headers and segments, without what only unwinding reads, or a report of a
-/// panic. That is not needed where a panic ends the process.
+/// Returns the headers and segments, without unwind tables, panic locations and lazy binding. A panic ends the process, so nothing
+/// reads them.
 ///
 /// # Errors
-/// If it is no executable at fixed addresses.
+/// If `program` is not an executable at fixed addresses.
 pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     if elf::kind(program)? != elf::EXECUTABLE {
-        return Err("it is not linked to fixed addresses".into());
+        return Err("program is not linked at fixed addresses".into());
     }
-    // Look for what only unwinding reads, and for the segments.
+    // Find the unwind tables and the segments.
     let file = object::File::parse(program)?;
     let range = |name| Some(Section::find(&file, name)?.range);
     let names = [".eh_frame", ".eh_frame_hdr", ".gcc_except_table"];
@@ -33,7 +33,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         let mut fields = entries.map(|entry| [number(entry, 0, 8), number(entry, 8, 8)]);
         fields.any(|[tag, value]| tag == FLAGS && value & BIND_NOW != 0)
     });
-    // Leave out the reports of panics, and blank the sections for unwinding.
+    // Blank the sections that nothing reads.
     let mut program = program.to_vec();
     panics::blank_locations(&mut program)?;
     if let [Some(calls), Some(slots)] = lookups
@@ -43,9 +43,9 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     }
     for section in &unwinding {
         let bytes = program.get_mut(section.clone());
-        bytes.ok_or("a section is not in it")?.fill(0);
+        bytes.ok_or("section is outside the file")?.fill(0);
     }
-    // Copy the segments that are loaded, one behind the other.
+    // Copy the loaded segments, one behind the other.
     let mut stripped = Vec::new();
     let before = segments.clone();
     for load in segments
@@ -53,7 +53,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         .filter(|segment| segment.kind == elf::LOAD)
     {
         let mut range = load.range();
-        // At the end of a segment it is left out; elsewhere it is zeros now, which take next to nothing.
+        // At the end of a segment, leave the blank section out.
         while let Some(last) = unwinding.iter().find(|section| {
             (range.start + 1..range.end).contains(&section.start)
                 && section.end.next_multiple_of(16) >= range.end
@@ -64,13 +64,13 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
             load.size = range.len() as u64;
         }
         load.file_size = range.len() as u64;
-        // The same place in a page, so that it can be mapped, too.
+        // Keep the offset in the page, so that the segment can be mapped.
         let lead = (load.address - stripped.len() as u64) % elf::PAGE;
         stripped.resize(stripped.len() + lead as usize, 0);
         load.offset = stripped.len() as u64;
-        stripped.extend(program.get(range).ok_or("a segment is not in it")?);
+        stripped.extend(program.get(range).ok_or("segment is outside the file")?);
     }
-    // Have the other segments point to where their bytes are now.
+    // Update the offsets of the other segments.
     let loads: Vec<_> = segments
         .iter()
         .filter(|segment| segment.kind == elf::LOAD)
@@ -90,8 +90,8 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(stripped)
 }
 
-/// Blanks what finds a function of a library when it is first called. Entries of 16 bytes jump to an address in a slot, which at first
-/// is that of the rest of the entry: this pushes a number, and jumps to the first entry.
+/// Blanks the code for lazy binding. An entry of 16 bytes jumps to an address in a slot. Before the first call, the slot points to
+/// the rest of the entry, which pushes a number and jumps to the first entry.
 fn blank_lookups(program: &mut [u8], calls: Range<usize>, slots: Range<usize>) {
     for (i, entry) in program[calls].chunks_exact_mut(16).enumerate() {
         match entry {

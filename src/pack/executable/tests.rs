@@ -1,4 +1,4 @@
-//! What holds for packed executables of either system, tried on a small program with a stub of two bytes.
+//! Tests of packed executables for both systems, with a small program and a stub of two bytes.
 
 use object::{
     Architecture, BinaryFormat, Endianness, LittleEndian as LE, SectionKind, pe,
@@ -77,16 +77,16 @@ fn packed(system: &System) -> Vec<u8> {
 }
 
 #[test]
-fn what_was_packed_is_what_is_unpacked() {
+fn executable_unpacks_to_stripped_program() {
     let stripped = strip(&program()).expect("it is a program");
     for system in [System::Linux, for_windows()] {
         assert!(unpack_executable(&packed(&system)).expect("it is packed") == stripped);
     }
 }
 
-/// Behind the stub's beginning, every byte counts that is not only there to fill the file's last 512.
+/// Changes bytes behind the stub's first section, except padding, and cuts the file at any length.
 #[test]
-fn a_damaged_file_is_an_error() {
+fn damaged_files_are_refused() {
     for (system, checked) in [(System::Linux, 178), (for_windows(), 512 + 80 + 2)] {
         let packed = packed(&system);
         let end = packed.iter().rposition(|&byte| byte != 0).expect("bytes") + 1;
@@ -102,16 +102,16 @@ fn a_damaged_file_is_an_error() {
     }
 }
 
-/// The same on every machine and by every compiler. It changes with the model and the headers: then this is to be set anew.
+/// Guards against differences between machines and compilers. A changed model or header needs new values.
 #[test]
-fn the_same_program_is_packed_to_the_same_file_everywhere() {
+fn executable_packing_is_reproducible() {
     let sums = [System::Linux, for_windows()].map(|system| checksum(&packed(&system)));
     assert_eq!(sums, [2_366_953_694, 3_727_109_912]);
 }
 
-/// What Windows asks of a file, as another reader of such files finds it.
+/// Checks Windows' requirements, with another reader of PE files.
 #[test]
-fn windows_finds_what_it_asks_for() {
+fn windows_file_is_valid() {
     let file = packed(&for_windows());
     let parsed = PeFile64::parse(&*file).expect("it is a PE file");
     let optional = parsed.nt_headers().optional_header();
@@ -132,7 +132,7 @@ fn windows_finds_what_it_asks_for() {
     let entry = optional.address_of_entry_point.get(LE);
     let is_code = |section: &pe::ImageSectionHeader| section.contains_rva(entry);
     assert!(parsed.section_table().iter().position(is_code) == Some(0));
-    // It imports functions of one library by their names.
+    // It imports the functions of one library by name.
     let table = parsed.import_table().expect("a table").expect("imports");
     let mut libraries = table.descriptors().expect("libraries");
     let library = libraries.next().expect("a library").expect("one at least");
@@ -154,7 +154,7 @@ fn windows_finds_what_it_asks_for() {
 }
 
 #[test]
-fn windows_shows_the_name_and_the_version() {
+fn windows_version_info_is_complete() {
     let file = packed(&for_windows());
     let parsed = PeFile64::parse(&*file).expect("it is a PE file");
     let (sections, directories) = (parsed.section_table(), parsed.data_directories());
@@ -193,7 +193,7 @@ fn windows_shows_the_name_and_the_version() {
 }
 
 #[test]
-fn programs_that_no_header_fits_are_refused() {
+fn programs_without_header_space_are_refused() {
     // No room before it; too high for the stub.
     for base in [0, 0x1000, 1 << 31] {
         let mut program = program();

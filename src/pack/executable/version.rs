@@ -1,22 +1,22 @@
-//! What Windows shows of a program's version: a resource of the kind `VS_VERSIONINFO`, in a tree of resources with nothing else.
+//! A program's version information for Windows: a resource `VS_VERSIONINFO` in a tree of its own.
 
-/// What there is to show.
+/// Version information.
 pub struct Version {
-    /// What the program is called, and what it is in a few words.
+    /// The program's name or short description.
     pub name: String,
-    /// Three numbers with dots between them.
+    /// Three numbers separated by dots.
     pub number: String,
 }
 
-/// The kind of the resource, its number, and the language: English of the United States.
+/// The resource's type, its number, and its language (US English).
 const PATH: [u32; 3] = [16, 1, 0x409];
 
-/// Bytes of a table of resources with one entry, and of what the last entry leads to.
+/// The size of a resource table with one entry, and of a data entry.
 const TABLE: usize = 16 + 8;
 const ENTRY: usize = 16;
 
 impl Version {
-    /// The tree of resources, for an address from the beginning of the image.
+    /// Returns the resource tree for an address in the image.
     pub fn to_resources(&self, address: u32) -> Vec<u8> {
         let info = self.to_info();
         let mut bytes = Vec::new();
@@ -25,7 +25,7 @@ impl Version {
             bytes.extend(1_u16.to_le_bytes());
             bytes.extend(number.to_le_bytes());
             let next = (TABLE * (level + 1)) as u32;
-            // The highest bit says that another table follows.
+            // The highest bit marks a subtable.
             let is_last = level + 1 == PATH.len();
             let flag = if is_last { 0 } else { 1 << 31 };
             bytes.extend((next | flag).to_le_bytes());
@@ -42,8 +42,8 @@ impl Version {
         let mut parts = self.number.split('.').map(|part| part.parse().unwrap_or(0));
         let mut part = || parts.next().unwrap_or(0_u32);
         let (high, low) = (part() << 16 | part(), part() << 16);
-        // VS_FIXEDFILEINFO: its signature and version, those of the file and of the product, no flags of the 63, Windows on NT, a
-        // program, of no time.
+        // VS_FIXEDFILEINFO: signature, its version, file version, product version, mask of valid flags, flags, Windows NT, program,
+        // subtype, date.
         let fixed = [
             0xfeef_04bd,
             0x1_0000,
@@ -68,11 +68,11 @@ impl Version {
             .into_iter()
             .map(|(key, value)| {
                 let text = to_utf16(value);
-                // The length of a text counts characters.
+                // Text lengths count UTF-16 units.
                 node(key, true, text.len() / 2, text, &[])
             })
             .collect();
-        // In the language, and in UTF-16, which is number 1200.
+        // US English in UTF-16 (code page 1200).
         let table = node("040904b0", true, 0, Vec::new(), &strings);
         let translation = [0x409_u16, 1200].map(u16::to_le_bytes).concat();
         let children = [
@@ -90,13 +90,13 @@ impl Version {
     }
 }
 
-/// A text in UTF-16 with its 0.
+/// Returns a text in UTF-16 with its terminating 0.
 fn to_utf16(text: &str) -> Vec<u8> {
     let units = text.encode_utf16().chain([0]);
     units.flat_map(u16::to_le_bytes).collect()
 }
 
-/// A part of it: three lengths and kinds, a name, a value, and others, each aligned to 4 bytes.
+/// Returns a node: three 16-bit fields, a name, a value and child nodes, each aligned to 4 bytes.
 fn node(name: &str, is_text: bool, length: usize, value: Vec<u8>, children: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = vec![0; 6];
     bytes.extend(to_utf16(name));

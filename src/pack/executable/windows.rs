@@ -1,20 +1,20 @@
-//! Executables of Windows, made of what is linked as one of Linux and asks nothing of it.
+//! Packs Windows executables. The input is linked for Linux, but calls no function of Linux.
 //!
-//! What is packed is the same as for Linux: an ELF file, and the stub's loader. The packed file has
+//! As for Linux, the packed content is an ELF file and the stub's loader. The packed file has
 //!
-//! | bytes | what |
+//! | bytes | content |
 //! | ---: | --- |
-//! | 512 | the headers; their last 24 bytes tell [`unpack`] where to find what |
+//! | 512 | the headers; their last 24 bytes are for [`unpack`] |
 //! | | the section `.text`, for reading and executing: |
-//! | 80 | addresses of the functions of Windows that the stub calls, put there by Windows |
-//! | 172 | the stub's beginning, which checks all that follows |
+//! | 80 | addresses of the functions that the stub calls, filled in by Windows |
+//! | 172 | the stub's first section, which verifies the rest |
 //! | 3,800 | the stub |
-//! | 640 | the names of these functions, and the version |
-//! | the rest | what was packed |
+//! | 640 | the functions' names, and the version information |
+//! | the rest | the packed program |
 //!
-//! A second section, `.bss`, for reading and writing, takes no bytes: it is the memory where the program goes. So that is at a fixed
-//! address, which nothing else can have taken, and the program needs no relocations. Once it is unpacked its code is made for
-//! reading and executing, its constants for reading: at no time is any memory for both writing and executing.
+//! A second section, `.bss`, for reading and writing, has no bytes in the file. It reserves the program's memory at a fixed
+//! address, so the program needs no relocations. After unpacking, code is made executable and constants are made read-only: no
+//! memory is ever both writable and executable.
 
 use std::collections::HashMap;
 
@@ -30,7 +30,7 @@ use crate::{
     stub::{FIRST, LOADER, Stub},
 };
 
-/// The functions that the stub calls, in the order of `System` in `src/pack/stub/windows/system.rs`. The program is given the first two.
+/// The stub's functions, in the order of `System` in `src/pack/stub/windows/system.rs`. The program receives the first two.
 pub const FUNCTIONS: [&str; 9] = [
     "LoadLibraryA",
     "GetProcAddress",
@@ -44,42 +44,42 @@ pub const FUNCTIONS: [&str; 9] = [
 ];
 const LIBRARY: &str = "kernel32.dll";
 
-/// Bytes of the addresses of so many functions, with a 0 behind them.
+/// Returns the size of a table of `functions` addresses with a terminating 0.
 const fn addresses_size(functions: usize) -> u64 {
     (functions as u64 + 1) * 8
 }
 
-/// Where the first section is in the image, and in the file.
+/// The first section's address in the image, and its offset in the file.
 const START: u64 = PAGE;
 const HEAD: usize = 512;
 
-/// Numbers of 32 bits that the last bytes of the headers are: where in the file what was packed is, its length, how many bytes were
-/// packed, where in the file all begins that is checked, and the checksum.
+/// The number of 32-bit fields at the end of the headers: offset of the packed bytes, their length, the unpacked length, offset of
+/// the bytes that the checksum covers, checksum.
 const RECORD: usize = 5;
 const SUM: usize = HEAD - 4;
 
-/// Whether a file is an executable of Windows, by its first bytes.
-pub fn is_one(file: &[u8]) -> bool {
+/// Returns whether a file is a DOS or Windows executable, by its first bytes.
+pub fn is_pe(file: &[u8]) -> bool {
     file.starts_with(b"MZ")
 }
 
 impl Memory {
-    /// Where an image begins that has so many bytes before the program.
+    /// Returns the base address of an image with `size` bytes before the program.
     fn base(&self, size: u64) -> Result<u64, Error> {
         let base = self
             .start
             .checked_sub(size.next_multiple_of(BASE_ALIGNMENT));
         let base = base.filter(|&base| base != 0 && base % BASE_ALIGNMENT == 0);
-        base.ok_or_else(|| "there is no room for headers before it".into())
+        base.ok_or_else(|| "program leaves no space for headers before it".into())
     }
 }
 
-/// A packed executable of a stripped one and the stub's object file.
+/// Packs a stripped executable, with the stub's object file.
 pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, Error> {
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [stripped, &loader].concat();
     let packed = encode_both(&unpacked)?;
-    // Lay out the section with all bytes: it lies right before the program.
+    // Lay out the first section, which ends where the program begins.
     let stub = Stub::read(stub, FIRST)?;
     let entry = START + addresses_size(FUNCTIONS.len());
     let names_at = entry + stub.size().next_multiple_of(4) as u64;
@@ -99,7 +99,7 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
         ("PROGRAM_LENGTH", stripped.len() as u64),
         ("SYSTEM", base + START),
     ]);
-    // Link the stub to its address, and compute what it checks.
+    // Link the stub to its address.
     let mut bytes = imports.addresses;
     bytes.extend(stub.link(base + entry, &names)?);
     bytes.resize((names_at - START) as usize, 0);
@@ -144,12 +144,12 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
     .to_bytes(&record.map(|number| (number as u32).to_le_bytes()).concat())
 }
 
-/// The program that is in a packed executable, with the loader behind it.
+/// Returns a packed executable's program, with the loader behind it.
 pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
     let field = |i: usize| number(file, HEAD - 4 * (RECORD - i), 4) as usize;
     let [start, length, unpacked, checked, sum] = [0, 1, 2, 3, 4].map(field);
     let end = start.saturating_add(length);
-    let bytes = file.get(checked..end).ok_or("it is not whole")?;
+    let bytes = file.get(checked..end).ok_or("file is incomplete")?;
     if checksum(bytes) as usize != sum {
         return Err(Damaged.into());
     }

@@ -1,14 +1,14 @@
-//! Makes offsets from the end of an instruction to what it calls, jumps to or reads the address of that, and back: all ways to one
-//! place are the same four bytes then, which a model can learn.
+//! Converts the relative offsets in instructions to addresses and back, so that all references to one place are the same four
+//! bytes.
 //!
-//! Addresses begin at the program's first byte. They come out right wherever that is, as long as both sides agree.
+//! Addresses count from the program's first byte.
 
-/// Puts the address in place of an offset, where these are all bytes up to the end of the instruction.
+/// Replaces the offset at `offset` by an address. `bytes` ends with the instruction.
 pub fn to_address(bytes: &mut [u8], offset: usize) {
     add(bytes, offset, bytes.len() as u32);
 }
 
-/// Puts the offset in place of an address.
+/// Replaces the address at `offset` by an offset.
 #[inline(always)]
 pub fn to_offset(bytes: &mut [u8], offset: usize) {
     add(bytes, offset, (bytes.len() as u32).wrapping_neg());

@@ -1,26 +1,26 @@
-//! The arithmetic decoder; `Encoder` in `encoder.rs` is its other side.
+//! The arithmetic decoder; `encoder.rs` has the encoder.
 
-/// Codes bits by how likely they are.
+/// Codes bits by their probability.
 pub trait Coder {
-    /// The next bit, which is 1 with a probability of so many 65,536ths.
+    /// Codes the next bit; the probability of a 1 is in 65,536ths.
     fn bit(&mut self, probability: u32) -> u32;
 }
 
-/// Reads bits from bytes.
+/// Decodes bits from bytes.
 pub struct Decoder<'a> {
     bytes: &'a [u8],
-    /// How wide the interval of all numbers that begin with the bits so far is.
+    /// The width of the interval.
     range: u64,
-    /// Where in it the packed number is.
+    /// The packed number's position in the interval.
     place: u64,
-    /// Whether there were fewer bytes than asked for.
+    /// Whether the code ended too early.
     pub missing: bool,
 }
 
 impl<'a> Decoder<'a> {
     #[inline(always)]
     pub fn new(bytes: &'a [u8]) -> Decoder<'a> {
-        // A range of 1 is widened before the first bit, by reading five bytes.
+        // A range of 1 makes the first bit read five bytes.
         Decoder {
             bytes,
             range: 1,
@@ -29,7 +29,7 @@ impl<'a> Decoder<'a> {
         }
     }
 
-    /// Whether all bytes were read, and none beyond.
+    /// Returns whether exactly all bytes were read.
     pub fn is_at_end(&self) -> bool {
         self.bytes.is_empty() && !self.missing
     }

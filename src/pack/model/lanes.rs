@@ -1,4 +1,4 @@
-//! Eight numbers of 16 bits at once, for the mixer and for slots: by SSE2, which every x86-64 processor has, and by loops elsewhere.
+//! Vectors of eight 16-bit integers, by SSE2, which every x86-64 processor has, or by loops elsewhere.
 
 /// Eight 16-bit integers.
 #[derive(Clone, Copy)]
@@ -8,7 +8,7 @@ pub struct Lanes(core::arch::x86_64::__m128i);
 #[cfg(target_arch = "x86_64")]
 use core::arch::x86_64::*;
 
-/// Calls of instructions of SSE2.
+/// Calls an SSE2 intrinsic.
 #[cfg(target_arch = "x86_64")]
 macro_rules! sse2 {
     ($call:expr) => {
@@ -17,7 +17,7 @@ macro_rules! sse2 {
     };
 }
 
-/// Implements operations on two lanes, number by number.
+/// Implements lane-wise operations on two vectors.
 #[cfg(target_arch = "x86_64")]
 macro_rules! operations {
     ($($(#[$doc:meta])* $name:ident: $instruction:ident,)*) => {
@@ -39,7 +39,7 @@ impl Lanes {
         Lanes(sse2!(_mm_set_epi16(h, g, f, e, d, c, b, a)))
     }
 
-    /// Pairs of numbers, the lower one in the lower bits.
+    /// Returns the vector of four pairs, the lower number in the lower bits.
     #[inline(always)]
     pub fn pairs(pairs: &[u32; 4]) -> Lanes {
         let [a, b, c, d] = pairs.map(|pair| pair as i32);
@@ -48,13 +48,13 @@ impl Lanes {
 
     #[inline(always)]
     pub fn to_pairs(self) -> [u32; 4] {
-        // SAFETY: both are 128 bits that may have any value.
+        // SAFETY: both types are 128 bits of any value.
         unsafe { core::mem::transmute::<__m128i, [u32; 4]>(self.0) }
     }
 
     #[inline(always)]
     pub fn to_numbers(self) -> [i16; 8] {
-        // SAFETY: both are 128 bits that may have any value.
+        // SAFETY: both types are 128 bits of any value.
         unsafe { core::mem::transmute::<__m128i, [i16; 8]>(self.0) }
     }
 
@@ -63,7 +63,7 @@ impl Lanes {
         Lanes::splat_pair(u32::from(number as u16) * 0x1_0001)
     }
 
-    /// By instructions, which are shorter than a constant of 16 bytes: the compiler must not know the number.
+    /// Hides the value from the compiler: instructions are shorter than a constant of 16 bytes.
     #[inline(always)]
     pub fn splat_pair(mut pair: u32) -> Lanes {
         // SAFETY: it does nothing.
@@ -76,50 +76,49 @@ impl Lanes {
     operations! {
         and: _mm_and_si128,
         xor: _mm_xor_si128,
-        /// The sums modulo 2^16.
+        /// Wraps around.
         add: _mm_add_epi16,
-        /// The differences modulo 2^16.
+        /// Wraps around.
         subtract: _mm_sub_epi16,
-        /// The sums, which stop at the ends of 16 bits.
         saturating_add: _mm_adds_epi16,
-        /// The upper 16 bits of the products.
+        /// Returns the upper 16 bits of the products.
         multiply_high: _mm_mulhi_epi16,
-        /// The same of numbers without a sign.
+        /// The same for unsigned numbers.
         multiply_high_unsigned: _mm_mulhi_epu16,
     }
 
-    /// The numbers, at most so far from 0.
+    /// Clamps to -`most` to `most`.
     #[inline(always)]
     pub fn limit(self, most: i16) -> Lanes {
         let (least, most) = (Lanes::splat(-most).0, Lanes::splat(most).0);
         Lanes(sse2!(_mm_max_epi16(_mm_min_epi16(self.0, most), least)))
     }
 
-    /// The halves, rounded down.
+    /// Halves, rounding down.
     #[inline(always)]
     pub fn halve(self) -> Lanes {
         Lanes(sse2!(_mm_srai_epi16(self.0, 1)))
     }
 
-    /// Numbers of 32 bits, shifted.
+    /// Shifts 32-bit lanes.
     #[inline(always)]
     pub fn shift_left<const BITS: i32>(self) -> Lanes {
         Lanes(sse2!(_mm_slli_epi32::<BITS>(self.0)))
     }
 
-    /// Numbers of 32 bits with a sign, shifted.
+    /// Shifts signed 32-bit lanes.
     #[inline(always)]
     pub fn shift_right<const BITS: i32>(self) -> Lanes {
         Lanes(sse2!(_mm_srai_epi32::<BITS>(self.0)))
     }
 
-    /// Adds the products of two lanes to these, which are four numbers of 32 bits.
+    /// Adds the products of `a` and `b`, summed in pairs, to four 32-bit lanes.
     #[inline(always)]
     pub fn add_products(self, a: Lanes, b: Lanes) -> Lanes {
         Lanes(sse2!(_mm_add_epi32(self.0, _mm_madd_epi16(a.0, b.0))))
     }
 
-    /// The sum of four numbers of 32 bits, modulo 2^32.
+    /// Returns the wrapping sum of four 32-bit lanes.
     #[inline(always)]
     pub fn sum(self) -> i32 {
         let mut sum = self.0;
@@ -129,7 +128,7 @@ impl Lanes {
     }
 }
 
-/// The same without SSE2. The packer runs on other processors too, where somebody builds for x86-64 on them.
+/// The same without SSE2, for packing on other processors.
 #[cfg(any(test, not(target_arch = "x86_64")))]
 mod plain {
     use core::array::from_fn;
@@ -232,7 +231,7 @@ mod tests {
     use super::{Lanes, plain};
     use proptest::prelude::*;
 
-    /// Holds operations on lanes to the plain ones.
+    /// Compares operations with the plain ones.
     macro_rules! assert_same {
         ($x:ident, $y:ident, $p:ident, $q:ident: $($operation:ident)*) => {
             $(prop_assert_eq!($x.$operation($y).to_pairs(), $p.$operation($q).to_pairs());)*
@@ -241,7 +240,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_processor_computes_the_same(a: [i16; 8], b: [i16; 8], c: i16, d: u32) {
+        fn sse2_matches_plain_loops(a: [i16; 8], b: [i16; 8], c: i16, d: u32) {
             let (x, y) = (Lanes::new(&a), Lanes::new(&b));
             let (p, q) = (plain::Lanes::new(&a), plain::Lanes::new(&b));
             assert_same!(x, y, p, q: and xor add subtract saturating_add);

@@ -1,133 +1,133 @@
-//! Reads x86-64 machine code byte by byte, so that the model knows what the next byte is: an opcode, a part of an address, ...
+//! Parses x86-64 machine code byte by byte, to tell the model which field the next byte belongs to.
 //!
-//! It follows the length of instructions and no more. Bytes that are no instructions are read as some, which does no harm: whatever
-//! it says is only a context to predict by, and both sides say the same.
+//! It only follows the length of instructions. Data is parsed like code: that only affects the prediction, and packer and unpacker
+//! agree.
 
 use super::operands::operands_by_runs;
 
-/// The number of features by which the model predicts a byte. Contexts are sets of features. Features 0 to 3 are the last bytes, the
-/// newest first. There is room for some more: a power of two.
+/// The number of features for prediction, a power of two with some spare. Contexts are sets of features. Features 0 to 3 are the
+/// last bytes, newest first.
 pub const FEATURES: usize = 32;
-/// How many of the last bytes are kept.
+/// The number of last bytes.
 const LAST: usize = 4;
-/// The feature that is the kind of the next byte; see the kinds below.
+/// The next byte's kind; see the kinds below.
 pub const KIND: usize = 4;
-/// The opcode of this instruction so far, plus 0x100 times its map, plus 0x400 times what `pp` is in VEX, by whatever prefixes that
-/// is said: so an operation has one number in SSE2, AVX2 and AVX-512. Those of the three instructions before follow it in steps of
-/// [`STEP`], as those of the three features after it do of two.
+/// The instruction's opcode so far, plus 0x100 times its map, plus 0x400 times the value of `pp` in VEX for its prefix: an
+/// operation has one number in SSE2, AVX2 and AVX-512. The three previous instructions' opcodes follow at distances of [`STEP`], as
+/// do the next three features of two.
 pub const OPCODE: usize = 5;
-/// The ModRM byte, which names a register and an operand.
+/// The ModRM byte: a register and an operand.
 pub const MODRM: usize = 6;
 /// All prefixes, 8 bits each.
 pub const PREFIXES: usize = 7;
-/// The operand that is written to: known of earlier instructions only.
+/// The destination operand, of previous instructions only.
 pub const DESTINATION: usize = 8;
-/// Features that are kept of each instruction.
+/// The number of features per instruction.
 const STEP: usize = 4;
-/// The end of those.
+/// The end of these features.
 const HISTORY_END: usize = OPCODE + 3 * STEP + 1;
-/// The place modulo 4: data has rows of words.
+/// The position modulo 4, for tables of 32-bit words.
 pub const PLACE: usize = HISTORY_END;
-/// Which 256 bytes the place is in: many jumps end nearby.
+/// The position divided by 256: many jumps end nearby.
 pub const PAGE: usize = 19;
-/// How many bytes ahead the next place is that a jump or call led to, at most [`FAR`]: an instruction begins there, and the one
-/// before often is a jump.
+/// The distance to the next target of an earlier jump or call, at most [`FAR`]. An instruction begins there, and the previous one
+/// is often a jump.
 pub const TARGET: usize = 20;
-/// The ModRM byte's operand, and what the SIB byte adds to it.
+/// The operand in the ModRM and SIB bytes.
 pub const OPERAND: usize = 21;
-/// The bits of prefixes that extend the numbers of registers: 8 that of ModRM's register, 2 that of its operand.
+/// The register extension bits of prefixes: 8 for ModRM's register, 2 for its operand.
 pub const EXTENSION: usize = 22;
-/// The first byte of this instruction, without the bits that may extend registers.
+/// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 23;
-/// Bytes of this instruction so far.
+/// The instruction's length so far.
 pub const LENGTH: usize = 24;
-/// The register that VEX and EVEX name.
+/// The register in VEX and EVEX.
 pub const SOURCE: usize = 25;
-/// How many of the last bytes were the same before what [`AFTER_MATCH`] is, at most [`LONGEST_MATCH`], as a multiple of 0x100.
+/// The length of the match before [`AFTER_MATCH`], at most [`LONGEST_MATCH`], times 0x100.
 pub const MATCH: usize = 26;
-/// The last two bytes that were of this kind behind the same opcode, the newer in the lower bits.
+/// The last two bytes of this kind after the same opcode, the newer in the lower bits.
 pub const SAME_OPCODE: usize = 27;
-/// The same behind the same operand.
+/// The same after the same operand.
 pub const SAME_OPERAND: usize = 28;
-/// The byte that followed when the last bytes were here before.
+/// The byte that followed the last occurrence of the last bytes.
 pub const AFTER_MATCH: usize = 29;
 
-/// A feature of an earlier instruction.
+/// Returns the number of a feature of a previous instruction.
 pub const fn before(feature: usize, instructions: usize) -> usize {
     feature + instructions * STEP
 }
 
-// Kinds of bytes. Where a field has several bytes, the kind counts down to the last of them.
-/// Prefixes or an opcode.
+// Kinds of bytes. In a field of several bytes the kind counts down.
+/// Prefix or opcode.
 const START: u32 = 0;
-/// An opcode that a prefix was before.
+/// Opcode after a prefix.
 const AFTER_PREFIX: u32 = 1;
 const IS_MODRM: u32 = 2;
 const IS_SIB: u32 = 3;
-/// A byte behind the first one of a VEX or EVEX prefix: there are at most three.
+/// Up to three bytes after the first one of a VEX or EVEX prefix.
 const VEX: u32 = 4;
 const DISPLACEMENT: u32 = 8;
-/// A displacement from the next instruction.
+/// Displacement from the next instruction.
 const RELATIVE_DISPLACEMENT: u32 = 12;
 const IMMEDIATE: u32 = 16;
-/// The offset of a jump or call.
+/// Offset of a jump or call.
 const RELATIVE_JUMP: u32 = 20;
-/// More than the highest kind.
+/// The number of kinds.
 pub const MORE_KINDS: u32 = RELATIVE_JUMP + 4;
-/// A power of two above that.
+/// The next power of two.
 pub const KINDS: usize = 32;
 
-/// The features by which fields of instructions are told apart, besides their kinds.
+/// Features that, with the kind, identify a field.
 const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
-/// Fields of all instructions: for each map, `pp` and opcode, each kind. (Of operands, the upper bits of SIB are left out.)
+/// The number of fields: each map, `pp` and opcode by each kind. Operands lose the upper bits of SIB.
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
-/// The most that [`TARGET`] is.
+/// The maximum of [`TARGET`].
 const FAR: u32 = 7;
-/// How far jumps lead to places that are remembered. (Offsets of four bytes are addresses here.)
+/// The maximum distance of remembered jumps. (Offsets of four bytes are addresses here.)
 const TARGETS: usize = 1 << 16;
 
-/// How many bytes are kept, as the intro has 200 kB; of a longer program, some are taken for others.
+/// The size of the byte history; the intro has 200 kB. Longer programs wrap around.
 const BYTES: usize = 1 << 18;
-/// Bits of a hash of three bytes.
+/// Bits of a three-byte hash.
 const PLACES: u32 = 16;
-/// Whether as many bytes or more were the same is of no matter.
+/// The maximum match length.
 const LONGEST_MATCH: u32 = 15;
 
-/// The state of reading, all zero to begin with. Its largest part comes last: instructions reach the others by offsets of one byte.
+/// The parser's state, initially zero. Small fields come first: instructions reach them by 8-bit offsets.
 #[repr(C)]
 pub struct Reader {
-    /// Bytes read so far.
+    /// The number of bytes read.
     place: u32,
-    /// Where the offset of this instruction is, behind its opcode; 0 if it has none.
+    /// The position of the instruction's relative offset; 0 without one.
     offset: u32,
-    /// The kind of the displacement that follows a SIB byte.
+    /// The kind of the displacement after SIB.
     displacement: u32,
-    /// The kind of what follows ModRM, SIB and displacement; 0 for nothing.
+    /// The kind of the immediate after ModRM, SIB and displacement; 0 without one.
     operand: u32,
     /// The fields of the next byte.
     next: [u32; FIELD_FEATURES.len()],
-    /// Where [`AFTER_MATCH`] was.
+    /// The position of [`AFTER_MATCH`].
     matching: u32,
     features: [u32; FEATURES],
-    /// All bytes, at their place modulo their number.
+    /// The byte history, by position modulo its size.
     bytes: [u8; BYTES],
-    /// Behind three bytes, by a hash of these: where that was last.
+    /// The last position of each three-byte hash.
     places: [u32; 1 << PLACES],
-    /// Where jumps lead to, for each place modulo their number: 1 or 0.
+    /// 1 for jump targets, by position modulo the size.
     targets: [u8; TARGETS],
     /// The last two bytes of each field.
     fields: [[u16; FIELDS]; FIELD_FEATURES.len()],
 }
 
 impl Reader {
-    /// A feature of the next byte.
+    /// Returns a feature of the next byte.
     #[inline(always)]
     pub fn feature(&self, number: usize) -> u32 {
         self.features[number % FEATURES]
     }
 
-    /// Where an instruction that has just ended has the four bytes of an offset from its end to something else. It says so once.
+    /// Returns the position of a finished instruction's four-byte relative offset, once.
     #[inline(always)]
     pub fn ended_offset(&mut self) -> Option<usize> {
         if self.feature(KIND) != START {
@@ -137,10 +137,9 @@ impl Reader {
         (offset != 0).then_some(offset as usize)
     }
 
-    /// Reads the next byte.
+    /// Parses the next byte.
     #[inline(never)]
     pub fn read(&mut self, byte: u32) {
-        // Take the byte, and go on by one place.
         let features = &mut self.features;
         features.copy_within(0..LAST - 1, 1);
         features[0] = byte;
@@ -154,13 +153,13 @@ impl Reader {
         self.place += 1;
         features[PLACE] = self.place & 3;
         features[PAGE] = self.place >> 8;
-        // Find the kind of the byte that follows.
+        // Find the kind of the next byte.
         let mut next = match kind {
             START | AFTER_PREFIX => self.read_opcode(byte),
             IS_MODRM => self.read_modrm(byte),
             IS_SIB => self.read_sib(byte),
             VEX..DISPLACEMENT => self.read_vex(byte, kind),
-            // The last byte of a field: the operand's, or that before it.
+            // The last byte of a field, or an earlier one.
             _ if kind & 3 == 0 => START,
             _ => kind - 1,
         };
@@ -173,13 +172,13 @@ impl Reader {
             self.end_instruction();
         }
         self.features[KIND] = next;
-        // Find how far the next target of a jump is.
+        // Find the distance to the next jump target.
         let mut distance = 0;
         while distance < FAR && self.targets[(self.place + distance) as usize % TARGETS] == 0 {
             distance += 1;
         }
         self.features[TARGET] = distance;
-        // Find where the last bytes were before, and what followed in the same fields.
+        // Update the match and the history of fields.
         self.find_match(byte);
         for (i, &feature) in FIELD_FEATURES.iter().enumerate() {
             let field = &mut self.fields[i][self.next[i] as usize % FIELDS];
@@ -189,14 +188,14 @@ impl Reader {
         }
     }
 
-    /// Reads a prefix or an opcode. Returns what kind of byte follows, as all of these do.
+    /// Parses a prefix or an opcode. Returns the next byte's kind, as the functions below do.
     #[inline(always)]
     fn read_opcode(&mut self, byte: u32) -> u32 {
         let features = &mut self.features;
         if features[FIRST] == 0 {
             features[FIRST] = byte & 0xf8;
         }
-        // Note escapes and prefixes, behind which an opcode follows.
+        // Record escapes and prefixes.
         if features[OPCODE] & 0x300 == 0 {
             let escape = match byte {
                 0x0f => AFTER_PREFIX,
@@ -206,11 +205,11 @@ impl Reader {
                 _ => 0,
             };
             if escape != 0 {
-                // Map 1, unless VEX says another.
+                // Map 1, unless VEX overrides it.
                 features[OPCODE] += 0x100;
                 return escape;
             }
-            // `lock` and the like, `fs`, 0x66, `cs`.
+            // `lock`, `rep`, segments, 0x66.
             let is_other = byte & 0xfc == 0xf0 || byte & 0xfd == 0x64 || byte == 0x2e;
             if byte & 0xf0 == 0x40 || is_other {
                 features[PREFIXES] = features[PREFIXES] << 8 | byte;
@@ -230,13 +229,13 @@ impl Reader {
         let after = match operands & 3 {
             0 => START,
             1 => IMMEDIATE,
-            // Two bytes of it, where a prefix says so.
+            // Two bytes with prefix 0x66.
             2 if features[OPCODE] & 0xc00 == 0x400 => IMMEDIATE + 1,
             2 => IMMEDIATE + 3,
             _ => RELATIVE_JUMP + 3,
         };
         if opcode & !7 == 0xb8 && features[PREFIXES] & 0xf8 == 0x48 {
-            // `mov` of a number of 8 bytes: as a displacement and an immediate value.
+            // `mov` of an 8-byte constant: a displacement and an immediate.
             self.operand = after;
             return DISPLACEMENT + 3;
         }
@@ -252,7 +251,7 @@ impl Reader {
         let features = &mut self.features;
         features[MODRM] = byte;
         features[OPERAND] = byte & 0xc7;
-        // Of what 0xf6 and 0xf7 do, only `test` has an immediate operand.
+        // In group 0xf6 and 0xf7, only `test` has an immediate.
         if features[OPCODE] & !1 == 0xf6 && byte & 0x30 == 0 {
             self.operand = IMMEDIATE + 3 * (features[OPCODE] & 1);
         }
@@ -279,7 +278,7 @@ impl Reader {
         self.displacement
     }
 
-    /// Reads a byte of a VEX or EVEX prefix.
+    /// Parses a byte of a VEX or EVEX prefix.
     #[inline(always)]
     fn read_vex(&mut self, byte: u32, kind: u32) -> u32 {
         let features = &mut self.features;
@@ -290,16 +289,16 @@ impl Reader {
         if is_first && kind != VEX {
             features[OPCODE] = (byte & 3) << 8;
         } else {
-            // The last byte of EVEX has no `pp`, but zeros there unless a mask is used.
+            // In EVEX the last byte has zeros in place of `pp`, except for masks.
             features[OPCODE] |= (byte & 3) << 10;
-            // The third byte of EVEX has no register, but is nearly always the same.
+            // The third byte of EVEX has no register, but is nearly constant.
             features[SOURCE] += byte & 0x78;
         }
         features[PREFIXES] = features[PREFIXES] << 8 | byte;
         if kind == VEX { AFTER_PREFIX } else { kind - 1 }
     }
 
-    /// Finds where the last bytes were before.
+    /// Finds the previous occurrence of the last bytes.
     #[inline(always)]
     fn find_match(&mut self, byte: u32) {
         let is_expected = self.features[AFTER_MATCH] == byte;
@@ -326,7 +325,7 @@ impl Reader {
         self.features[AFTER_MATCH] = self.bytes[self.matching as usize % BYTES].into();
     }
 
-    /// Remembers where an instruction leads to that ends with this byte.
+    /// Marks the target of a jump that ends with `byte`.
     #[inline(always)]
     fn mark_target(&mut self, byte: u32, kind: u32) {
         let features = &self.features;
@@ -363,7 +362,7 @@ mod tests {
     use super::{KIND, START};
     use crate::new_model;
 
-    /// Instructions with every kind of field, as an assembler writes them; the second is how many bytes each has.
+    /// Instructions with every kind of field, as an assembler encodes them.
     const CODE: [(&[u8], &str); 16] = [
         (&[0xc3], "ret"),
         (&[0x48, 0x89, 0xd8], "mov rax, rbx"),
@@ -393,7 +392,7 @@ mod tests {
     ];
 
     #[test]
-    fn instructions_end_where_an_assembler_ends_them() {
+    fn instruction_lengths_match_assembler() {
         let reader = &mut new_model().reader;
         for (bytes, name) in CODE {
             for (i, &byte) in bytes.iter().enumerate() {
@@ -405,7 +404,7 @@ mod tests {
     }
 
     #[test]
-    fn offsets_are_where_an_assembler_puts_them() {
+    fn offsets_match_assembler() {
         let reader = &mut new_model().reader;
         let mut offsets = Vec::new();
         for &byte in CODE.iter().flat_map(|(bytes, _)| bytes.iter()) {

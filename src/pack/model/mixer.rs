@@ -1,4 +1,4 @@
-//! Makes one probability of many, by a neuron that learns which of them to trust (logistic mixing).
+//! Mixes probabilities by a neuron that learns their weights (logistic mixing).
 
 use super::{
     lanes::Lanes,
@@ -11,44 +11,42 @@ pub const ROWS: usize = 3;
 /// A weight for each input, in 65,536ths.
 type Weights = [Lanes; ROWS];
 
-/// The sum of two weights at the beginning: all 24 inputs together are believed three eighths of what they say.
+/// The initial sum of two weights: all 24 inputs together have a weight of three eighths.
 const FIRST_WEIGHT: i16 = 1000;
 
-/// Sets of weights: for each kind of byte and each beginning of it; that of beginning 0, which no byte has, is for all of that kind;
-/// for each kind of byte and each byte before it; and, in place of kinds that there are not, for each kind and each number of inputs
-/// that have seen anything.
+/// The number of weight sets: by kind and beginning of the byte, where beginning 0 is for the kind as a whole; by kind and previous
+/// byte; and, in the numbers of unused kinds, by kind and number of inputs with experience.
 const SETS: usize = (2 * KINDS) << 8;
 
-/// The highest logit of a pair that is believed, in 256ths: a probability of 94 %. With none, the
-/// intro takes 120 bytes more. Contexts may be as sure as they like.
+/// The limit of a pair's logit in 256ths: a probability of 94 %. Without it the intro is 120 bytes larger. Contexts have no limit.
 const PAIR_LIMIT: i16 = 700;
 
-/// How fast weights are learned.
+/// The learning rate.
 const RATE: i32 = 18;
 
-/// The numbers of probabilities and of logits in tables.
+/// The size of the tables of probabilities and logits.
 const STEPS: usize = 4096;
 
-/// The mixer's memory. A probability is in 65,536ths; its logit, ln(p / (1 - p)), in 256ths, from -2048 to 2047.
+/// The mixer's memory. Probabilities are in 65,536ths; logits, ln(p / (1 - p)), in 256ths, from -2048 to 2047.
 #[repr(C)]
 pub struct Mixer {
-    /// The logits of what is mixed; those of pairs fill the last row.
+    /// The inputs' logits; the last row is for pairs.
     inputs: [[i16; 8]; ROWS],
     /// The last prediction.
     probability: i32,
     /// The probability of each logit.
     probabilities: [i32; STEPS],
-    /// The logit of each probability, in steps of 16; those from one half on come first, as slots have them.
+    /// The logit of each probability in steps of 16, from one half on, in the format of slots.
     logits: [i16; STEPS],
-    /// [`FIRST_WEIGHT`] is left out.
+    /// Without [`FIRST_WEIGHT`].
     weights: [Weights; SETS],
 }
 
 impl Mixer {
-    /// Fills memory that is zero.
+    /// Initialises zeroed memory.
     #[inline(always)]
     pub fn fill(&mut self) {
-        // The logistic function solves p' = p (1 - p). From p(-8) on, in 2^-32nds, by steps of 1/256.
+        // Integrate p' = p (1 - p), the equation of the logistic function, from p(-8) on, in 2^-32nds, by steps of 1/256.
         let mut p = 1_440_000_u64;
         let mut next = 0;
         for (x, probability) in self.probabilities.iter_mut().enumerate() {
@@ -61,13 +59,13 @@ impl Mixer {
         }
     }
 
-    /// Says to the mixer what is to be mixed: a probability less one half, as the 16 bits of a signed number.
+    /// Sets an input: a probability minus one half, as a signed 16-bit number.
     #[inline(always)]
     pub fn input(&mut self, index: usize, probability: u16) {
         self.inputs.as_flattened_mut()[index] = self.logits[usize::from(probability >> 4)];
     }
 
-    /// How likely the next bit is 1, by the sum of some sets of weights.
+    /// Returns the probability of a 1, from the sum of four weight sets.
     #[inline(always)]
     pub fn predict(&mut self, sets: &Sets) -> u32 {
         let pairs = &mut self.inputs[ROWS - 1];
@@ -85,7 +83,7 @@ impl Mixer {
         self.probability as u32
     }
 
-    /// Corrects the weights of the last prediction by what the bit was.
+    /// Updates the weights of the last prediction.
     #[inline(always)]
     pub fn learn(&mut self, sets: &Sets, bit: u32) {
         let error = ((bit as i32) << 16) - self.probability;
@@ -104,10 +102,11 @@ impl Mixer {
     }
 }
 
-/// The sets whose weights are added for a bit.
+/// The indices of the weight sets of a bit.
 pub type Sets = [u32; 4];
 
-/// The sets for a bit of such a byte that begins like this, behind that byte, by so many inputs that have seen anything.
+/// Returns the weight sets for a bit, by the byte's kind and `beginning`, the byte `before`, and the number of inputs with
+/// experience.
 #[inline(always)]
 pub fn sets(kind: u32, beginning: u32, before: u32, seen: u32) -> Sets {
     let of_kind = kind << 8;

@@ -1,12 +1,11 @@
-//! A model of x86-64 programs, which says how likely the next bit is 1: packer and unpacker have it in common.
+//! A model of x86-64 programs that predicts the next bit, for the packer and the unpacker.
 //!
-//! It is context mixing, as in PAQ. A context is some of the last bytes or of what the [instruction](machine_code) is; each has a
-//! [slot](slot) for every beginning of the next byte, with a probability and the last bits. What such rows of bits of two contexts
-//! were followed by, anywhere in those, is a probability of that pair. A context may expect a byte, such as the one that followed when
-//! the same bytes were here before: its slots are of the bits that differ from that byte's. A [mixer] weighs the probabilities of all
-//! contexts and pairs.
+//! It is context mixing, as in PAQ. A context is a set of features: the last bytes, parts of the [instruction](machine_code). It
+//! has a [slot](slot) for every beginning of the next byte, with a probability and the last bits. Each pair of contexts predicts
+//! from the combination of both slots' last bits. A context may expect a byte, such as the byte after the last occurrence of the
+//! same bytes; its slots then predict differences from this byte. A [mixer] weighs all predictions.
 //!
-//! There are only integers, and one function for both sides, so that the bytes are the same on every machine.
+//! All arithmetic is in integers, for the same bytes on every machine.
 
 mod addresses;
 mod coder;
@@ -27,8 +26,8 @@ use machine_code::{
 use mixer::Mixer;
 use slot::{HISTORIES, OPPOSITE, Rates, Slot, Slots};
 
-/// The features that each context is made of, as a bit for each: found by changing one at random and keeping what packs the intro
-/// better. The order matters: of those that the pairs take, two neighbours are one, whose histories are looked at together.
+/// The contexts, as bit sets of features, found by random changes that improve the packed intro. Two neighbours at an even index
+/// form a pair.
 static CONTEXTS: [u32; COUNT] = [
     context(&[
         KIND,
@@ -95,8 +94,7 @@ const INPUTS: usize = COUNT + PAIRS;
 /// Rows of four contexts.
 const ROWS: usize = COUNT.div_ceil(4);
 
-/// The lowest bit of those of a context that say what byte it expects: a feature, by how far it is behind [`MATCH`], whose lowest
-/// byte is 0.
+/// The lowest bit of the expected feature's number in a context. The number counts from [`MATCH`], whose lowest byte is 0.
 const EXPECTED: u32 = 30;
 
 const fn context(mut features: &[usize]) -> u32 {
@@ -108,37 +106,33 @@ const fn context(mut features: &[usize]) -> u32 {
     set
 }
 
-/// A context that does not learn what bits come in it, but which of them differ from those of a byte that a feature expects: so it
-/// learns from all such bytes at once how far that is to be trusted.
+/// Returns a context that learns the differences from the byte in `feature`: this shares the experience of all expected bytes.
 const fn expecting(feature: usize, features: &[usize]) -> u32 {
     context(features) | ((feature - MATCH) as u32) << EXPECTED
 }
 
-/// Slots of a context that a hash leads to, a cache line: whose they are, in place of a slot 0, and a slot for each beginning of four
-/// bits.
+/// Slots in a bucket, a cache line. Slot 0 holds the owner's hash; the others are for the beginnings of four bits.
 const BUCKET: u32 = 16;
 
-/// Slots of all contexts, 64 MB, which is too few: one bucket takes the place of another that was seen less often. Half of that packs
-/// the intro to 220 bytes more.
+/// The number of slots: 64 MB. Older buckets with fewer bits are replaced. Half the slots cost 220 bytes.
 const SLOTS: usize = 1 << 24;
 
-/// Of these, the first are those of pairs: what the histories of two contexts were followed by, for contexts that expect the same bit
-/// and for others.
+/// The first slots are for pairs, by the two histories and whether both contexts expect the same bit.
 const PAIR_SLOTS: usize = 2 * HISTORIES * HISTORIES;
 
 #[repr(align(64))]
 struct Table([Slot; SLOTS]);
 
-/// The model's memory. It begins with zeros. Small fields come first: instructions reach them by offsets of one byte.
+/// The model's memory, initially zero. Small fields come first: instructions reach them by 8-bit offsets.
 #[repr(C)]
 pub struct Model {
-    /// The bucket of each context, as the place of its first slot.
+    /// The index of the first slot in each context's bucket.
     buckets: [[u32; 4]; ROWS],
-    /// The four bits that each context expects, shifted by those that are behind.
+    /// Each context's four expected bits, shifted as they are used.
     expected: [[u32; 4]; ROWS],
-    /// The slots for the next bit, one of each context, then one of each pair.
+    /// The slots for the next bit: one for each context, then one for each pair.
     places: [[u32; 4]; slot::ROWS],
-    /// The mask that each of these is combined with by exclusive-or, once it has learned: 0, or [`OPPOSITE`] where a 1 was expected.
+    /// The mask for each slot after learning: 0, or [`OPPOSITE`] where a 1 is expected.
     opposites: [[u32; 4]; slot::ROWS],
     pub reader: Reader,
     /// Copies of the slots.
@@ -149,7 +143,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// Makes memory that is zero ready.
+    /// Initialises zeroed memory.
     #[inline(always)]
     pub fn fill(&mut self) {
         self.mixer.fill();
@@ -173,7 +167,7 @@ impl Model {
         byte as u8
     }
 
-    /// Finds the buckets for the next four bits of a byte that begins like this.
+    /// Finds the buckets for the next four bits, after the bits `byte`.
     #[inline(always)]
     fn find_buckets(&mut self, byte: u32) {
         let left = if byte == 1 { 4 } else { 0 };
@@ -190,14 +184,14 @@ impl Model {
             }
             self.buckets.as_flattened_mut()[i] = hash.wrapping_mul(0x9e37_79b1);
         }
-        // All hashes come first: a processor then waits for several buckets at once.
+        // Computing all hashes first lets a processor overlap the cache misses.
         for i in 0..COUNT {
             let hash = self.buckets.as_flattened()[i];
             self.buckets.as_flattened_mut()[i] = self.find_bucket(hash);
         }
     }
 
-    /// Finds the bucket of a hash, or makes it one.
+    /// Finds the bucket of a hash, or replaces one.
     #[inline(always)]
     fn find_bucket(&mut self, hash: u32) -> u32 {
         let first = hash >> (u32::BITS - SLOTS.ilog2()) & !(BUCKET - 1);
@@ -206,7 +200,7 @@ impl Model {
         if !self.slot(place).is(hash) {
             place = first ^ BUCKET;
             if !self.slot(place).is(hash) {
-                // All that came to a bucket has gone through its slot 1.
+                // Slot 1 counts all visits to a bucket.
                 if self.slot(first | 1).count() < self.slot(place | 1).count() {
                     place = first;
                 }
@@ -232,11 +226,11 @@ impl Model {
             self.expected[row] = expected.shift_left::<1>().to_pairs();
             let slot = Lanes::splat_pair(nibble).xor(expected.shift_right::<4>());
             self.places[row] = slot.xor(Lanes::pairs(&self.buckets[row])).to_pairs();
-            // 0, or all bits where a 1 is expected.
+            // All ones where a 1 is expected, else 0.
             let is_one = expected.shift_left::<28>().shift_right::<31>();
             self.opposites[row] = is_one.and(Lanes::splat_pair(OPPOSITE)).to_pairs();
         }
-        // Behind those of contexts, and in place of those that only fill a row.
+        // Overwrite the padding of the last row with the pairs.
         for i in 0..PAIRS {
             let [first, second] = [2 * i, 2 * i + 1];
             let history = self.slot(self.place(first)).history() * HISTORIES;
@@ -254,7 +248,7 @@ impl Model {
         self.places.as_flattened()[input]
     }
 
-    /// Codes a bit behind those of its byte and those of its four, which begin with a 1.
+    /// Codes a bit, after the bits `byte` and `nibble`, which begin with a 1.
     #[inline(never)]
     fn bit(&mut self, byte: u32, nibble: u32, coder: &mut impl Coder) -> u32 {
         self.find_slots(nibble);
@@ -279,7 +273,7 @@ impl Model {
     }
 }
 
-/// Unpacks bytes. False if they are not what was packed.
+/// Unpacks `bytes`. Returns false if the code is damaged.
 #[inline(always)]
 pub fn decode(model: &mut Model, packed: &[u8], bytes: &mut [u8]) -> bool {
     let mut decoder = Decoder::new(packed);

@@ -1,7 +1,7 @@
 //! The operands of opcodes.
 
-/// The kind of bytes that follow an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; and 4 more if a ModRM
-/// byte comes before it.
+/// Returns the bytes that follow an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; plus 4 if ModRM comes
+/// first.
 const fn operands(map: u32, opcode: u32) -> u32 {
     match (map, opcode) {
         (0, 0..0x40) => match opcode & 7 {
@@ -24,11 +24,11 @@ const fn operands(map: u32, opcode: u32) -> u32 {
     }
 }
 
-/// The opcodes below this one of map 0 repeat every eight.
+/// Below this opcode, map 0 repeats every eight.
 const REPEATING: u32 = 0x40;
 
-/// [`operands`] of opcodes 0 to 7 and from [`REPEATING`] on of map 0, and of maps 1 to 3, in runs: 8 times a length, and what it is
-/// of. That is a quarter of a table with an entry for each.
+/// A run-length code of [`operands`] (length times 8, plus value) for opcodes 0 to 7 and from [`REPEATING`] on of map 0, and maps 1
+/// to 3. It has a quarter of a table's size.
 static RUNS: [u8; RUN_COUNT] = runs().0;
 const RUN_COUNT: usize = runs::<256>().1;
 
@@ -52,7 +52,7 @@ const fn runs<const N: usize>() -> ([u8; N], usize) {
     (runs, count)
 }
 
-/// [`operands`] as the runs have it.
+/// Looks up [`operands`] in the runs.
 pub fn operands_by_runs(map_and_opcode: u32, byte: u32) -> u32 {
     let mut left = if map_and_opcode < REPEATING {
         (byte & 7) as i32
@@ -73,7 +73,7 @@ mod tests {
     use super::{REPEATING, operands, operands_by_runs};
 
     #[test]
-    fn runs_hold_what_follows_every_opcode() {
+    fn runs_match_operands() {
         for opcode in 0..4 << 8 {
             let repeated = if opcode < REPEATING {
                 opcode & 7

@@ -1,24 +1,23 @@
-//! A slot: what is known of a bit in one context.
+//! A slot: the experience with a bit in one context.
 
 use super::lanes::Lanes;
 
-/// From the lowest bits on: a probability that the bit is 1, in 65,536ths, less one half (16 bits); the last bits that were seen
-/// there behind a 1, of which five are kept, exclusive-or 1 (8); and how many were seen, at most 127 (8). So memory that is zero
-/// holds new slots.
+/// From the lowest bits on: the probability of a 1 in 65,536ths, minus one half (16 bits); the last five bits after a 1,
+/// exclusive-or 1 (8); the number of bits seen, at most 127 (8). Zeroed memory is a new slot.
 #[derive(Clone, Copy)]
 pub struct Slot(u32);
 
-/// More than the highest history, and a power of two.
+/// The number of histories, a power of two.
 pub const HISTORIES: usize = 32;
 
-/// The bits of a slot that make it one of the opposite bit, once it has learned the last bit of its history. Shifted right by one
-/// they do so before: the rest of a history is as it was seen in its context.
+/// The mask that turns a slot into the opposite bit's, after it has learned. Before it has learned, the mask is shifted right by
+/// one: the older bits of a history remain.
 pub const OPPOSITE: u32 = 0x1_ffff;
 
 impl Slot {
     pub const NEW: Slot = Slot(0);
 
-    /// No slot, but a number in its place.
+    /// Stores a hash in place of a slot.
     pub fn named(number: u32) -> Slot {
         Slot(number)
     }
@@ -28,39 +27,38 @@ impl Slot {
         Slot(self.0 ^ bits)
     }
 
-    /// Whether it is that number.
+    /// Returns whether this slot stores that hash.
     pub fn is(self, number: u32) -> bool {
         self.0 == number
     }
 
-    /// The probability less one half, as the 16 bits of a signed number.
+    /// Returns the probability minus one half, as a signed 16-bit number.
     #[inline(always)]
     pub fn probability(self) -> u16 {
         self.0 as u16
     }
 
-    /// The last bits.
+    /// Returns the last bits.
     #[inline(always)]
     pub fn history(self) -> usize {
         (self.0 >> 16) as usize & (HISTORIES - 1)
     }
 
-    /// How many bits were seen.
+    /// Returns the number of bits seen.
     #[inline(always)]
     pub fn count(self) -> usize {
         (self.0 >> 24) as usize
     }
 }
 
-/// The lowest rate: from 46 bits on, what was seen longer ago counts less and less.
+/// The minimum rate, reached after 46 bits: older bits fade.
 const LOWEST_RATE: u32 = 2200;
 
-/// How far a probability moves to what was seen, in 65,536ths of the distance, when so many were seen before: 16 / (10 n + 17), and at
-/// least [`LOWEST_RATE`].
+/// The adaptation rate in 65,536ths by the count n of bits seen: 16 / (10 n + 17), at least [`LOWEST_RATE`].
 pub struct Rates([u32; 256]);
 
 impl Rates {
-    /// Fills memory that is zero.
+    /// Initialises zeroed memory.
     #[inline(always)]
     pub fn fill(&mut self) {
         for (count, rate) in self.0.iter_mut().enumerate() {
@@ -76,8 +74,7 @@ pub const ROWS: usize = 6;
 #[repr(C)]
 pub struct Slots {
     slots: [[u32; 4]; ROWS],
-    /// The rate of each. They are looked up when a slot is copied: a processor waits for what it reads right after it was written in
-    /// smaller pieces.
+    /// Looked up when a slot is copied, to avoid a failed store forwarding.
     rates: [[u32; 4]; ROWS],
 }
 
@@ -93,19 +90,19 @@ impl Slots {
         Slot(self.slots.as_flattened()[index])
     }
 
-    /// Has all slots take note of a bit.
+    /// Updates all slots with a bit.
     #[inline(always)]
     pub fn learn(&mut self, bit: u32) {
-        // Makes a probability its distance to 0 or, exclusive-or 0xffff, to 65,535: to what was not seen. And a history what it is.
+        // Maps a probability to its distance from the unseen value, 0 or 65,535, and restores the history's encoding.
         let flip = 0x1_8000 - bit;
-        // The same back, and the bit at the end of the history.
+        // Reverts this, and appends the bit to the history.
         let flip_back = Lanes::splat_pair(flip ^ bit << 16);
         let flip = Lanes::splat_pair(flip);
         for (slots, rates) in self.slots.iter_mut().zip(&self.rates) {
             let old = Lanes::pairs(slots).xor(flip);
-            // A rate is the lower number of its pair; the upper one is 0, so this leaves histories and counts alone.
+            // The rate is the lower number of its pair; the upper one is 0, so histories and counts stay.
             let moved = old.subtract(old.multiply_high_unsigned(Lanes::pairs(rates)));
-            // This sum stops at a count of 127; what it then has for a history is masked out.
+            // The sum saturates at a count of 127; the mask drops its effect on the history.
             let counted = moved.saturating_add(Lanes::splat_pair(0x100_0000));
             let rest = counted.and(Lanes::splat_pair(0xff00_ffff));
             let history = old

@@ -1,19 +1,19 @@
-//! Executables as ELF has them, as far as the loaders read them.
+//! The parts of ELF files that the loaders read.
 
 use core::arch::asm;
 
-/// The header of an ELF file, as far as it matters.
+/// The header of an ELF file.
 #[repr(C)]
 pub struct FileHeader {
     unused: [u8; 24],
     pub entry: usize,
-    /// Where in the file the program headers are.
+    /// The file offset of the program headers.
     headers: usize,
     unused_too: [u8; 16],
     pub header_count: u16,
 }
 
-/// A part of the program, as its header describes it.
+/// A program header.
 #[repr(C)]
 pub struct ProgramHeader {
     pub kind: u32,
@@ -28,30 +28,30 @@ pub struct ProgramHeader {
     alignment: usize,
 }
 
-/// The kind of a program header of what is loaded.
+/// The type of loaded segments.
 pub const LOAD: u32 = 1;
 
 pub const PAGE: usize = 4096;
 
 impl FileHeader {
     /// # Safety
-    /// The header has to be in memory with the program headers behind it.
+    /// The program headers have to follow the header in memory.
     #[inline(always)]
     pub unsafe fn headers(&self) -> &[ProgramHeader] {
         let start = (&raw const *self).cast::<u8>();
-        // SAFETY: the caller vouches for it.
+        // SAFETY: required of the caller.
         unsafe {
             core::slice::from_raw_parts(start.add(self.headers).cast(), self.header_count.into())
         }
     }
 
-    /// Copies a part of the file in memory to its address.
+    /// Copies a segment of the file in memory to its address.
     ///
     /// # Safety
-    /// The file has to be in memory, and at that address memory that can be written to.
+    /// The file has to be in memory, and the segment's address has to be writable.
     #[inline(always)]
     pub unsafe fn copy(&self, header: &ProgramHeader) {
-        // SAFETY: the caller vouches for it. (`copy_nonoverlapping` would call a function of libc.)
+        // SAFETY: required of the caller. (`copy_nonoverlapping` would call libc.)
         unsafe {
             let from = (&raw const *self).cast::<u8>().add(header.offset);
             asm!(
@@ -66,7 +66,7 @@ impl FileHeader {
 }
 
 impl ProgramHeader {
-    /// Bytes from the beginning of its first page.
+    /// Returns the segment's offset in its first page.
     #[inline(always)]
     pub fn lead(&self) -> usize {
         self.address % PAGE

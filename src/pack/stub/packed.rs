@@ -1,40 +1,40 @@
-//! What both stubs share: what the packer tells them, and how the packed bytes are unpacked.
+//! The common part of both stubs: the packer's constants, and unpacking.
 
 use crate::model::{self, Model};
 use core::{panic::PanicInfo, slice};
 
 unsafe extern "C" {
-    /// The packed bytes, and their end: the packer has them in the file behind the stub.
+    /// The packed bytes, behind the stub in the file.
     static PACKED: u8;
     static PACKED_END: u8;
-    /// Its address is no address, but how many bytes were packed.
+    /// The unpacked length, as an address.
     static LENGTH: u8;
-    /// Likewise; how many of those are the program. Behind them is the loader.
+    /// The program's length, as an address. The loader follows the program.
     static PROGRAM_LENGTH: u8;
 
     pub safe fn fail(line: *const u8, length: usize) -> !;
 }
 
-/// How many bytes were packed.
+/// Returns the unpacked length.
 #[inline(always)]
 pub fn length() -> usize {
     (&raw const LENGTH).addr()
 }
 
-/// How many of those are the program.
+/// Returns the program's length.
 #[inline(always)]
 pub fn program_length() -> usize {
     (&raw const PROGRAM_LENGTH).addr()
 }
 
-/// Unpacks what was packed to behind the model's memory. Returns where it is.
+/// Unpacks to the memory behind the model. Returns the address of the unpacked bytes.
 ///
 /// # Safety
-/// There has to be memory for the model, which is zero, and [`length`] bytes more.
+/// `memory` has to have zeroed space for the model, and [`length`] bytes more.
 #[inline(always)]
 pub unsafe fn unpack(memory: usize) -> *const u8 {
     let packed = &raw const PACKED;
-    // SAFETY: the packer has put the bytes there; the caller vouches for the memory, and zeros are a model.
+    // SAFETY: the packer has put the bytes there; the caller guarantees the memory, and zeros are a valid model.
     let (code, model, unpacked) = unsafe {
         (
             slice::from_raw_parts(packed, (&raw const PACKED_END).addr() - packed.addr()),
@@ -50,9 +50,9 @@ pub unsafe fn unpack(memory: usize) -> *const u8 {
 #[panic_handler]
 fn panic(_: &PanicInfo<'_>) -> ! {
     unsafe extern "C" {
-        /// Nowhere: a check that could panic fails the packer, which finds no such function.
+        /// Undefined: linking the stub fails if it can panic.
         fn a_panic_in_the_stub() -> !;
     }
-    // SAFETY: it is not there.
+    // SAFETY: never linked.
     unsafe { a_panic_in_the_stub() }
 }

@@ -1,4 +1,4 @@
-//! The system's clock that only goes forward, in nanoseconds, by std.
+//! The system's monotonic clock, by std.
 
 use std::{
     sync::LazyLock,
@@ -8,7 +8,7 @@ use std::{
 
 static START: LazyLock<Instant> = LazyLock::new(Instant::now);
 
-/// The time now, since the first that was asked for.
+/// Returns the time since the first call.
 pub fn now() -> u64 {
     START.elapsed().as_nanos() as u64
 }

@@ -1,11 +1,9 @@
-//! The intro wherever `minifb` opens windows: by `minifb`, std and libc.
-//!
-//! Everything here has its counterpart in the small backend, by the same name.
+//! The portable backend, by `minifb`, std and libc.
 
 #[path = "../small/arguments.rs"]
 pub mod arguments;
 pub mod clock;
-mod keys;
+mod keyboard;
 #[path = "../small/memory.rs"]
 pub mod memory;
 mod mouse;

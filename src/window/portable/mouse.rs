@@ -1,4 +1,4 @@
-//! The mouse as `minifb` tells of it: where it is and what is held, each time that it is asked.
+//! The mouse, polled by `minifb`.
 
 use std::env;
 
@@ -6,12 +6,12 @@ use minifb::{MouseButton, MouseMode};
 
 use crate::input::{self, Action, Button, Input};
 
-/// The state of the mouse when it was last asked. A click that begins and ends between two frames is missed.
+/// The mouse's state at the last poll. Clicks between two polls are lost.
 #[derive(Default)]
 pub struct Mouse {
     at: (i32, i32),
     held: [bool; BUTTONS.len()],
-    /// The part of a notch that the wheel has been turned.
+    /// Fractions of a notch of the wheel.
     turned: f32,
 }
 
@@ -22,9 +22,9 @@ const BUTTONS: [(MouseButton, Button); 3] = [
 ];
 
 impl Mouse {
-    /// Adds what has been done with the mouse since the last call.
+    /// Adds the events since the last call.
     pub fn ask(&mut self, window: &minifb::Window, inputs: &mut Vec<Input>) {
-        // While a button is held the pointer counts beyond the window, too.
+        // While a button is held, positions outside the window count too.
         let mode = if self.held.contains(&true) {
             MouseMode::Pass
         } else {
@@ -38,12 +38,10 @@ impl Mouse {
             let (x, y) = at;
             inputs.push(Input::Mouse(input::Mouse { action, x, y }));
         };
-        // Note moves.
         if self.at != at {
             self.at = at;
             push(Action::Move);
         }
-        // Note buttons that were pressed or released.
         for (held, (number, button)) in self.held.iter_mut().zip(BUTTONS) {
             let is_down = window.get_mouse_down(number);
             if is_down != *held {
@@ -55,7 +53,6 @@ impl Mouse {
                 });
             }
         }
-        // Add up parts of notches of the wheel.
         let (_, turned) = window.get_scroll_wheel().unwrap_or_default();
         self.turned += turned / notch();
         let notches = self.turned.trunc();
@@ -66,15 +63,15 @@ impl Mouse {
     }
 }
 
-/// The number that `minifb` gives for a notch of the wheel away from the hand.
+/// Returns `minifb`'s value for a notch of the wheel away from the user.
 fn notch() -> f32 {
     if cfg!(not(target_os = "linux")) {
         1.0
     } else if env::var_os("WAYLAND_DISPLAY").is_some_and(|name| !name.is_empty()) {
-        // Downwards is positive, in pixels.
+        // Pixels, positive downwards.
         -10.0
     } else {
-        // A notch is a button on X, whose press and release each count 1.
+        // On X a notch is a button, whose press and release both count 1.
         2.0
     }
 }

@@ -1,4 +1,4 @@
-//! Threads, and waiting for each other, by std.
+//! Threads and waiting on words, by std.
 
 use std::{
     ffi::c_void,
@@ -11,27 +11,27 @@ use std::{
 
 use crate::system;
 
-/// A thread that has been started, and not waited for.
+/// A running thread.
 pub struct Thread(JoinHandle<()>);
 
 impl Thread {
     /// Waits until it has ended.
     pub fn join(self) {
-        // It does not panic: what it runs cannot be unwound.
+        // `main` aborts on a panic, so there is no error.
         let _ = self.0.join();
     }
 }
 
-/// The pointer that a thread works on.
+/// The pointer for a thread.
 struct Sent(*mut c_void);
 
-// SAFETY: whoever starts the thread vouches for it.
+// SAFETY: required of the caller of `spawn`.
 unsafe impl Send for Sent {}
 
-/// Starts a thread, unless the system has no more.
+/// Starts a thread, or returns None if the system refuses.
 ///
 /// # Safety
-/// The thread's use of the pointer has to be right for as long as it runs.
+/// The thread has to use the pointer correctly for as long as it runs.
 pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
@@ -41,33 +41,33 @@ pub unsafe fn spawn(
         let Sent(pointer) = { sent };
         main(pointer);
     };
-    // Signals are for the caller's thread.
+    // Signals go to the caller's thread.
     system::without_signals(|| Builder::new().spawn(work))
         .ok()
         .map(Thread)
 }
 
-/// Threads that wait for a word, whichever it is.
+/// Wakes waiting threads, whichever word they wait on.
 static WAITING: (Mutex<()>, Condvar) = (Mutex::new(()), Condvar::new());
 
-/// Waits while a word has a value. It may return too early.
+/// Waits while a word has a value. It may return early.
 pub fn wait(word: &AtomicU32, value: u32) {
     let (lock, changed) = &WAITING;
     let guard = lock.lock().unwrap_or_else(PoisonError::into_inner);
-    // Whoever changes the word wakes after that, under the same lock: between this look and the wait nobody can.
+    // The word changes before `wake`, which takes the same lock, so no change is missed between the load and the wait.
     if word.load(SeqCst) == value {
         drop(changed.wait(guard));
     }
 }
 
-/// Wakes all that wait for a word, and those that wait for others.
+/// Wakes all waiting threads.
 pub fn wake(_: &AtomicU32) {
     let (lock, changed) = &WAITING;
     let _guard = lock.lock().unwrap_or_else(PoisonError::into_inner);
     changed.notify_all();
 }
 
-/// The processors that this process may use, at least 1.
+/// Returns the number of processors for this process, at least 1.
 #[must_use]
 pub fn processors() -> usize {
     available_parallelism().map_or(1, usize::from)

@@ -8,35 +8,34 @@ use std::env;
 
 use minifb::{ScaleMode, WindowOptions};
 
-use super::{keys::Keys, memory::pixels, mouse::Mouse};
+use super::{keyboard::KeyQueue, memory::pixels, mouse::Mouse};
 use crate::{
     input::{self, Input, Press},
-    screen::{Next, Screen},
+    render_target::{Next, RenderTarget},
 };
 
-/// A window that shows frames, with keys: H for numbers over the picture, Esc to end. `minifb` has no fullscreen of its own; a
-/// desktop's key or button may have.
+/// A window for frames. KeyQueue: H toggles the numbers, Esc quits. `minifb` has no fullscreen; the desktop may have.
 pub struct Window {
     shown: minifb::Window,
-    /// The frame to be drawn and shown next.
+    /// The next frame.
     frame: &'static mut [u32],
-    /// Width and height of that one.
+    /// Its width and height.
     drawn: (usize, usize),
-    keys: Keys,
-    /// The mouse, once somebody listens.
+    keys: KeyQueue,
+    /// The mouse, after [`Window::listen`].
     mouse: Option<Mouse>,
-    /// Input by other keys and the mouse that has not been asked for yet.
+    /// Unread events.
     inputs: Vec<Input>,
 }
 
 impl Window {
-    /// Opens a window whose inside has a size in pixels.
+    /// Opens a window with an inner size in pixels.
     ///
     /// # Errors
-    /// If there is no display to open it on.
+    /// If there is no display.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
-        // On X `minifb` fails where this names an input method that does not run.
-        // SAFETY: no other thread of this crate's reads the environment.
+        // On X `minifb` fails if this variable names an input method that is not running.
+        // SAFETY: no other thread of this crate reads the environment.
         unsafe { env::remove_var("XMODIFIERS") };
         let options = WindowOptions {
             resize: true,
@@ -46,9 +45,9 @@ impl Window {
         let name = title.to_string_lossy();
         let mut shown = minifb::Window::new(&name, width, height, options)
             .map_err(|_| "no display for a window")?;
-        // The intro has a pace of its own.
+        // The intro paces its frames itself.
         shown.set_target_fps(0);
-        let keys = Keys::default();
+        let keys = KeyQueue::default();
         shown.set_input_callback(Box::new(keys.clone()));
         Ok(Window {
             shown,
@@ -60,7 +59,7 @@ impl Window {
         })
     }
 
-    /// Names the window anew.
+    /// Sets the window's title.
     pub fn set_title(&mut self, title: &CStr) {
         self.shown.set_title(&title.to_string_lossy());
     }
@@ -69,19 +68,19 @@ impl Window {
     pub fn set_fullscreen(&mut self, _: bool) {}
 }
 
-/// The functions for the lab's window.
+/// Functions for the lab.
 impl Window {
-    /// Listens to keys and the mouse from now on.
+    /// Starts to record keys and the mouse.
     pub fn listen(&mut self) {
         self.mouse = Some(Mouse::default());
     }
 
-    /// Takes the input at the window since the last call, in order; nothing unless it [listens](Window::listen).
+    /// Returns the events since the last call, in order. Without [`Window::listen`] there are none.
     pub fn inputs(&mut self) -> Vec<Input> {
         take(&mut self.inputs)
     }
 
-    /// Takes note of keys that the window itself has no use for, and of the mouse, for whoever listens.
+    /// Records keys and the mouse.
     fn note(&mut self, keys: &[c_uint]) {
         let Some(mouse) = &mut self.mouse else {
             return;
@@ -93,9 +92,9 @@ impl Window {
     }
 }
 
-impl Screen for Window {
+impl RenderTarget for Window {
     fn size(&self) -> (usize, usize) {
-        // A minimised window has none.
+        // A minimised window has no size.
         let (width, height) = self.shown.get_size();
         (width.max(1), height.max(1))
     }
@@ -106,18 +105,15 @@ impl Screen for Window {
     }
 
     fn show(&mut self) -> Next {
-        // Show the frame.
         let (width, height) = self.drawn;
         let frame = &self.frame[..width * height];
         let is_shown = self.shown.update_with_buffer(frame, width, height);
-        // End with the window.
         if !self.shown.is_open() {
             return Next::End(0);
         }
         if is_shown.is_err() {
             return Next::End(1);
         }
-        // Do what the keys ask for.
         let keys = self.keys.take();
         self.note(&keys);
         let mut next = Next::GoOn;

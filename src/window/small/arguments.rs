@@ -1,23 +1,23 @@
-//! The command line, as C gives it.
+//! The command line, from C's `main`.
 
 use core::ffi::{CStr, c_char, c_int};
 
 use crate::system;
 
-/// The words that follow the program's name on the command line.
+/// The command line's arguments.
 pub struct Arguments {
     rest: &'static [*const c_char],
 }
 
 impl Arguments {
-    /// Takes the arguments and prepares the process, as [`main!`](crate::main) says.
+    /// Reads the arguments and prepares the process for [`main!`](crate::main).
     ///
     /// # Safety
-    /// `count` and `values` have to be those of the C `main`, with no other thread running yet.
+    /// `count` and `values` have to be those of the C `main`, and no other thread may be running.
     #[doc(hidden)]
     #[must_use]
     pub unsafe fn start(count: c_int, values: *const *const c_char) -> Arguments {
-        // SAFETY: the caller vouches for `count` and `values`, which live as long as the process.
+        // SAFETY: the caller guarantees `count` and `values`, which live as long as the process.
         let all = unsafe { core::slice::from_raw_parts(values, count.max(0) as usize) };
         // SAFETY: there is no other thread.
         unsafe { system::start() };
@@ -33,7 +33,7 @@ impl Iterator for Arguments {
     fn next(&mut self) -> Option<&'static [u8]> {
         let (first, rest) = self.rest.split_first()?;
         self.rest = rest;
-        // SAFETY: each argument of the C `main` is a string with its NUL that lives on.
+        // SAFETY: each argument of the C `main` is a NUL-terminated string.
         Some(unsafe { CStr::from_ptr(*first) }.to_bytes())
     }
 }

@@ -1,9 +1,8 @@
-//! Pixels to a window.
+//! Copies pixels to a window.
 //!
-//! To copy a frame pixel by pixel, and once more through a socket, as `minifb` and Xlib do, takes a third of
-//! the time of a frame at 1024x768. Here the tracer draws into memory that the server shares
-//! (MIT-SHM), two frames in turns, and the server copies one while the next is drawn. Where memory
-//! can't be shared, as with a display on another machine, frames go through the socket.
+//! Copying a frame pixel by pixel, and again through a socket, as `minifb` and Xlib do, takes a third of a frame's time at
+//! 1024x768. So the tracer draws into memory shared with the server (MIT-SHM). There are two frames: the server copies one while
+//! the next is drawn. Where memory cannot be shared, as with a display on another machine, frames go through the socket.
 
 use core::{
     ffi::{c_int, c_uint, c_ulong},
@@ -20,34 +19,34 @@ use super::{
     x11::{self, Toplevel},
     xext::Xext,
 };
-use crate::screen::MOST_PIXELS;
+use crate::render_target::MOST_PIXELS;
 
-/// Two frames in turns, and how they come to the window.
+/// Two alternating frames and the path to the window.
 pub struct Frames {
     context: xlib::GC,
-    /// Xlib's record of a picture; made to fit each one.
+    /// Xlib's image header, set for each frame.
     image: *mut xlib::XImage,
     put_image: PutImage,
-    /// The first is the one to be drawn and shown next.
+    /// The first is the next frame.
     frames: [&'static mut [u32]; 2],
-    /// Width and height of that one.
+    /// Its width and height.
     drawn: (usize, usize),
 }
 
-/// How pixels come to the server.
+/// The path of pixels to the server.
 #[derive(Clone, Copy)]
 enum PutImage {
-    /// By the connection to it, as copies.
+    /// Copies through the connection.
     ThroughSocket,
-    /// In memory that it shares, by functions of libXext.
+    /// Shared memory, by libXext.
     Shared(&'static Xext),
 }
 
 impl Frames {
-    /// Memory for two frames of a window, which the server shares if it can.
+    /// Allocates memory for a window's two frames, shared with the server if possible.
     ///
     /// # Safety
-    /// The image has to be one that nobody else has, and the context one of the display.
+    /// The image must have no other user, and the context must be from the display.
     pub unsafe fn new(top: &Toplevel, image: *mut xlib::XImage, context: xlib::GC) -> Frames {
         let mut frames = Frames {
             context,
@@ -56,13 +55,13 @@ impl Frames {
             frames: [&mut [], &mut []],
             drawn: (0, 0),
         };
-        // SAFETY: the image is one.
+        // SAFETY: the image is valid.
         let is_shared = unsafe { (*image).bits_per_pixel } == 32;
         let shared = if is_shared { frames.share(top) } else { None };
         let memory = shared.unwrap_or_else(pixels);
-        // SAFETY: the image is one.
+        // SAFETY: the image is valid.
         unsafe {
-            // Of pixels of 32 bits Xlib makes the server's, if these are smaller or have another order of bytes.
+            // From 32-bit pixels Xlib converts to the server's format, if that is smaller or has another byte order.
             (*image).bits_per_pixel = 32;
             (*image).byte_order = xlib::LSBFirst;
             (top.x.XInitImage)(image);
@@ -72,16 +71,15 @@ impl Frames {
         frames
     }
 
-    /// Room to draw a frame of a size.
+    /// Returns the pixels of the next frame.
     pub fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
         self.drawn = (width, height);
         &mut self.frames[0][..width * height]
     }
 
-    /// Shows the frame in the window, which has a size, stretched where its own is another, and by the server's own colours where
-    /// it has them.
+    /// Shows the frame in a window of this size, stretched and converted to the server's colours if necessary.
     pub fn show(&mut self, top: &Toplevel, (width, height): (usize, usize)) {
-        // SAFETY: the image is this one's own.
+        // SAFETY: the image belongs to this structure.
         let masks = x11::masks(unsafe { &*self.image });
         if self.drawn == (width, height) && masks == x11::MASKS {
             finish(top);
@@ -100,7 +98,7 @@ impl Frames {
         }
     }
 
-    /// Stretches the frame for some rows of a window, to the place of the other frame, and to pixels with such masks.
+    /// Stretches the frame for some rows of a window, into the other frame's memory, with these channel masks.
     fn stretch(
         &mut self,
         (width, height): (usize, usize),
@@ -109,7 +107,7 @@ impl Frames {
     ) {
         let [from, to] = &mut self.frames;
         let (from_width, from_height) = self.drawn;
-        // Steps in units of 2^-32 pixels, rounded up, so that what is just a pixel stays one.
+        // Steps in 2^-32 pixels, rounded up, so that equal sizes map to equal pixels.
         let step = |from: usize, to: usize| (from << 32) / to.max(1) + 1;
         let (across, down) = (step(from_width, width), step(from_height, height));
         for (row, y) in to.chunks_exact_mut(width).zip(rows) {
@@ -120,7 +118,7 @@ impl Frames {
         }
     }
 
-    /// Has the server copy one of the frames to some rows of the window.
+    /// Sends a frame for some rows of the window.
     fn put(&mut self, window: &Toplevel, frame: usize, width: usize, rows: Range<usize>) {
         let pixels = &mut self.frames[frame];
         let Toplevel {
@@ -128,15 +126,13 @@ impl Frames {
         } = *window;
         let context = self.context;
         let (top, columns, height) = (rows.start as c_int, width as c_uint, rows.len() as c_uint);
-        // SAFETY: the image is this one's own, and says of the pixels what is so.
+        // SAFETY: the image belongs to this structure, and describes these pixels.
         unsafe {
-            // Describe the rows to Xlib.
             let image = &mut *self.image;
             image.width = width as c_int;
             image.height = rows.len() as c_int;
             image.bytes_per_line = (width * size_of::<u32>()) as c_int;
             image.data = pixels.as_mut_ptr().cast();
-            // Send them through the socket, or have the server read the shared memory.
             match self.put_image {
                 PutImage::ThroughSocket => {
                     let put = x.XPutImage;
@@ -164,17 +160,16 @@ impl Frames {
         }
     }
 
-    /// Memory for two frames that other processes can share, if the system has it. If the server does, it takes frames from
-    /// there.
+    /// Allocates shared memory for two frames, and attaches the server to it if possible.
     fn share(&mut self, top: &Toplevel) -> Option<&'static mut [u32]> {
         let shared = Xext::load()?;
         let size = 2 * MOST_PIXELS * size_of::<u32>();
-        // SAFETY: the display is open and the image is one. The segment is as large as it says, zero to begin with, and
-        // stays as long as the process. The server reads it, and writes never. Zero is a value of every field of its state.
+        // SAFETY: the display is open and the image valid. The zeroed segment has this size, and exists as long as the process. The
+        // server only reads it. Zero is valid for all fields of its state.
         unsafe {
             let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
             let memory = libc::shmat(id, null(), 0);
-            // It goes away with the last that is attached, however that ends. Linux lets others attach to it all the same.
+            // Delete the segment after the last detach. On Linux others can still attach to it.
             libc::shmctl(id, libc::IPC_RMID, null_mut());
             if memory.addr() == usize::MAX {
                 return None;
@@ -191,8 +186,8 @@ impl Frames {
                 (shared.XShmAttach)(top.display, segment);
                 finish(top);
             }
-            // This process is attached, and the server should be. From within a container it may not find the memory, or
-            // find another by its number.
+            // Both this process and the server should be attached. In a container the server may not find the memory, or find
+            // another segment of this number.
             let mut state: libc::shmid_ds = zeroed();
             libc::shmctl(id, libc::IPC_STAT, &mut state);
             if state.shm_nattch > 1 {
@@ -203,7 +198,7 @@ impl Frames {
     }
 }
 
-/// Waits until the server has taken the pixels that it was given before.
+/// Waits until the server has copied the previous pixels.
 fn finish(top: &Toplevel) {
     // SAFETY: the display is open.
     unsafe { (top.x.XSync)(top.display, xlib::False) };

@@ -1,4 +1,4 @@
-//! Keys and the mouse, for whoever listens.
+//! Keyboard and mouse events for interactive programs.
 
 use core::mem::take;
 
@@ -7,16 +7,16 @@ use x11_dl::xlib;
 use super::x11::{self, Toplevel, Xlib};
 use crate::input::{Action, Button, Input, Mouse, Press};
 
-/// Takes note of what is done at a window.
+/// Records a window's events.
 ///
-/// The window calls it by a pointer that only [`Listener::start`] has: a program that never listens has no code for it.
+/// The window calls it through a pointer that only [`Listener::start`] sets, so programs that never listen do not link its code.
 pub struct Listener {
     note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool),
     inputs: Vec<Input>,
 }
 
 impl Listener {
-    /// Has the display tell of the mouse, too, and begins to take note.
+    /// Requests mouse events from the display, and starts to record.
     pub fn start(top: &Toplevel) -> &'static mut Listener {
         let events = xlib::StructureNotifyMask
             | xlib::KeyPressMask
@@ -32,19 +32,19 @@ impl Listener {
         }))
     }
 
-    /// Hears of an event, and whether it repeats a key that is held.
+    /// Records an event; `is_repeated` is for keys that are held.
     pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
         (self.note)(&mut self.inputs, x, event, is_repeated);
     }
 
-    /// Takes the input since the last call.
+    /// Returns the events since the last call.
     pub fn take(&mut self) -> Vec<Input> {
         take(&mut self.inputs)
     }
 }
 
 fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
-    // SAFETY: which part of an event is there is told by its type; those of the mouse have the fields of a key's.
+    // SAFETY: the type tells the valid part of an event; mouse events have the fields of key events.
     let (kind, event) = unsafe { (event.type_, &event.key) };
     let action = match kind {
         xlib::KeyPress => {
@@ -74,7 +74,7 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: boo
     inputs.push(Input::Mouse(mouse));
 }
 
-/// The button of a number; 4 and 5 are those of the wheel.
+/// Returns the button of a number; 4 and 5 are the wheel.
 fn button(number: u32) -> Option<Button> {
     Some(match number {
         1 => Button::Left,

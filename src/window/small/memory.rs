@@ -1,14 +1,14 @@
-//! Memory for frames, from the system.
+//! Memory for frames.
 
 use core::{ptr::null_mut, slice};
 
-use crate::{line, screen::MOST_PIXELS};
+use crate::{line, render_target::MOST_PIXELS};
 
-/// Memory for two frames, zero to begin with, which the system gives where it is written to. Ends the process where there are no
-/// addresses left for it.
+/// Returns zeroed memory for two frames, which the system commits when it is written. Ends the process if there is no address space
+/// left.
 pub fn pixels() -> &'static mut [u32] {
     const COUNT: usize = 2 * MOST_PIXELS;
-    // SAFETY: nobody else has what is mapped here, and nobody unmaps it.
+    // SAFETY: the mapping is new, and is never unmapped.
     unsafe {
         let memory = libc::mmap(
             null_mut(),

@@ -1,6 +1,4 @@
-//! The intro in 64 kB: Linux on x86-64, by what libc and Xlib have.
-//!
-//! Everything here has its counterpart in the portable backend, by the same name.
+//! The 64 kB backend for x86-64 Linux, by libc and Xlib.
 
 #[path = "../abort.rs"]
 mod abort;

@@ -1,10 +1,10 @@
-//! The beginning of the packed program.
+//! The entry point of the packed program.
 
 use core::arch::global_asm;
 
-// The dynamic linker comes here, with the number of arguments and the arguments on the stack. By then it has prepared libc; what
-// `__libc_start_main` and the objects that belong to it do besides, such as to run functions at the end, is of no use here, and would
-// take 100 bytes of the packed file. Other programs begin with that, as ever, and leave this out.
+// The dynamic linker jumps here, with the number of arguments and the arguments on the stack, after it has initialised libc. The
+// rest of `__libc_start_main`, such as functions to run at exit, is unused here and would take 100 packed bytes. Unpacked programs
+// start with `__libc_start_main` and leave this out.
 global_asm!(
     ".section .text.eightfold_start, \"ax\"",
     ".globl eightfold_start",

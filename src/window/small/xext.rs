@@ -1,4 +1,4 @@
-//! Pictures in memory that the server shares: MIT-SHM, by libXext.
+//! Images in shared memory (MIT-SHM), by libXext.
 
 #![allow(non_snake_case, reason = "Xlib's own names")]
 
@@ -12,7 +12,7 @@ use x11_dl::{
 use crate::loading::{Table, loaded};
 
 loaded! {
-    /// The functions that are looked up in libXext.
+    /// The functions from libXext.
     Xext, NAMES:
     fn XShmAttach(*mut Display, *mut XShmSegmentInfo) -> Status;
     fn XShmQueryExtension(*mut Display) -> Bool;
@@ -22,7 +22,7 @@ loaded! {
 static TABLE: Table<Xext> = Table::new();
 
 impl Xext {
-    /// Opens libXext the first time it is called, from any one thread at a time.
+    /// Loads libXext at the first call, from one thread at a time.
     pub fn load() -> Option<&'static Xext> {
         TABLE.open(c"libXext.so.6", NAMES)
     }

@@ -1,4 +1,4 @@
-//! ALSA, looked up when the program runs, so that it starts where there is none.
+//! ALSA, loaded at run time.
 
 use core::{
     ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong},
@@ -8,18 +8,18 @@ use core::{
 
 use crate::loading::{Table, loaded, why_not_loaded};
 
-/// `snd_pcm_t`, a device that plays.
+/// `snd_pcm_t`, an output device.
 #[repr(C)]
 pub struct Pcm {
     _opaque: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Writes an error to standard error, in ALSA's own words. (Variadic there; what follows isn't looked at.)
+/// The handler of error messages. (It is variadic in ALSA; the remaining arguments are unused.)
 type Complain = extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char);
 
 loaded! {
-    /// The functions that are looked up in libasound.
+    /// The functions from libasound.
     Alsa, ALSA_NAMES:
     fn snd_lib_error_set_handler(Complain) -> c_int;
     fn snd_pcm_delay(*mut Pcm, *mut c_long) -> c_int;
@@ -31,21 +31,21 @@ loaded! {
 
 static ALSA: Table<Alsa> = Table::new();
 
-/// A device that plays 48 kHz, two sides, as long as the process lasts.
+/// A device that plays 48 kHz stereo, open as long as the process lasts.
 pub struct Device {
     alsa: &'static Alsa,
     pcm: *mut Pcm,
 }
 
-// SAFETY: ALSA lets any one thread at a time use a device.
+// SAFETY: ALSA allows any one thread at a time to use a device.
 unsafe impl Send for Device {}
 
-/// No words but the intro's own.
+/// Suppresses ALSA's own messages.
 extern "C" fn silent(_: *const c_char, _: c_int, _: *const c_char, _: c_int, _: *const c_char) {}
 
 impl Device {
-    /// Opens a device by its name in ALSA's configuration, to wait until it has so many microseconds of sound. Or says why
-    /// not: there is no ALSA, no such device, or it refuses the sound as it is made.
+    /// Opens a device by its name in ALSA's configuration, with a buffer of `latency` microseconds. Returns the reason if there is
+    /// no ALSA or no such device, or if it refuses the format.
     pub fn open(name: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         const PLAYBACK: c_int = 0;
         const WAITING: c_int = 0;
@@ -61,9 +61,8 @@ impl Device {
             return Err(why_not_loaded());
         };
         let mut pcm = null_mut();
-        // SAFETY: the functions have the signatures of ALSA's headers, and all that is pointed to
-        // outlives the calls. The handler has room for fewer arguments than it is given, which the
-        // caller clears away on every system of this crate.
+        // SAFETY: the functions have the signatures of ALSA's headers, and pointers outlive the calls. The handler has fewer
+        // parameters than ALSA passes; on every supported system the caller cleans up.
         unsafe {
             (alsa.snd_lib_error_set_handler)(silent);
             if (alsa.snd_pcm_open)(&mut pcm, name.as_ptr(), PLAYBACK, WAITING) < 0 {
@@ -79,11 +78,11 @@ impl Device {
         Ok(Device { alsa, pcm })
     }
 
-    /// Gives samples to the device, waiting while it has enough of them. False if the device is lost.
+    /// Writes samples to the device, and waits while it has enough. Returns false if the device is lost.
     ///
-    /// If it had run out of samples, or slept, these are dropped and it goes on with the next ones.
+    /// After an underrun or sleep, drops these samples and continues with the next ones.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
-        // SAFETY: the pointer and the length are those of a slice, and the device is open. 1 is for no words.
+        // SAFETY: pointer and length are from a slice, and the device is open. 1 suppresses messages.
         unsafe {
             let written =
                 (self.alsa.snd_pcm_writei)(self.pcm, samples.as_ptr(), samples.len() as c_ulong);
@@ -91,10 +90,10 @@ impl Device {
         }
     }
 
-    /// Samples that have been given to the device and not been heard yet.
+    /// Returns the number of written samples that have not been heard.
     pub fn delay(&mut self) -> Option<i64> {
         let mut delay = 0;
-        // SAFETY: the device is open, and there is room for the answer.
+        // SAFETY: the device is open, and `delay` is writable.
         let known = unsafe { (self.alsa.snd_pcm_delay)(self.pcm, &mut delay) == 0 };
         known.then_some(delay)
     }

@@ -1,6 +1,6 @@
 //! Sound by `cpal`, on macOS.
 //!
-//! The system asks for samples when it needs them, on a thread of its own; they come from a queue that [`Device::write`] fills.
+//! The system requests samples on a thread of its own; they come from a queue that [`Device::write`] fills.
 
 use core::ffi::CStr;
 use std::{
@@ -15,15 +15,15 @@ use cpal::{
 
 use crate::clock::{self, Clock, SECOND};
 
-/// How long a writer sleeps until there is room: 2 ms.
+/// A writer's polling interval: 2 ms.
 const TURN: u64 = SECOND / 500;
 
-/// The queue between the two threads, for the one device that a program has. Nobody keeps it for long.
+/// The queue between the two threads, for the program's only device.
 struct Queue {
     samples: VecDeque<[f32; 2]>,
-    /// Samples that the device has taken.
+    /// The number of samples that the device has taken.
     taken: i64,
-    /// When the first sample would have been heard, by the clock, if the device had played from there without a pause; once it plays.
+    /// The clock's time of the first sample, extrapolated from the samples that play now; None before the start.
     origin: Option<i64>,
     is_lost: bool,
 }
@@ -39,19 +39,19 @@ fn queue() -> MutexGuard<'static, Queue> {
     QUEUE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A device that plays two sides, as long as the process lasts.
+/// A stereo device, open as long as the process lasts.
 pub struct Device {
     clock: Clock,
     rate: i64,
-    /// Samples to have ahead.
+    /// The buffer's length in samples.
     ahead: usize,
-    /// It plays until this is dropped.
+    /// Plays until it is dropped.
     _stream: Stream,
 }
 
 impl Device {
-    /// Opens the device that the desktop plays on, whatever the name, to wait until it has so many microseconds of sound. Or says
-    /// why not: there is no device, or it refuses the sound as it is made.
+    /// Opens the desktop's default device, with a buffer of `latency` microseconds. Returns the reason if there is none, or if it
+    /// refuses the format.
     pub fn open(_: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         let device = cpal::default_host()
             .default_output_device()
@@ -73,7 +73,7 @@ impl Device {
                     queue().give(room, heard, i64::from(rate));
                 },
                 |error| match error.kind() {
-                    // It goes on after these.
+                    // Playback continues after these.
                     ErrorKind::DeviceChanged | ErrorKind::RealtimeDenied | ErrorKind::Xrun => {}
                     _ => queue().is_lost = true,
                 },
@@ -89,7 +89,7 @@ impl Device {
         })
     }
 
-    /// Gives samples to the device, waiting while it has enough of them. False if the device is lost.
+    /// Writes samples to the device, and waits while it has enough. Returns false if the device is lost.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         loop {
             let mut queue = queue();
@@ -105,7 +105,7 @@ impl Device {
         }
     }
 
-    /// Samples that have been given to the device and not been heard yet.
+    /// Returns the number of written samples that have not been heard.
     pub fn delay(&mut self) -> Option<i64> {
         let queue = queue();
         let time = self.clock.time() as i64 - queue.origin?;
@@ -116,7 +116,7 @@ impl Device {
 }
 
 impl Queue {
-    /// Fills a device's room, which is heard from a time of the clock on; with silence where there are no samples.
+    /// Fills a device's buffer, which is heard from the clock's time `heard` on, and pads it with silence.
     fn give(&mut self, room: &mut [f32], heard: i64, rate: i64) {
         if !self.samples.is_empty() {
             let played = self.taken * (SECOND as i64 / 1000) / (rate / 1000);

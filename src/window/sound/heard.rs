@@ -1,34 +1,32 @@
-//! Time by what is heard.
+//! The clock of the sound.
 
-/// Turns the time of a clock into the time of the sound: smooth, never backwards, and never far from what is heard.
+/// Converts a clock's time to the sound's time: smooth, monotonic, close to the audible sound.
 ///
-/// A device says every few milliseconds how far it has come, in steps and a little late or early; and its quartz is not
-/// the clock's. So the time goes on by the clock, and is pulled to what the device says, in a quarter of a second at 60
-/// frames a second. When the device has run out of samples, the time waits for it. So it does when the process has been
-/// stopped and goes on, which the clock did not wait for: samples that were never given to the device are not counted as heard.
+/// A device reports its position every few milliseconds, in steps, with jitter, and by another quartz. So the time follows the
+/// clock, and is pulled to the device's position within a quarter of a second at 60 frames per second. The time waits after an
+/// underrun, and after the process was stopped while the clock went on: samples that were never written do not count as heard.
 #[derive(Default)]
 pub struct Heard {
-    /// How far the time is ahead of the clock, in nanoseconds.
+    /// The time's lead over the clock, in nanoseconds.
     ahead: i64,
-    /// The time of the clock at the last frame.
+    /// The clock at the last frame.
     clock: i64,
-    /// The time that was given for it.
+    /// The sound's time at the last frame.
     time: i64,
 }
 
-/// The number by which a difference is divided for each frame.
+/// The fraction of a difference that each frame corrects is 1 / `PULL`.
 const PULL: i64 = 16;
 
-/// The least difference that is no step of the device's but sound that was lost: 50 ms.
+/// The least difference that means lost sound, and not jitter: 50 ms.
 const LOST: u64 = 50_000_000;
 
-/// How far the time goes on at most from one frame to the next without any sound, as on a device that hangs: 50 ms, so that
-/// it goes on by the clock at 20 frames a second or more.
+/// The maximum progress of a frame without sound, as on a device that hangs: 50 ms, the clock's pace from 20 frames per second on.
 const MAX_UNHEARD: i64 = 50_000_000;
 
 impl Heard {
-    /// The time of the sound at a time of the clock, where the device was so far ahead of the clock when it was last
-    /// asked, and sound has been given to it up to the time `written`. All in nanoseconds.
+    /// Returns the sound's time at a time of the clock. `ahead` is the device's last known lead over the clock, `written` the end
+    /// of the written sound. All are in nanoseconds.
     pub fn time(&mut self, clock: i64, ahead: i64, written: i64) -> u64 {
         let step = ahead - self.ahead;
         let pull = if step.unsigned_abs() > LOST { 1 } else { PULL };

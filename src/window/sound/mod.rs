@@ -1,7 +1,7 @@
-//! Sound, and the time by which it is heard.
+//! Sound and its clock.
 //!
-//! A thread makes samples and gives them to the device, which wants them 400 ms before they are heard; a frame that takes long
-//! does not keep it from that. Whoever draws the picture asks for the [time](Player::time) that is heard.
+//! A thread makes samples and writes them to the device 400 ms before they are heard, so slow frames do not interrupt the sound.
+//! Pictures are drawn for the [time](Player::time) that is heard.
 
 #[cfg_attr(feature = "windows", path = "waveout.rs")]
 #[cfg_attr(all(target_os = "linux", not(feature = "windows")), path = "alsa.rs")]
@@ -26,74 +26,74 @@ use crate::{
     system,
 };
 
-/// Samples in a second, for each side.
+/// Samples per second and channel.
 pub const RATE: u32 = 48_000;
 
-/// Microseconds that the device wants samples ahead: long enough for a thread that is woken up late. With less than 320 ms PulseAudio
-/// plays holes, as its devices take more at once, and tells nobody: 4 s take 6.
+/// The buffer's length in microseconds, for threads that wake up late. Below 320 ms PulseAudio drops out without reporting it,
+/// because its devices take more at once: 4 s take 6.
 const LATENCY: u32 = 400_000;
 
-/// Nanoseconds until the next sample has to be made, in the long run. Half a percent less than it lasts, for a device may
-/// be fast; one that plays nothing would take samples as fast as they come.
+/// The average interval between samples, in nanoseconds, half a percent below the nominal one since devices may be fast. A null
+/// device would take samples at any speed.
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
-/// Nanoseconds that blocks may come ahead of their pace: what the device wants, and half of that to catch up. Then it is time
-/// to sleep until half of them are left: to wake up for each block alone takes four times as long as to make them.
+/// The lead over this pace in nanoseconds: the buffer, and half of it to catch up. At this lead the thread sleeps until half of it
+/// is left: waking up for each chunk takes four times the time to make them.
 const SLACK: u64 = LATENCY as u64 * 1500;
 
-/// By what share of the time a device can be ahead of the clock: a thousandth, more than any quartz. One that plays nothing
-/// has heard at once all that it is given, which is no time to go by.
+/// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz. A null device reports
+/// everything as played, and cannot serve as a clock.
 const FASTEST: u64 = 1000;
 
 /// A source of sound.
 pub trait Source: Send {
-    /// Makes the next samples, some milliseconds at most: left and right, full scale 1.
-    fn block(&mut self) -> &[[f32; 2]];
+    /// Returns the next samples, at most some milliseconds: left and right, full scale 1.
+    fn chunk(&mut self) -> &[[f32; 2]];
 }
 
-/// The time of the show: by what is heard, or by the clock where nothing is, but for the time that the process was stopped.
+/// The show's time: by the audible sound, or by the clock without stops of the process.
 pub struct Player {
     clock: Clock,
     heard: Heard,
-    /// The time of the clock that the show was last asked for.
+    /// The clock at the last call of [`Player::time`].
     last: u64,
-    /// How often the process was stopped.
+    /// The number of stops of the process.
     stops: u32,
-    /// How long it was, in nanoseconds, while no sound was heard.
+    /// Their duration while no sound was heard, in nanoseconds.
     stopped: u64,
 }
 
-/// Nanoseconds that the sound is ahead of the clock, of the one player that a program has.
+/// The sound's lead over the clock in nanoseconds, of the program's only player.
 static AHEAD: AtomicI64 = AtomicI64::new(0);
 
-/// Nanoseconds of sound that its device has been given; without end where there is none.
+/// The end of the written sound in nanoseconds; the maximum without sound.
 static WRITTEN: AtomicI64 = AtomicI64::new(i64::MAX);
 
-/// When the device was open, by the clock that [`Clock::start`] takes; before, [`OPENING`], and [`SILENT`] if it is not in time.
+/// The time when the device was open, in [`Clock::start`]'s system time, or one of the constants below.
 static OPENED: AtomicU64 = AtomicU64::new(OPENING);
 const OPENING: u64 = u64::MAX;
 const SILENT: u64 = u64::MAX - 1;
 
-/// The state of the thread that plays. It lives as long as the process.
+/// The sound thread's state, which lives as long as the process.
 struct Work {
     device: &'static CStr,
     source: &'static mut dyn Source,
 }
 
 impl Player {
-    /// The clock, which started with the time.
+    /// Returns the clock, which started at the same time.
     #[must_use]
     pub fn clock(&self) -> Clock {
         self.clock
     }
 
-    /// Plays nothing: the time goes by the clock.
+    /// Creates a player without sound, whose time is by the clock.
     #[must_use]
     pub fn silent() -> Player {
         Player::by(Clock::start())
     }
 
-    /// A player of which the time begins with a clock.
+    /// Creates a player whose time starts with a clock.
     fn by(clock: Clock) -> Player {
         system::heed_stops();
         Player {
@@ -105,14 +105,13 @@ impl Player {
         }
     }
 
-    /// Plays a source on a device of ALSA's, by its name: `default` is what the desktop plays on. The thread that does
-    /// ends with the process.
+    /// Plays a source on an ALSA device; `default` is the desktop's. The thread for this ends with the process.
     ///
-    /// If there is no such device, or it refuses the sound as it is made, or can't be opened in three seconds, the time goes
-    /// by the clock, and standard error says why.
+    /// If there is no such device, or it refuses the format, or does not open within three seconds, the time is by the clock, and
+    /// standard error tells the reason.
     pub fn start(device: &'static CStr, source: &'static mut dyn Source) -> Player {
         let work = Box::leak(Box::new(Work { device, source }));
-        // SAFETY: the work lasts, and there is one thread that does it.
+        // SAFETY: the work is never freed, and only this thread uses it.
         if unsafe { spawn(play, (&raw mut *work).cast()) }.is_none() {
             say_silent("no thread for sound");
             return Player::silent();
@@ -123,11 +122,11 @@ impl Player {
         }
     }
 
-    /// Nanoseconds of the show until now. If the device is lost, it goes on from where it was.
+    /// Returns the nanoseconds of the show until now. If the device is lost, the time continues by the clock.
     pub fn time(&mut self) -> u64 {
         let (ahead, written) = (AHEAD.load(Relaxed), WRITTEN.load(Relaxed));
         let now = self.clock.time();
-        // With sound, what nobody has given to the device is not heard.
+        // Time during a stop does not count. With sound, `written` limits the time.
         let stops = system::stops();
         if stops != self.stops && written == i64::MAX {
             self.stopped += now - self.last;
@@ -139,17 +138,17 @@ impl Player {
     }
 }
 
-/// How long so many samples last.
+/// Returns the duration of samples.
 fn nanoseconds(samples: i64) -> i64 {
     samples * (SECOND as i64 / 1000) / i64::from(RATE / 1000)
 }
 
-/// Says why the show goes on without sound.
+/// Reports why the show continues without sound.
 fn say_silent(why: &str) {
     line::complain(format_args!("{}; playing silently", Text(why)));
 }
 
-/// Waits until [`play`] has opened the device, or said why it can't, or has taken too long. Returns [`OPENED`].
+/// Waits until [`play`] has opened the device or failed, or for three seconds. Returns [`OPENED`].
 fn wait_for_device() -> u64 {
     let opened = clock::wait_while(&OPENED, OPENING);
     if opened != OPENING {
@@ -162,11 +161,11 @@ fn wait_for_device() -> u64 {
     late.err().unwrap_or(SILENT)
 }
 
-/// Opens the device, and plays until it is lost, or the process ends.
+/// Opens the device, and plays until it is lost or the process ends.
 extern "C" fn play(work: *mut c_void) -> *mut c_void {
-    // SAFETY: `Player::start` passes it, never frees it, and nobody else looks at it.
+    // SAFETY: `Player::start` passes it, never frees it, and does not use it.
     let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
-    // Open the device, unless that came too late.
+    // Open the device, in time.
     let opened = Device::open(device, RATE, LATENCY);
     let clock = Clock::start();
     let begin = |opened| {
@@ -181,30 +180,29 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
             begin(SILENT);
             return null_mut();
         }
-        // Nobody waits for it any more.
+        // The player has given up waiting.
         _ => return null_mut(),
     };
     let mut written = 0;
     let mut due = 0;
     loop {
-        // Write a block.
-        let block = source.block();
-        if !device.write(block) {
+        let chunk = source.chunk();
+        if !device.write(chunk) {
             WRITTEN.store(i64::MAX, Relaxed);
             say_silent("sound device lost");
             return null_mut();
         }
-        let count = block.len() as u64;
+        let count = chunk.len() as u64;
         written += count;
         WRITTEN.store(nanoseconds(written as i64), Relaxed);
-        // Find how far what is heard is ahead of the clock.
+        // Find the sound's lead over the clock.
         let now = clock.time();
         if let Some(delay) = device.delay() {
             let heard = nanoseconds(written as i64 - delay);
             let most = now / FASTEST;
             AHEAD.store((heard - now as i64).min(most as i64), Relaxed);
         }
-        // Wait while the device has enough.
+        // Sleep while the device has enough.
         due = u64::max(due + count * PACE, now);
         if due > now + SLACK {
             clock.sleep_until(due - SLACK / 2);

@@ -1,12 +1,12 @@
-//! No sound, on systems that it has not been made for.
+//! No sound, on other systems.
 
 use core::{convert::Infallible, ffi::CStr};
 
-/// A device, of which there is none.
+/// A device that does not exist.
 pub struct Device(Infallible);
 
 impl Device {
-    /// Says why there is no sound.
+    /// Returns the reason.
     pub fn open(_: &CStr, _: u32, _: u32) -> Result<Device, &'static str> {
         Err("no sound on this system")
     }

@@ -1,4 +1,4 @@
-//! Sound by the functions of Windows for waves.
+//! Sound by Windows' waveOut functions.
 
 use core::{ffi::CStr, mem::size_of, ptr::null_mut};
 
@@ -8,25 +8,25 @@ use crate::{
         types::{Handle, Position, WaveFormat, WaveHeader},
     },
     clock::{self, SECOND},
-    fixed::Fixed,
+    static_cell::StaticCell,
 };
 
-/// Samples of a buffer, 10 ms.
+/// Samples in a buffer: 10 ms.
 const LENGTH: usize = 480;
 
-/// Buffers in turns: 80 ms. Windows mixes what it is given by 10 ms, some of them ahead.
+/// The number of buffers: 80 ms. Windows mixes chunks of 10 ms, some of them in advance.
 const COUNT: usize = 8;
 
-/// How long a writer sleeps until a buffer has been played: 2 ms.
+/// A writer's polling interval: 2 ms.
 const TURN: u64 = SECOND / 500;
 
-/// So many times, until the device is taken for lost: 2 s.
+/// The number of polls after which the device is lost: 2 s.
 const MOST_TURNS: usize = 1000;
 
-/// A header's flag: the device has it.
+/// The header's flag of queued buffers (`WHDR_INQUEUE`).
 const IN_QUEUE: u32 = 0x10;
 
-/// Samples that are given to the device together.
+/// A buffer of samples.
 struct Buffer {
     header: WaveHeader,
     samples: [[f32; 2]; LENGTH],
@@ -35,7 +35,7 @@ struct Buffer {
 // SAFETY: its pointers are to itself, or null.
 unsafe impl Send for Buffer {}
 
-static BUFFERS: Fixed<[Buffer; COUNT]> = Fixed::new(
+static BUFFERS: StaticCell<[Buffer; COUNT]> = StaticCell::new(
     [const {
         Buffer {
             header: WaveHeader {
@@ -53,22 +53,21 @@ static BUFFERS: Fixed<[Buffer; COUNT]> = Fixed::new(
     }; COUNT],
 );
 
-/// A device that plays two sides, as long as the process lasts.
+/// A stereo device, open as long as the process lasts.
 pub struct Device {
     device: Handle,
     buffers: &'static mut [Buffer; COUNT],
-    /// Samples that have been written.
+    /// The number of written samples.
     written: usize,
 }
 
 impl Device {
-    /// Opens the device that the desktop plays on, whatever the name. Or says why not: there is no device, or it refuses the sound
-    /// as it is made.
+    /// Opens the desktop's default device. Returns the reason if there is none, or if it refuses the format.
     pub fn open(_: &CStr, rate: u32, _: u32) -> Result<Device, &'static str> {
         const FLOAT: u16 = 3;
         const SIDES: u16 = 2;
         const SAMPLE: u16 = size_of::<[f32; 2]>() as u16;
-        /// Stands for the desktop's.
+        /// `WAVE_MAPPER`, the default device.
         const MAPPER: u32 = u32::MAX;
         const BAD_FORMAT: u32 = 32;
         let format = WaveFormat {
@@ -81,7 +80,7 @@ impl Device {
             extra: 0,
         };
         let mut device = null_mut();
-        // SAFETY: what is pointed to outlives the call.
+        // SAFETY: pointers outlive the call.
         match unsafe { waveOutOpen(&mut device, MAPPER, &format, 0, 0, 0) } {
             0 => {}
             BAD_FORMAT => return Err("sound device refuses 48 kHz stereo"),
@@ -91,7 +90,7 @@ impl Device {
         for buffer in buffers.iter_mut() {
             buffer.header.samples = buffer.samples.as_ptr();
             buffer.header.length = size_of_val(&buffer.samples) as u32;
-            // SAFETY: the header stays where it is, and says of the samples what is so.
+            // SAFETY: the header has a fixed address, and describes these samples.
             unsafe { waveOutPrepareHeader(device, &mut buffer.header, HEADER) };
         }
         Ok(Device {
@@ -101,18 +100,18 @@ impl Device {
         })
     }
 
-    /// Gives samples to the device, waiting while it has enough of them. False if the device is lost.
+    /// Writes samples to the device, and waits while it has enough. Returns false if the device is lost.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         samples.iter().all(|&sample| self.add(sample))
     }
 
-    /// Adds a sample to those that are given to the device next.
+    /// Adds a sample to the next buffer, and queues the buffer when it is full.
     fn add(&mut self, sample: [f32; 2]) -> bool {
         let (number, place) = (self.written / LENGTH % COUNT, self.written % LENGTH);
         let buffer = &mut self.buffers[number];
         let flags = &raw const buffer.header.flags;
         let mut turns = 0;
-        // SAFETY: the device writes to it meanwhile.
+        // SAFETY: the field is valid; volatile, because the device changes it.
         while unsafe { flags.read_volatile() } & IN_QUEUE != 0 {
             turns += 1;
             if turns == MOST_TURNS {
@@ -122,11 +121,11 @@ impl Device {
         }
         buffer.samples[place] = sample;
         self.written += 1;
-        // SAFETY: the header has been prepared, and the device has it not.
+        // SAFETY: the header has been prepared, and is not queued.
         place + 1 < LENGTH || unsafe { waveOutWrite(self.device, &mut buffer.header, HEADER) } == 0
     }
 
-    /// Samples that have been written and not been heard yet.
+    /// Returns the number of written samples that have not been heard.
     pub fn delay(&mut self) -> Option<i64> {
         const SAMPLES: u32 = 2;
         let mut position = Position {
@@ -135,7 +134,7 @@ impl Device {
             unused: 0,
         };
         let size = size_of::<Position>() as u32;
-        // SAFETY: there is room for the answer.
+        // SAFETY: `position` is writable.
         let known = unsafe { waveOutGetPosition(self.device, &mut position, size) } == 0;
         // The device counts modulo 2^32.
         let delay = (self.written as u32).wrapping_sub(position.samples) as i32;

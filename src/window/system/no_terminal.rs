@@ -1,25 +1,25 @@
-//! A console of Windows is no screen: it always has windows beside it.
+//! On Windows, frames are not shown in a console: windows are always available.
 
-use crate::screen::{Next, Screen};
+use crate::render_target::{Next, RenderTarget};
 
-/// The terminal on standard output, of which there is none.
+/// The terminal on standard output, which does not exist.
 pub enum Terminal {}
 
 impl Terminal {
-    /// Takes over the terminal on standard output, if there is one.
+    /// Returns None.
     #[must_use]
     pub fn open() -> Option<Terminal> {
         None
     }
 
-    /// Whether standard output is a terminal that [`Terminal::open`] takes over.
+    /// Returns false.
     #[must_use]
     pub fn is_there() -> bool {
         false
     }
 }
 
-impl Screen for Terminal {
+impl RenderTarget for Terminal {
     fn size(&self) -> (usize, usize) {
         match *self {}
     }
@@ -33,5 +33,5 @@ impl Screen for Terminal {
     }
 }
 
-/// Gives the terminal back, if it was taken.
+/// Does nothing.
 pub(crate) fn restore() {}

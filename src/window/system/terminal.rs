@@ -1,4 +1,5 @@
-//! The terminal as a screen: two pixels in each cell, above each other, in 24-bit colour, or in 256 colours by GNU screen.
+//! The terminal as a target for frames: two pixels in each cell, one above the other, in 24-bit colour, or in 256 colours in GNU
+//! screen.
 
 use core::{
     cell::UnsafeCell,
@@ -14,28 +15,28 @@ use core::{
 use crate::{
     backend::memory::pixels,
     line::{self, Decimal, Text, Writer},
-    screen::{Next, Screen},
+    render_target::{Next, RenderTarget},
     system,
 };
 
-/// The upper half of a cell in the foreground's colour; the lower half shows the background's.
+/// The upper half of a cell in the foreground colour; the lower half shows the background.
 const UPPER_HALF: &str = "\u{2580}";
 
-/// The code that a foreground colour begins with.
+/// The code of a foreground colour.
 const FOREGROUND: &str = "38";
-/// The code that a background colour begins with.
+/// The code of a background colour.
 const BACKGROUND: &str = "48";
 
 /// Resets the colours and clears the screen.
 const CLEAR: &str = "\x1b[0m\x1b[2J";
 
-/// Takes the alternate screen, hides the cursor, and does not wrap at the right edge.
+/// Switches to the alternate screen, hides the cursor, and disables wrapping at the right edge.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 
-/// Undoes [`ENTER`], and the colours.
+/// Reverts [`ENTER`] and resets the colours.
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
-/// The signals that end no process: what it does with them stays as it is. No process can heed SIGKILL and SIGSTOP.
+/// Signals that do not end a process, and keep their action. (SIGKILL and SIGSTOP cannot be handled.)
 const HARMLESS: u64 = bits(&[
     libc::SIGPIPE,
     libc::SIGCHLD,
@@ -49,7 +50,7 @@ const HARMLESS: u64 = bits(&[
     libc::SIGINFO,
 ]);
 
-/// The signals of a process's own mistakes, which it can't go on after.
+/// Signals of errors in the process, which cannot continue.
 const MISTAKES: u64 = bits(&[
     libc::SIGILL,
     libc::SIGTRAP,
@@ -60,7 +61,7 @@ const MISTAKES: u64 = bits(&[
     libc::SIGSYS,
 ]);
 
-/// A set of signals, a bit for each from 1 on.
+/// Returns a set of signals, from bit 0 for signal 1 on.
 const fn bits(signals: &[c_int]) -> u64 {
     let (mut set, mut i) = (0, 0);
     while i < signals.len() {
@@ -70,26 +71,25 @@ const fn bits(signals: &[c_int]) -> u64 {
     set
 }
 
-/// The most cells beside each other and above each other that are drawn on: the pixels of the largest frame.
+/// The maximum number of cells, for the pixels of the largest frame.
 const MOST_COLUMNS: usize = 3840;
 const MOST_ROWS: usize = 2160 / 2;
 
-/// The terminal on standard output. Esc and Ctrl-C end the show, H is for numbers over the picture.
+/// The terminal on standard output. Esc and Ctrl-C end the show, H toggles the numbers.
 ///
-/// It is given back as it was when this is dropped, when the process aborts, and after the signals
-/// that ask a process to end.
+/// It is restored when this is dropped, when the process aborts, and after signals that ask a process to end.
 pub struct Terminal {
-    keys: Keys,
+    keys: KeyParser,
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
-    /// Whether it has 256 colours only.
+    /// Whether it has only 256 colours.
     is_coarse: bool,
 }
 
-/// A variable of the environment.
+/// Returns an environment variable.
 fn variable(name: &CStr) -> Option<&'static CStr> {
-    // SAFETY: nobody changes the environment; what is there is a string.
+    // SAFETY: nothing changes the environment, whose values are strings.
     unsafe {
         let value = libc::getenv(name.as_ptr());
         (!value.is_null()).then(|| CStr::from_ptr(value))
@@ -97,8 +97,8 @@ fn variable(name: &CStr) -> Option<&'static CStr> {
 }
 
 impl Terminal {
-    /// Whether standard output is a terminal that [`Terminal::open`] takes over: one that says of itself that it knows no colours
-    /// and no places is none.
+    /// Returns whether standard output is a terminal that [`Terminal::open`] takes over. `TERM=dumb` is not: it has neither colours
+    /// nor cursor positions.
     #[must_use]
     pub fn is_there() -> bool {
         line::terminal(line::OUTPUT) && variable(c"TERM") != Some(c"dumb")
@@ -111,11 +111,11 @@ impl Terminal {
             return None;
         }
         let terminal = Terminal {
-            keys: Keys::default(),
+            keys: KeyParser::default(),
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
-            // GNU screen, unless it says otherwise, takes the parts of a colour of 24 bits for commands.
+            // GNU screen misreads the parts of a 24-bit colour as commands, unless COLORTERM announces support.
             is_coarse: variable(c"STY").is_some() && variable(c"COLORTERM").is_none(),
         };
         SAVED.take_over();
@@ -132,7 +132,7 @@ impl Terminal {
         let (width, height) = self.size;
         for row in 0..height / 2 {
             write!(text, "\x1b[{};1H", Decimal(row as u64 + 1))?;
-            // The colours of the last cell; no pixel has one with all bits set, so each row begins with its own.
+            // No pixel has all bits set, so each row begins with its colours.
             let (mut foreground, mut background) = (u32::MAX, u32::MAX);
             for x in 0..width {
                 let upper = self.pixels[2 * row * width + x];
@@ -145,7 +145,7 @@ impl Terminal {
         text.flush()
     }
 
-    /// Sets a colour of the cells that follow, unless it is set already.
+    /// Sets a colour for the next cells, if it changes.
     fn set_colour(
         &self,
         text: &mut Writer,
@@ -166,24 +166,24 @@ impl Terminal {
     }
 }
 
-/// Returns the number of the nearest of 256 colours: those from 16 on have six steps of each channel.
+/// Returns the nearest of 256 colours: from 16 on, six levels for each channel.
 fn coarse(colour: u32) -> u64 {
     let [_, channels @ ..] = colour.to_be_bytes();
-    // The steps are 0, 95, 135, 175, 215 and 255.
+    // The levels are 0, 95, 135, 175, 215 and 255.
     channels.iter().fold(0, |sum, channel| {
         6 * sum + u64::from(channel.saturating_sub(15) / 45)
     }) + 16
 }
 
-impl Screen for Terminal {
+impl RenderTarget for Terminal {
     fn size(&self) -> (usize, usize) {
-        // SAFETY: zero is a value of every field, and `size` is what this request writes to.
+        // SAFETY: zero is valid for all fields, and the request writes to `size`.
         let size = unsafe {
             let mut size: libc::winsize = zeroed();
             libc::ioctl(line::OUTPUT, libc::TIOCGWINSZ, &raw mut size);
             size
         };
-        // Some say nothing of their size. Of one that is larger than any screen, a part is drawn on.
+        // Some terminals report no size. Oversized ones show the picture in a part.
         let side = |size: u16, usual: usize, most: usize| match usize::from(size) {
             0 => usual,
             size => size.min(most),
@@ -202,7 +202,7 @@ impl Screen for Terminal {
     fn show(&mut self) -> Next {
         let drawn = self.draw();
         match signal() {
-            // Where nobody reads, a later frame may find room; the show goes on meanwhile, to its end.
+            // If the terminal does not read, the show continues without this frame.
             0 if drawn.is_err() && system::error() != libc::EAGAIN => Next::End(1),
             0 if self.keys.read(SAVED.keyboard()) => Next::End(0),
             0 if core::mem::take(&mut self.keys.toggles) => Next::Toggle,
@@ -218,33 +218,33 @@ impl Drop for Terminal {
     }
 }
 
-/// Tells Esc, Ctrl-C and H from other keys: many send sequences that begin like Esc, and so do those that are pressed with Alt.
+/// Recognises Esc, Ctrl-C and H. Many other keys send sequences that begin with Esc, and so do keys with Alt.
 #[derive(Default)]
-struct Keys {
-    /// An Esc was the last that came. What it is shows when something follows, or nothing.
+struct KeyParser {
+    /// The last byte was Esc. The next bytes, if any, tell whether it begins a sequence.
     open: bool,
-    /// H came an odd number of times.
+    /// H was pressed an odd number of times.
     toggles: bool,
 }
 
-impl Keys {
-    /// Reads what was typed. True if it means the end.
+impl KeyParser {
+    /// Reads the keyboard. Returns true if the show should end.
     fn read(&mut self, keyboard: c_int) -> bool {
         let mut typed = [0; 64];
         let mut count = 0;
-        // A shell that had the terminal meanwhile may have left it in a mode in which reading waits.
+        // A shell may have left the terminal in a mode in which reading blocks.
         if system::is_ready(keyboard, libc::POLLIN, 0) {
-            // SAFETY: it is as long as it says.
+            // SAFETY: `typed` has this length.
             count = unsafe { libc::read(keyboard, typed.as_mut_ptr().cast(), typed.len()) };
         }
         self.ends(typed.get(..count as usize).unwrap_or_default())
     }
 
-    /// Whether what was typed since the last call means the end. What follows an Esc at once belongs to it.
+    /// Returns true if these bytes end the show. Bytes that follow Esc immediately belong to it.
     fn ends(&mut self, typed: &[u8]) -> bool {
         const ESCAPE: u8 = 0x1b;
         const CONTROL_C: u8 = 0x03;
-        // Esc and Ctrl-C where Kitty and xterm write keys with modifiers as numbers.
+        // Esc and Ctrl-C in the protocols of Kitty and xterm for modified keys.
         const ESCAPE_U: u64 = u64::from_be_bytes(*b"\x1b[27u\0\0\0");
         const CONTROL_C_U: u64 = u64::from_be_bytes(*b"\x1b[99;5u\0");
         const CONTROL_C_TILDE: u64 = u64::from_be_bytes(*b"27;5;99~");
@@ -264,10 +264,10 @@ impl Keys {
     }
 }
 
-/// The settings that have to be put back when the show ends.
+/// The settings to restore.
 struct Saved {
     active: AtomicBool,
-    /// One more than the number of the terminal that keys are read from, or 0.
+    /// One more than the descriptor of the keyboard's terminal, or 0.
     keyboard: AtomicI32,
     mode: UnsafeCell<MaybeUninit<libc::termios>>,
 }
@@ -284,15 +284,15 @@ static SAVED: Saved = Saved {
 /// The last signal that asked the process to end.
 static SIGNAL: AtomicI32 = AtomicI32::new(0);
 
-/// Milliseconds that writing waits for room: without end as long as there is no [`Terminal`], for which it is a second.
+/// The timeout of a blocked write in milliseconds: infinite (-1), or a second for a [`Terminal`].
 static PATIENCE: AtomicI32 = AtomicI32::new(-1);
 
-/// See [`PATIENCE`].
+/// Returns [`PATIENCE`].
 pub(crate) fn patience() -> c_int {
     PATIENCE.load(Relaxed)
 }
 
-/// The signal that asked a process with a [`Terminal`] to end, or 0.
+/// Returns the signal that asked a process with a [`Terminal`] to end, or 0.
 pub(crate) fn signal() -> c_int {
     SIGNAL.load(Relaxed)
 }
@@ -304,19 +304,19 @@ extern "C" fn note(signal: c_int) {
         return;
     }
     restore();
-    // SAFETY: both may be called in a signal's function. The signal comes again when this one has returned.
+    // SAFETY: signal handlers may call both. The signal is delivered again when this handler has returned.
     unsafe {
         on_signal(signal, libc::SIG_DFL);
         libc::raise(signal);
     }
 }
 
-/// Sets what is done on a signal: a function that does no more than it may there, `SIG_IGN` or `SIG_DFL`.
+/// Sets a signal's action.
 ///
 /// # Safety
-/// The action has to be one of these.
+/// The action has to be `SIG_IGN`, `SIG_DFL`, or a function that is async-signal-safe.
 pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
-    // SAFETY: zero is a value of every field. Without SA_RESTART, a write that waits returns.
+    // SAFETY: zero is valid for all fields. Without SA_RESTART, signals interrupt blocked writes.
     unsafe {
         let mut change: libc::sigaction = zeroed();
         change.sa_sigaction = action;
@@ -324,32 +324,31 @@ pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
     }
 }
 
-/// A terminal's mode, if it is a terminal.
+/// Returns a terminal's mode, or None for other files.
 pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
-    // SAFETY: zero is a value of every field.
+    // SAFETY: zero is valid for all fields.
     let mut mode: libc::termios = unsafe { zeroed() };
-    // SAFETY: the mode is there to be written to.
+    // SAFETY: `mode` is writable.
     let is_known = unsafe { libc::tcgetattr(file, &mut mode) } == 0;
     is_known.then_some(mode)
 }
 
-/// Sets a terminal's mode when all has been written, and drops what has been typed.
+/// Sets a terminal's mode after pending output, and discards pending input.
 fn set_mode(file: c_int, mode: &libc::termios) {
     // SAFETY: the mode outlives the call.
     unsafe { libc::tcsetattr(file, libc::TCSAFLUSH, mode) };
 }
 
 impl Saved {
-    /// The terminal that keys are read from, or -1.
+    /// Returns the descriptor of the keyboard's terminal, or -1.
     fn keyboard(&self) -> c_int {
         self.keyboard.load(Acquire) - 1
     }
 
     fn take_over(&self) {
-        // SAFETY: zero is a value of every field of the structures, which outlive the calls; `note`
-        // does only what a signal's function may. `mode` is written while `active` isn't set.
+        // SAFETY: `note` is async-signal-safe. `mode` is written while `active` is not set.
         unsafe {
-            // The last ones are those of real time; what is none is refused.
+            // The last are real-time signals; invalid numbers are refused.
             for signal in (1..=64).filter(|signal| HARMLESS >> (signal - 1) & 1 == 0) {
                 on_signal(signal, note as extern "C" fn(c_int) as libc::sighandler_t);
             }
@@ -371,16 +370,16 @@ impl Saved {
         self.enter();
     }
 
-    /// The terminal's mode before it was taken, once that is known.
+    /// Returns the original mode of the keyboard's terminal.
     fn mode(&self) -> Option<libc::termios> {
-        // SAFETY: there is a keyboard only once `mode` has been written.
+        // SAFETY: `keyboard` is set after `mode`.
         (self.keyboard() >= 0).then(|| unsafe { (*self.mode.get()).assume_init() })
     }
 
-    /// Sets the terminal's mode and takes its alternate screen.
+    /// Sets the terminal's mode and switches to the alternate screen.
     fn enter(&self) {
         if let Some(mut mode) = self.mode() {
-            // Keys at once and unseen, Ctrl-C among them.
+            // KeyParser without delay and echo, including Ctrl-C.
             mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
             mode.c_iflag &= !libc::IXON;
             set_mode(self.keyboard(), &mode);
@@ -389,18 +388,17 @@ impl Saved {
     }
 }
 
-/// Takes the terminal again after a stop, if it was taken: meanwhile a shell had it, in a mode of its own. A signal's function
-/// may call it.
+/// Takes the terminal over again after a stop, during which a shell had it in another mode. Async-signal-safe.
 pub(crate) fn resume() {
     if SAVED.active.load(Acquire) {
         SAVED.enter();
     }
 }
 
-/// Gives the terminal back as it was, if it was taken. A signal's function may call it.
+/// Restores the terminal, if it was taken over. Async-signal-safe.
 pub(crate) fn restore() {
     if SAVED.active.swap(false, AcqRel) {
-        // What asked for the end has been heard, and does not keep this from being written.
+        // A pending signal must not interrupt these writes.
         SIGNAL.store(0, Relaxed);
         line::write(line::OUTPUT, LEAVE);
         if let Some(mode) = SAVED.mode() {
@@ -411,12 +409,12 @@ pub(crate) fn restore() {
 
 #[cfg(test)]
 mod tests {
-    use super::Keys;
+    use super::KeyParser;
 
     #[test]
     fn escape_ends_and_sequences_do_not() {
         let ends = |reads: &[&[u8]]| {
-            let mut keys = Keys::default();
+            let mut keys = KeyParser::default();
             reads.iter().any(|typed| keys.ends(typed))
         };
         assert!(ends(&[b"\x1b", b""]), "Esc, and nothing after it");
@@ -442,9 +440,9 @@ mod tests {
     }
 
     #[test]
-    fn h_is_heard_and_twice_is_as_good_as_never() {
+    fn h_toggles() {
         let toggles = |typed: &[u8]| {
-            let mut keys = Keys::default();
+            let mut keys = KeyParser::default();
             assert!(!keys.ends(typed));
             keys.toggles
         };

@@ -9,33 +9,32 @@ use core::{
 
 use crate::{line, terminal};
 
-/// The number of standard output.
+/// The descriptor of standard output.
 pub const OUTPUT: c_int = libc::STDOUT_FILENO;
-/// The number of standard error.
+/// The descriptor of standard error.
 pub const ERROR: c_int = libc::STDERR_FILENO;
 
-/// The least bytes of stack to start with. Drawing takes 56 kB of each thread's; the rest is for libraries.
+/// The minimum stack in bytes. Drawing takes 56 kB of each thread's stack; the rest is for libraries.
 const STACK: libc::rlim_t = 96 << 10;
 
-/// Prepares the process: a broken pipe is an error of the write, not a signal, and the standard streams are open. Ends it where it
-/// has so little stack that it would end without a word.
+/// Prepares the process: a broken pipe is an error of the write, not a signal, and the standard streams are open. Ends the process
+/// with a message if the stack is too small.
 ///
 /// # Safety
-/// No other thread may be running yet.
+/// No other thread may be running.
 pub unsafe fn start() {
-    // SAFETY: nobody relies on what is done on SIGPIPE.
+    // SAFETY: nothing relies on the action of SIGPIPE.
     unsafe { terminal::on_signal(libc::SIGPIPE, libc::SIG_IGN) };
-    // One heap for all threads: glibc reserves 64 MB of addresses for a thread's own.
+    // One heap for all threads, since glibc reserves 64 MB of addresses for each additional one.
     // SAFETY: it may be called at any time.
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     unsafe {
         libc::mallopt(libc::M_ARENA_MAX, 1)
     };
-    // What is closed of standard input, output and error gets something that is open for reading only, so that no file or display
-    // opened later takes its number and is written to by mistake: writing fails, as it would have when closed. One more stays
-    // open, as the sign that the first three are.
+    // Opens closed standard streams for reading, so that later files get other numbers, and writing still fails. The first
+    // descriptor above 2 shows that all three are open, and stays open.
     while (0..=2).contains(&open(c"/dev/null")) {}
-    // SAFETY: zero is a value of both fields of the limit, which outlives the call.
+    // SAFETY: zero is valid for both fields of the limit, which outlives the call.
     unsafe {
         let mut stack: libc::rlimit = zeroed();
         libc::getrlimit(libc::RLIMIT_STACK, &mut stack);
@@ -46,7 +45,7 @@ pub unsafe fn start() {
     }
 }
 
-/// How often the process has gone on after a stop.
+/// The number of times that the process was resumed.
 static STOPS: AtomicU32 = AtomicU32::new(0);
 
 extern "C" fn go_on(_: c_int) {
@@ -54,20 +53,20 @@ extern "C" fn go_on(_: c_int) {
     terminal::resume();
 }
 
-/// Counts stops from now on, as by Ctrl-Z or SIGSTOP, and takes the terminal again after each.
+/// Counts stops from now on, as by Ctrl-Z or SIGSTOP, and takes the terminal over again after each.
 pub fn heed_stops() {
-    // SAFETY: the function does only what a signal's function may.
+    // SAFETY: the function is async-signal-safe.
     unsafe { terminal::on_signal(libc::SIGCONT, go_on as extern "C" fn(c_int) as _) };
 }
 
-/// How often the process was stopped.
+/// Returns the number of stops.
 pub fn stops() -> u32 {
     STOPS.load(Relaxed)
 }
 
-/// Starts something, such as a thread, that signals do not go to.
+/// Calls a function with all signals blocked, for the threads that it starts.
 pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
-    // SAFETY: zero is a value of a set of signals, and the sets outlive the calls.
+    // SAFETY: zero is a valid set of signals, and the sets outlive the calls.
     unsafe {
         let [mut all, mut before]: [libc::sigset_t; 2] = zeroed();
         libc::sigfillset(&mut all);
@@ -78,13 +77,13 @@ pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     }
 }
 
-/// Whether a file descriptor is a terminal.
+/// Returns whether a file descriptor is a terminal.
 pub fn is_terminal(file: c_int) -> bool {
     terminal::mode(file).is_some()
 }
 
-/// Writes everything to a file descriptor, waiting while it is full. False if that fails, if a signal that ends the program
-/// arrives meanwhile, or, once there is a [`Terminal`](crate::terminal::Terminal), if it is full for a second.
+/// Writes all bytes, and waits while the file is full. Returns false on an error, or on a signal that ends the program. With a
+/// [`Terminal`](crate::terminal::Terminal), returns false if the file is full for a second.
 pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         let written = write_some(file, bytes);
@@ -102,41 +101,40 @@ pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     true
 }
 
-/// Opens a file for reading. Its descriptor, or -1.
+/// Opens a file for reading. Returns its descriptor, or -1.
 pub fn open(path: &CStr) -> c_int {
     // SAFETY: the path outlives the call.
     unsafe { libc::open(path.as_ptr(), libc::O_RDONLY | libc::O_CLOEXEC) }
 }
 
-/// Writes some bytes to a file descriptor, and returns how many, or -1.
+/// Writes some bytes. Returns their number, or -1.
 fn write_some(file: c_int, bytes: &[u8]) -> isize {
-    // SAFETY: the pointer and the length are those of a slice.
+    // SAFETY: pointer and length are from a slice.
     unsafe { libc::write(file, bytes.as_ptr().cast(), bytes.len()) }
 }
 
-/// Why the last call of this thread failed.
+/// Returns the error of this thread's last call.
 pub fn error() -> c_int {
-    // SAFETY: errno is this thread's own.
+    // SAFETY: errno is thread-local.
     #[cfg(target_os = "linux")]
     return unsafe { *libc::__errno_location() };
     #[cfg(not(target_os = "linux"))]
     std::io::Error::last_os_error().raw_os_error().unwrap_or(0)
 }
 
-/// Waits until one of some events is there, such as `POLLIN`, that a file has something to read, or so many milliseconds; without
-/// end if they are negative. False if there is none still.
+/// Waits for one of some events, such as `POLLIN`, at most `milliseconds`, or indefinitely if negative. Returns whether there was
+/// one.
 pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
     let mut ready = libc::pollfd {
         fd: file,
         events,
         revents: 0,
     };
-    // SAFETY: there is one of them.
+    // SAFETY: there is one entry.
     unsafe { libc::poll(&mut ready, 1, milliseconds) != 0 }
 }
 
-/// Has writing to a terminal not wait for room any more, for this process alone: others that have the same terminal wait as
-/// before. Does nothing if the terminal can't be opened by this path of its descriptor.
+/// Makes writes to a terminal non-blocking, for this process only. Does nothing if the path of the descriptor cannot be opened.
 pub fn never_wait(file: c_int, path: &CStr) {
     let flags = libc::O_WRONLY | libc::O_NONBLOCK | libc::O_NOCTTY | libc::O_CLOEXEC;
     // SAFETY: the path outlives the call.

@@ -1,4 +1,4 @@
-//! Standard streams and the console of Windows, by its own functions.
+//! Standard streams and the console of Windows.
 
 use core::ptr::null_mut;
 
@@ -12,28 +12,28 @@ pub const OUTPUT: i32 = -11;
 /// The number of standard error.
 pub const ERROR: i32 = -12;
 
-/// Bytes that are written to a console at a time.
+/// The chunk size for a console in bytes.
 const PART: usize = 1024;
 
-/// Prepares the process: a program for windows has no console, and writes to the one that it was started from.
+/// Prepares the process: a GUI program has no console, and uses its parent's.
 ///
 /// # Safety
-/// No other thread may be running yet.
+/// No other thread may be running.
 pub unsafe fn start() {
-    /// Stands for the process that started this one.
+    /// `ATTACH_PARENT_PROCESS`.
     const PARENT: u32 = u32::MAX;
-    /// Whether it may be read and written.
+    /// Access for reading and writing.
     const READ_WRITE: u32 = 0xc000_0000;
-    /// Others may, too.
+    /// Shared access for reading and writing.
     const SHARED: u32 = 3;
     const EXISTING: u32 = 3;
-    // SAFETY: nobody else uses the streams yet, and the name outlives the calls.
+    // SAFETY: nothing uses the streams yet, and the name outlives the calls.
     unsafe {
         if AttachConsole(PARENT) == 0 {
             return;
         }
         for stream in [OUTPUT, ERROR] {
-            // One that goes to a file or a pipe is left as it is.
+            // Keep streams that are files or pipes.
             if GetStdHandle(stream).is_null() {
                 let (name, none) = (c"CONOUT$".as_ptr().cast(), null_mut());
                 let console = CreateFileA(name, READ_WRITE, SHARED, none, EXISTING, 0, none);
@@ -43,34 +43,33 @@ pub unsafe fn start() {
     }
 }
 
-/// Counts stops. (Windows has none.)
+/// Does nothing: Windows has no stops.
 pub fn heed_stops() {}
 
-/// How often the process was stopped.
+/// Returns the number of stops.
 pub fn stops() -> u32 {
     0
 }
 
-/// Whether a stream is a console.
+/// Returns whether a stream is a console.
 pub fn is_terminal(stream: i32) -> bool {
-    // SAFETY: it may be asked of any file, and there is room for the answer.
+    // SAFETY: any handle is allowed, and the result is writable.
     unsafe { GetConsoleMode(GetStdHandle(stream), &mut 0) != 0 }
 }
 
-/// Writes everything to a stream; to none, if there is none, as after a double click, when its handle may be of something else. False
-/// if that fails.
+/// Writes all bytes to a stream. Returns false on an error. Ignores a missing stream, as after a double click.
 pub fn write(stream: i32, bytes: &[u8]) -> bool {
-    /// What says that there is none.
+    /// The error of a missing stream, whose handle may be stale.
     const INVALID_HANDLE: u32 = 6;
     // SAFETY: it may be called at any time.
     let file = unsafe { GetStdHandle(stream) };
     let is_console = is_terminal(stream);
     bytes.chunks(PART).all(|part| {
         let (start, length, mut written) = (part.as_ptr(), part.len() as u32, 0);
-        // SAFETY: pointers and lengths are those of slices, and outlive the calls.
+        // SAFETY: pointers and lengths are from slices, which outlive the calls.
         unsafe {
             let is_written = if is_console {
-                /// The number of UTF-8.
+                /// The code page of UTF-8.
                 const UTF_8: u32 = 65001;
                 let mut text = [0; PART];
                 let to = text.as_mut_ptr();

@@ -1,4 +1,4 @@
-//! Threads that share work: everything is done, once, and nobody is waited for in vain.
+//! The thread pool: every item is done once, and no wait hangs.
 
 use eightfold_window::pool::Pool;
 use std::{
@@ -9,7 +9,7 @@ use std::{
     time::Duration,
 };
 
-/// Runs a job that counts, over items and workers, and checks that it was done once on each item.
+/// Checks that a run does each item once.
 fn count(pool: &mut Pool, workers: usize, items: usize) {
     let mut workers = vec![0_usize; workers];
     let mut items = vec![0_usize; items];
@@ -22,7 +22,7 @@ fn count(pool: &mut Pool, workers: usize, items: usize) {
 }
 
 #[test]
-fn every_item_is_done_once() {
+fn run_does_each_item_once() {
     for threads in [1, 2, 3, 8, 33] {
         let mut pool = Pool::new(threads);
         assert_eq!(pool.threads(), threads);
@@ -37,7 +37,7 @@ fn every_item_is_done_once() {
 }
 
 #[test]
-fn short_runs_are_done_after_each_other_and_after_a_pause() {
+fn short_runs_complete_after_pauses() {
     let mut pool = Pool::new(4);
     for run in 0..50 {
         // Long enough for every thread to fall asleep.
@@ -49,7 +49,7 @@ fn short_runs_are_done_after_each_other_and_after_a_pause() {
 }
 
 #[test]
-fn all_threads_take_part_in_long_work() {
+fn long_work_uses_all_threads() {
     let mut pool = Pool::new(4);
     let mut workers = [0_usize; 4];
     pool.run(&mut workers, &mut [(); 40], &|worker, ()| {
@@ -60,7 +60,7 @@ fn all_threads_take_part_in_long_work() {
 }
 
 #[test]
-fn a_panic_of_the_caller_waits_for_the_others() {
+fn callers_panic_waits_for_threads() {
     let mut pool = Pool::new(3);
     let caller = current().id();
     for _ in 0..20 {
@@ -84,7 +84,7 @@ fn a_panic_of_the_caller_waits_for_the_others() {
 }
 
 #[test]
-fn threads_end_with_the_pool_used_or_not() {
+fn threads_end_with_pool() {
     let threads = || fs::read_dir("/proc/self/task").expect("Linux").count();
     for runs in 0..100 {
         let mut pool = Pool::new(5);

@@ -1,6 +1,6 @@
-//! Sound by ALSA: with its plug-ins `file` and `null`, which need no hardware, and with a device and a clock that are simulated.
+//! Sound by ALSA: with its plug-ins `file` and `null`, which need no hardware, and with a simulated device and clock.
 //!
-//! A process reads ALSA's configuration once, so each scene is this program, started again.
+//! A process reads ALSA's configuration once, so each case starts this program again.
 
 mod simulated;
 
@@ -19,42 +19,42 @@ use std::{
 #[global_allocator]
 static ALLOCATOR: Counting = Counting::new();
 
-/// Samples that are made at once.
-const BLOCK: usize = 48;
+/// Samples in a chunk.
+const CHUNK: usize = 48;
 
-/// Frames in a second.
+/// Frames per second.
 const FPS: u64 = 60;
 
-/// Seconds that are played on a simulated device: as long as the show.
+/// Seconds played on a simulated device: as long as the show.
 const LENGTH: u64 = 96;
 
-/// The most that the picture may be from the sound, in nanoseconds.
+/// The maximum distance between picture and sound, in nanoseconds.
 const DRIFT: u64 = SECOND / 50;
 
-/// The environment's name for the seconds that this program plays.
+/// The environment variable with the seconds to play.
 const SCENE: &str = "EIGHTFOLD_SOUND_SCENE";
 
-/// Sound whose samples are their numbers, and these with a minus on the other side. All are exact: there are fewer than 2^24.
+/// Sound whose left samples count from 0, and whose right ones are negative. All are exact: there are fewer than 2^24.
 struct Numbers {
     next: u32,
-    block: [[f32; 2]; BLOCK],
+    chunk: [[f32; 2]; CHUNK],
 }
 
 impl Source for Numbers {
-    fn block(&mut self) -> &[[f32; 2]] {
-        for place in &mut self.block {
+    fn chunk(&mut self) -> &[[f32; 2]] {
+        for place in &mut self.chunk {
             *place = [self.next as f32, -(self.next as f32)];
             self.next += 1;
         }
-        &self.block
+        &self.chunk
     }
 }
 
-/// Plays. Prints the number of allocations meanwhile, then for each frame the time of the clock and that of the player.
+/// Plays. Prints the number of allocations meanwhile, then the clock's and the player's time for each frame.
 fn play(seconds: u64) {
     let numbers = Box::leak(Box::new(Numbers {
         next: 0,
-        block: [[0.0; 2]; BLOCK],
+        chunk: [[0.0; 2]; CHUNK],
     }));
     let frames = seconds * FPS;
     let mut times = Vec::with_capacity(frames as usize);
@@ -71,8 +71,7 @@ fn play(seconds: u64) {
     }
 }
 
-/// Returns the times of the clock and of the player at each frame, and holds the errors to the one line of a show that goes on
-/// without sound, or to none.
+/// Returns the times of clock and player at each frame, and checks the error message.
 fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
     let [said, errors] =
         [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
@@ -95,8 +94,7 @@ fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
     times
 }
 
-/// Plays for a second with a configuration of ALSA's in a folder, by a command that ends in `"$0"`. Holds the player's time to the
-/// clock's.
+/// Plays for a second with an ALSA configuration, by a command that ends in `"$0"`. Compares the player's pace with the clock's.
 fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
     let file = folder.join("asound.conf");
     fs::write(&file, configuration).expect("it is written");
@@ -114,13 +112,13 @@ fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&s
 
 const PLAIN: &str = "exec \"$0\"";
 
-/// The configuration of a device that writes to a file.
+/// Returns the configuration of a device that writes to a file.
 fn to_file(file: &Path) -> String {
     let file = file.display();
     format!("pcm.default {{ type file, slave.pcm {{ type null }}, file \"{file}\", format raw }}")
 }
 
-fn a_device_gets_every_sample_in_order(folder: &Path) {
+fn device_plays_samples_in_order(folder: &Path) {
     let out = folder.join("out.raw");
     hold(folder, &to_file(&out), PLAIN, None);
     let bytes = fs::read(out).expect("it was played");
@@ -135,18 +133,18 @@ fn a_device_gets_every_sample_in_order(folder: &Path) {
     }
 }
 
-fn a_device_that_plays_nothing_keeps_time(folder: &Path) {
+fn null_device_keeps_time(folder: &Path) {
     hold(folder, "pcm.default { type null }", PLAIN, None);
 }
 
-fn time_goes_on_without_sound(folder: &Path) {
+fn time_continues_without_sound(folder: &Path) {
     hold(folder, "", PLAIN, Some("no sound device"));
-    // It opens, and then ALSA says "Rate doesn't match (requested 48000Hz, get 44100Hz)".
+    // It opens, and then ALSA reports "Rate doesn't match (requested 48000Hz, get 44100Hz)".
     let other_rate = "pcm.nothing { type null }
         pcm.default { type share, slave { pcm nothing, rate 44100, channels 2 }, bindings { 0 0, 1 1 } }";
     let why = "sound device refuses 48 kHz stereo";
     hold(folder, other_rate, PLAIN, Some(why));
-    // Half a second fits in the file; the signal that would end the program is ignored.
+    // The file limit is half a second of sound; the signal for it is ignored.
     let short = folder.join("short.raw");
     let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
     hold(folder, &to_file(&short), command, Some("sound device lost"));
@@ -158,8 +156,7 @@ fn time_goes_on_without_sound(folder: &Path) {
     hold(folder, "", &command, Some(&why));
 }
 
-/// Plays on a simulated device that is fast by so many parts per million, with a variable for what happens to it. Returns the times
-/// and what was heard.
+/// Plays on a simulated device that deviates by `fast` parts per million, with an event. Returns the times and the sound.
 fn simulate(
     library: &Path,
     fast: i64,
@@ -175,15 +172,15 @@ fn simulate(
     (times(output, why_silent), played)
 }
 
-/// Returns the nanoseconds of the sound that is heard at a time.
+/// Returns the time of the sound that is heard at a time.
 fn heard(played: &Played, time: u64) -> u64 {
     let next = played.partition_point(|&(start, _)| start <= time);
-    let (start, block) = &played[next - 1];
-    let first = block[0][0] as u64 * SECOND / u64::from(RATE);
-    first + (time - start).min(BLOCK as u64 * SECOND / u64::from(RATE))
+    let (start, chunk) = &played[next - 1];
+    let first = chunk[0][0] as u64 * SECOND / u64::from(RATE);
+    first + (time - start).min(CHUNK as u64 * SECOND / u64::from(RATE))
 }
 
-/// Asserts that the picture is with the sound at each time of the clock that is asked for.
+/// Asserts that picture and sound agree at the selected times of the clock.
 fn assert_together(times: &[(u64, u64)], played: &Played, counts: impl Fn(u64) -> bool) {
     for &(clock, player) in times.iter().filter(|&&(clock, _)| counts(clock)) {
         let drift = player.abs_diff(heard(played, clock));
@@ -191,7 +188,7 @@ fn assert_together(times: &[(u64, u64)], played: &Played, counts: impl Fn(u64) -
     }
 }
 
-fn picture_is_with_the_sound_on_fast_and_slow_devices(library: &Path) {
+fn picture_follows_fast_and_slow_devices(library: &Path) {
     for fast in [-500, 20, 500] {
         let (times, played) = simulate(library, fast, ("SIMULATED_STOP", 0), None);
         assert_eq!(times.len() as u64, LENGTH * FPS);
@@ -202,8 +199,8 @@ fn picture_is_with_the_sound_on_fast_and_slow_devices(library: &Path) {
     }
 }
 
-fn a_device_that_has_run_out_goes_on(library: &Path) {
-    /// How late the writer is.
+fn underrun_drops_one_chunk(library: &Path) {
+    /// The writer's delay.
     const LATE: u64 = 7 * SECOND / 10;
     let late = 30 * SECOND;
     let (times, played) = simulate(library, 20, ("SIMULATED_LATE", late), None);
@@ -213,17 +210,17 @@ fn a_device_that_has_run_out_goes_on(library: &Path) {
     assert_eq!(holes.len(), 1, "silent once");
     assert!(holes[0][0].0.abs_diff(late) < SECOND / 2);
     assert!(gap(holes[0]) < LATE, "no longer than it was late");
-    // The block that came too late is dropped.
+    // The late chunk is dropped.
     let missing = holes[0][1].1[0][0] - holes[0][0].1[0][0];
-    assert_eq!(missing as usize, 2 * BLOCK, "one block is missing");
-    // The picture has gone on meanwhile, and waits for the sound as long again.
+    assert_eq!(missing as usize, 2 * CHUNK, "one chunk is missing");
+    // The picture has continued meanwhile, and waits for the sound for the same time.
     assert_together(&times, &played, |clock| {
         !(late..late + 2 * LATE).contains(&clock)
     });
 }
 
-fn a_program_that_was_stopped_goes_on_where_it_was(library: &Path) {
-    /// How long it is stopped.
+fn stop_pauses_the_show(library: &Path) {
+    /// The duration of the stop.
     const STOP: u64 = 3 * SECOND / 2;
     let stop = 30 * SECOND;
     let (times, played) = simulate(library, 20, ("SIMULATED_STOP", stop), None);
@@ -233,14 +230,14 @@ fn a_program_that_was_stopped_goes_on_where_it_was(library: &Path) {
     assert_together(&times, &played, |_| true);
 }
 
-fn time_begins_when_the_device_is_open(library: &Path) {
+fn time_starts_with_the_device(library: &Path) {
     let slow = ("SIMULATED_SLOW", 2 * SECOND);
     let (times, played) = simulate(library, 20, slow, None);
     assert!(times[0].0 >= 2 * SECOND && times[0].1 <= DRIFT);
     assert_together(&times, &played, |_| true);
 }
 
-fn a_device_that_does_not_open_is_given_up(library: &Path) {
+fn unresponsive_device_is_skipped(library: &Path) {
     let never = ("SIMULATED_SLOW", 1000 * SECOND);
     let why = Some("sound device does not open");
     let (times, played) = simulate(library, 20, never, why);
@@ -260,19 +257,19 @@ fn main() {
     fs::create_dir(&simulation).expect("a folder");
     let library = simulated::build(&simulation);
     for test in [
-        picture_is_with_the_sound_on_fast_and_slow_devices,
-        a_device_that_has_run_out_goes_on,
-        a_program_that_was_stopped_goes_on_where_it_was,
-        time_begins_when_the_device_is_open,
-        a_device_that_does_not_open_is_given_up,
+        picture_follows_fast_and_slow_devices,
+        underrun_drops_one_chunk,
+        stop_pauses_the_show,
+        time_starts_with_the_device,
+        unresponsive_device_is_skipped,
     ] {
         test(&library);
     }
     if !lacks(&["libasound.so.2"]) {
         for test in [
-            a_device_gets_every_sample_in_order,
-            a_device_that_plays_nothing_keeps_time,
-            time_goes_on_without_sound,
+            device_plays_samples_in_order,
+            null_device_keeps_time,
+            time_continues_without_sound,
         ] {
             test(&folder);
         }

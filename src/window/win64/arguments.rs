@@ -8,32 +8,32 @@ use super::functions::{
 };
 use crate::{line, system};
 
-/// The words that follow the program's name on the command line.
+/// The command line's arguments.
 pub struct Arguments {
     rest: &'static [*mut u16],
 }
 
 impl Arguments {
-    /// Looks the functions of Windows up and prepares the process, as [`main!`](crate::main) says. Ends it if this Windows has not all
-    /// of them.
+    /// Loads the functions of Windows and prepares the process for [`main!`](crate::main). Ends the process if a function is
+    /// missing.
     ///
     /// # Safety
-    /// It has to be called first, with the functions of Windows that do so.
+    /// This has to be the first call, with these functions of Windows.
     #[doc(hidden)]
     #[must_use]
     pub unsafe fn start(load_library: LoadLibrary, get_function: GetProcAddress) -> Arguments {
         let mut count = 0;
-        // SAFETY: the caller vouches for the functions, and there is no other thread. What Windows returns is as long as it says, and
-        // stays.
+        // SAFETY: the caller guarantees the functions, and there is no other thread. Windows' arguments have this length and stay
+        // valid.
         unsafe {
             let loaded = functions::load(load_library, get_function);
-            // What this takes, and saying what is missing, is looked up first.
+            // The functions for the start and the message come first in the table.
             system::start();
             if let Err(name) = loaded {
                 line::complain(format_args!("this Windows has no {name}"));
                 end(1);
             }
-            // It sleeps by milliseconds.
+            // Sleep with a resolution of 1 ms.
             timeBeginPeriod(1);
             let all = CommandLineToArgvW(GetCommandLineW(), &mut count);
             let all = from_raw_parts(all, count as usize);
@@ -44,7 +44,7 @@ impl Arguments {
     }
 }
 
-/// Ends the process with a code.
+/// Ends the process with an exit code.
 pub fn end(code: i32) -> ! {
     // SAFETY: it may be called at any time.
     unsafe { ExitProcess(code as u32) }
@@ -53,12 +53,12 @@ pub fn end(code: i32) -> ! {
 impl Iterator for Arguments {
     type Item = &'static [u8];
 
-    /// A word, in which all that is not ASCII is a byte that is neither.
+    /// Returns an argument, with 0xff for each unit beyond a byte.
     fn next(&mut self) -> Option<&'static [u8]> {
         let (&first, rest) = self.rest.split_first()?;
         self.rest = rest;
         let (mut length, bytes) = (0, first.cast::<u8>());
-        // SAFETY: the word ends in a NUL, is this program's to write to, and is taken once. Where its bytes go has been read.
+        // SAFETY: the argument ends with a NUL, is writable, and is returned once. Bytes overwrite only units that have been read.
         unsafe {
             while first.add(length).read() != 0 {
                 let unit = first.add(length).read();

@@ -1,4 +1,4 @@
-//! The system's clock that only goes forward, in nanoseconds.
+//! The system's monotonic clock, in nanoseconds.
 
 use super::functions::{QueryPerformanceCounter, QueryPerformanceFrequency, Sleep};
 use crate::clock::SECOND;
@@ -6,10 +6,10 @@ use crate::clock::SECOND;
 /// Nanoseconds.
 const MILLISECOND: u64 = SECOND / 1000;
 
-/// Milliseconds that it sleeps at a time: a day.
+/// The maximum duration of a sleep in milliseconds: a day.
 const LONGEST: u64 = 86_400_000;
 
-/// Sleeps until a time, and up to a millisecond or two longer: Windows sleeps by whole ones.
+/// Sleeps until a time, and up to 2 ms longer, as Windows sleeps by milliseconds.
 pub fn sleep_until(end: u64) {
     loop {
         let left = end.saturating_sub(now());
@@ -21,10 +21,10 @@ pub fn sleep_until(end: u64) {
     }
 }
 
-/// The time now.
+/// Returns the current time.
 pub fn now() -> u64 {
     let [mut count, mut rate] = [0; 2];
-    // SAFETY: there is room for the answers.
+    // SAFETY: the results are writable.
     unsafe {
         QueryPerformanceCounter(&mut count);
         QueryPerformanceFrequency(&mut rate);

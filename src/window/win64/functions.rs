@@ -1,4 +1,4 @@
-//! The functions of Windows that are called, looked up by name when the program starts.
+//! The functions of Windows, looked up by name at the start.
 
 #![allow(non_snake_case, reason = "the names that Windows has for them")]
 
@@ -9,14 +9,13 @@ use super::types::{
     WaveHeader,
 };
 
-/// A function that loads a library by its name, with a NUL.
+/// Loads a library by its NUL-terminated name.
 pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> Handle;
 
-/// A function that looks up a function of a library by its name, with a NUL.
+/// Looks up a library's function by its NUL-terminated name.
 pub type GetProcAddress = unsafe extern "win64" fn(Handle, *const u8) -> *const c_void;
 
-/// Functions by library, as functions of Rust that call them, a table of them, and the names to fill it by: those of libraries with
-/// a point in them.
+/// Defines functions by library: a wrapper for each, a table of pointers, and the names. Names with a dot are libraries.
 macro_rules! functions {
     ($($library:literal: $( $(#[$attribute:meta])* fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)?; )*)*) => {
         #[repr(C)]
@@ -28,14 +27,14 @@ macro_rules! functions {
 
         $($(
             $(#[$attribute])*
-            /// The function of Windows.
+            /// Calls the function of Windows.
             ///
             /// # Safety
-            /// As its documentation there has it.
+            /// See its documentation.
             #[inline(always)]
             #[allow(clippy::too_many_arguments, reason = "as Windows has them")]
             pub unsafe fn $name($($argument: $type),*) $(-> $result)? {
-                // SAFETY: nothing else runs before `load` has filled the table. The caller vouches for the call.
+                // SAFETY: `load` has filled the table before anything else runs; the rest is required of the caller.
                 unsafe { (table().$name)($($argument),*) }
             }
         )*)*
@@ -104,31 +103,31 @@ functions! {
 
 struct Functions(UnsafeCell<MaybeUninit<Table>>);
 
-// SAFETY: it is written by `load` alone, before there is a second thread, and only read after that.
+// SAFETY: only `load` writes it, before there is a second thread; afterwards it is only read.
 unsafe impl Sync for Functions {}
 
 static FUNCTIONS: Functions = Functions(UnsafeCell::new(MaybeUninit::uninit()));
 
-/// The functions.
+/// Returns the table.
 ///
 /// # Safety
-/// [`load`] has to have found them.
+/// [`load`] has to have succeeded.
 #[inline(always)]
 unsafe fn table() -> &'static Table {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: required of the caller.
     unsafe { (*FUNCTIONS.0.get()).assume_init_ref() }
 }
 
-/// What a window does with messages that nobody treats otherwise: `DefWindowProcA`, for Windows to call.
+/// Returns the default window procedure, `DefWindowProcA`.
 pub fn default_procedure() -> *const c_void {
-    // SAFETY: there are windows only after `load`.
+    // SAFETY: windows exist only after `load`.
     unsafe { table() }.DefWindowProcA as *const c_void
 }
 
-/// Looks up all functions. If one is not there, as on a Windows before that of 2017, returns its name or that of its library.
+/// Looks up all functions. If one is missing, as before Windows 10 of 2017, returns its name or its library's.
 ///
 /// # Safety
-/// Nothing else may have been called, and there may be no other thread.
+/// This has to be the first call, and there may be no other thread.
 pub unsafe fn load(
     load_library: LoadLibrary,
     get_function: GetProcAddress,
@@ -136,7 +135,7 @@ pub unsafe fn load(
     let mut slot: *mut *const c_void = FUNCTIONS.0.get().cast();
     let mut library = core::ptr::null_mut();
     for name in NAMES.split_terminator('\0') {
-        // SAFETY: a NUL is behind the name. The table has a slot for each function, of a pointer's size, in this order.
+        // SAFETY: a NUL follows the name. The table has a slot for each function, in this order.
         unsafe {
             let found = if name.contains('.') {
                 library = load_library(name.as_ptr());

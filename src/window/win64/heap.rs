@@ -1,4 +1,4 @@
-//! Memory for the few things that are made once, and last.
+//! An allocator for the few objects that are created once.
 
 use core::{
     alloc::{GlobalAlloc, Layout},
@@ -9,15 +9,15 @@ use core::{
 
 use crate::pool::Pool;
 
-/// Bytes that there are: enough for what each of the most threads of a pool, and the few others, is started with, and what they share.
+/// The heap's size in bytes: an object for each of the most threads, their shared state, and a few others.
 const SIZE: usize = 8192;
 
 const _: () = assert!(SIZE >= (Pool::MOST + 64) * ALIGNMENT);
 
-/// What each part is a multiple of, and aligned to.
+/// The alignment of every allocation.
 const ALIGNMENT: usize = 16;
 
-/// Memory of fixed size, of which each thing gets the next part, and which nothing is given back to.
+/// A bump allocator that never frees.
 #[repr(C, align(16))]
 struct Heap {
     memory: UnsafeCell<[u8; SIZE]>,
@@ -33,7 +33,7 @@ static HEAP: Heap = Heap {
     used: AtomicUsize::new(0),
 };
 
-// SAFETY: parts do not overlap, and are as large and as aligned as is asked for.
+// SAFETY: allocations do not overlap, and have the requested size and alignment.
 unsafe impl GlobalAlloc for Heap {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         let size = layout.size().next_multiple_of(ALIGNMENT);
@@ -41,7 +41,7 @@ unsafe impl GlobalAlloc for Heap {
         if layout.align() > ALIGNMENT || start + size > SIZE {
             return null_mut();
         }
-        // SAFETY: it is inside of the memory.
+        // SAFETY: the offset is within the memory.
         unsafe { self.memory.get().cast::<u8>().add(start) }
     }
 

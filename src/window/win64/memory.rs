@@ -1,10 +1,10 @@
-//! Memory for frames, which the program has from the start, and Windows gives where it is written to.
+//! Memory for frames, which Windows commits when it is written.
 
-use crate::{fixed::Fixed, screen::MOST_PIXELS};
+use crate::{render_target::MOST_PIXELS, static_cell::StaticCell};
 
-static PIXELS: Fixed<[u32; MOST_PIXELS]> = Fixed::new([0; _]);
+static PIXELS: StaticCell<[u32; MOST_PIXELS]> = StaticCell::new([0; _]);
 
-/// Memory for a frame, zero to begin with. It can be had once.
+/// Returns zeroed memory for a frame, once.
 pub fn pixels() -> &'static mut [u32] {
     PIXELS.take()
 }

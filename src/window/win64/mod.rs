@@ -1,8 +1,8 @@
-//! The intro for Windows in 64 kB: code as it is compiled for Linux on x86-64, which calls functions of Windows and none of libc.
+//! The 64 kB backend for Windows: code compiled for x86-64 Linux that calls only functions of Windows.
 //!
-//! Everything here has its counterpart in the other backends, by the same name. The program is linked for fixed addresses, with
-//! nothing of a system, and `src/pack` makes an `.exe` of that. What differs between the two systems for code are calls: to Windows
-//! all are `extern "win64"`, and Windows calls nothing of the program but its beginning and that of its threads.
+//! The program is linked at fixed addresses without any library, and `src/pack` makes an `.exe` of it. The two systems differ in
+//! their calling conventions: calls to Windows are `extern "win64"`, and Windows calls only the entry points of the program and of
+//! its threads.
 
 #[path = "../abort.rs"]
 mod abort;

@@ -1,10 +1,10 @@
-//! The beginning of the program, and what a compiler expects of every system: functions over bytes of memory.
+//! The entry point, and the functions over bytes that a compiler expects.
 
 use core::arch::global_asm;
 
-// Windows, or what unpacks the program, comes to the first with two functions in `rcx` and `rdx`, the stack as after a call.
+// Windows or the unpacker calls the first with two functions in `rcx` and `rdx`.
 //
-// The others are those of C, with its names, by instructions of the processor that do the same. Whole frames are never copied.
+// The others are C's, by string instructions of the processor. Whole frames are never copied.
 global_asm!(
     ".section .text.eightfold_start, \"ax\"",
     ".globl eightfold_start",
@@ -23,7 +23,7 @@ global_asm!(
     "memmove:",
     "mov rax, rdi",
     "mov rcx, rdx",
-    // From the end, if the destination begins inside of the source.
+    // Backwards, if the destination begins within the source.
     "sub rdi, rsi",
     "cmp rdi, rdx",
     "lea rdi, [rax]",

@@ -1,4 +1,4 @@
-//! Threads, and waiting for each other.
+//! Threads and waiting on words.
 
 use core::{
     arch::global_asm,
@@ -14,13 +14,13 @@ use super::{
     types::Handle,
 };
 
-/// Without end, in milliseconds.
+/// No timeout.
 const INFINITE: u32 = u32::MAX;
 
-/// A thread that has been started, and not waited for.
+/// A running thread.
 pub struct Thread(Handle);
 
-// SAFETY: the system lets any thread wait for another.
+// SAFETY: any thread may wait for another.
 unsafe impl Send for Thread {}
 
 impl Thread {
@@ -31,14 +31,14 @@ impl Thread {
     }
 }
 
-/// What a thread does, and the pointer that it works on.
+/// A thread's function and its pointer.
 #[repr(C)]
 struct Work {
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
 }
 
-// Windows begins a thread here, with its work in `rcx`, and minds no registers when it ends.
+// The entry point of threads, with the work in `rcx`. It need not preserve registers.
 global_asm!(
     ".section .text.eightfold_thread, \"ax\"",
     "eightfold_thread:",
@@ -53,16 +53,16 @@ unsafe extern "C" {
     fn eightfold_thread();
 }
 
-/// Starts a thread, unless the system has no more.
+/// Starts a thread, or returns None if the system refuses.
 ///
 /// # Safety
-/// The thread's use of the pointer has to be right for as long as it runs.
+/// The thread has to use the pointer correctly for as long as it runs.
 pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
 ) -> Option<Thread> {
     let work = Box::into_raw(Box::new(Work { main, pointer }));
-    // SAFETY: the work lasts. The caller vouches for the rest.
+    // SAFETY: the work is never freed; the rest is required of the caller.
     let thread = unsafe {
         let start = eightfold_thread as *const c_void;
         CreateThread(null_mut(), 0, start, work.cast(), 0, null_mut())
@@ -70,25 +70,25 @@ pub unsafe fn spawn(
     (!thread.is_null()).then_some(Thread(thread))
 }
 
-/// Waits while a word has a value. It may return too early.
+/// Waits while a word has a value. It may return early.
 pub fn wait(word: &AtomicU32, value: u32) {
-    // SAFETY: both are there, of four bytes.
+    // SAFETY: both are valid, of four bytes.
     unsafe { WaitOnAddress(word.as_ptr(), &value, size_of::<u32>(), INFINITE) };
 }
 
-/// Wakes all that wait for a word.
+/// Wakes all threads that wait on a word.
 pub fn wake(word: &AtomicU32) {
-    // SAFETY: the word is there.
+    // SAFETY: the word is valid.
     unsafe { WakeByAddressAll(word.as_ptr()) };
 }
 
-/// The processors that this process may use, at least 1, of the 64 that it begins with.
+/// Returns the number of processors for this process, from 1 to 64 (one processor group).
 #[must_use]
 pub fn processors() -> usize {
-    /// Stands for this process.
+    /// The handle of this process.
     const OWN: usize = usize::MAX;
     let [mut own, mut all] = [0_usize; 2];
-    // SAFETY: there is room for the answers.
+    // SAFETY: the results are writable.
     unsafe { GetProcessAffinityMask(without_provenance_mut(OWN), &mut own, &mut all) };
     usize::max(own.count_ones() as usize, 1)
 }

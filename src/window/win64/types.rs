@@ -1,11 +1,11 @@
-//! Records and numbers of Windows, as its headers have them.
+//! Types from Windows' headers.
 
 use core::ffi::c_void;
 
-/// A thing of the system's: a file, a thread, a window, a device.
+/// A handle of a file, a thread, a window or a device.
 pub type Handle = *mut c_void;
 
-/// `WNDCLASSA`, a kind of windows.
+/// `WNDCLASSA`.
 #[repr(C)]
 pub struct Class {
     pub style: u32,
@@ -19,7 +19,7 @@ pub struct Class {
     pub name: *const u8,
 }
 
-/// `MSG`, a message to a window.
+/// `MSG`.
 #[repr(C)]
 pub struct Message {
     pub window: Handle,
@@ -63,12 +63,12 @@ pub struct Placement {
     pub normal: Rectangle,
 }
 
-/// `BITMAPINFO` of pixels with 32 bits, without a table of colours.
+/// `BITMAPINFO` for 32-bit pixels.
 #[repr(C)]
 pub struct BitmapInfo {
     pub size: u32,
     pub width: i32,
-    /// Negative if the first row is the uppermost.
+    /// Negative if the first row is the top.
     pub height: i32,
     pub planes: u16,
     pub bits: u16,
@@ -87,7 +87,7 @@ pub struct WaveFormat {
     pub extra: u16,
 }
 
-/// `WAVEHDR`, samples to be played.
+/// `WAVEHDR`, a buffer of samples.
 #[repr(C)]
 pub struct WaveHeader {
     pub samples: *const [f32; 2],
@@ -100,7 +100,7 @@ pub struct WaveHeader {
     pub reserved: usize,
 }
 
-/// `MMTIME`, how far a device has come.
+/// `MMTIME`, a device's position.
 #[repr(C)]
 pub struct Position {
     pub kind: u32,

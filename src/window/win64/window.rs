@@ -1,4 +1,4 @@
-//! The intro's own window on Windows.
+//! The intro's window on Windows.
 
 use core::{
     ffi::{CStr, c_char, c_void},
@@ -22,32 +22,32 @@ use super::{
     threads::{spawn, wait, wake},
     types::{BitmapInfo, Class, Handle, MonitorInfo, Placement, Rectangle},
 };
-use crate::screen::{Next, Screen};
+use crate::render_target::{Next, RenderTarget};
 
-/// The windows' kind of its own: with a DC that stays.
+/// The window class; its DC is permanent.
 const CLASS: &CStr = c"Eightfold";
 const OWN_DC: u32 = 0x20;
 
-/// The arrow.
+/// The arrow cursor.
 const ARROW: usize = 32512;
 
-/// Pixels of the monitor's, whichever that is: Windows stretches nothing on a fine one. A handle's number.
+/// Disables scaling by Windows on high-resolution monitors.
 const PER_MONITOR_AWARE_V2: isize = -4;
 
-/// A frame with a title and its buttons.
+/// `WS_OVERLAPPEDWINDOW`: a title and its buttons.
 const FRAME: isize = 0x00cf_0000;
 
-/// Where Windows likes.
+/// `CW_USEDEFAULT`.
 const ANYWHERE: i32 = i32::MIN;
 
-/// The numbers of a window's style, and of the pointer over windows of its kind.
+/// The indices of a window's style and of its class's cursor.
 const STYLE: i32 = -16;
 const POINTER: i32 = -12;
 
-/// The monitor nearest to a window.
+/// The nearest monitor.
 const NEAREST: u32 = 2;
 
-// What `SetWindowPos` leaves as it is, or does besides.
+// Flags of `SetWindowPos`.
 const SAME_SIZE: u32 = 1;
 const SAME_PLACE: u32 = 2;
 const SAME_ORDER: u32 = 4;
@@ -55,29 +55,29 @@ const FRAME_CHANGED: u32 = 0x20;
 const SHOW: u32 = 0x40;
 
 const KEY_DOWN: u32 = 0x100;
-/// The key was down before, as it is held.
+/// The key repeats.
 const REPEATED: isize = 1 << 30;
 const CONTROL_KEY: i32 = 0x11;
 const ESCAPE_KEY: usize = 0x1b;
-// Letters have the numbers of capital ones, with Shift or without.
+// Letters have the codes of capitals, with or without Shift.
 const F_KEY: usize = b'F' as usize;
 const H_KEY: usize = b'H' as usize;
 const W_KEY: usize = b'W' as usize;
 
-/// As long as the thread lives: the system and the display are needed.
+/// Keeps system and display on, as long as the thread lives.
 const SCREEN_ON: u32 = 0x8000_0003;
 
-/// Takes a message out of the queue.
+/// Removes the message from the queue.
 const REMOVE: u32 = 1;
 
-/// Copies pixels as they are.
+/// Copies pixels unchanged.
 const COPY: u32 = 0x00cc_0020;
 
-/// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the picture, Esc to end.
+/// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits.
 ///
-/// It has a thread of its own, so that it answers while a frame is drawn, and frames are drawn while it is moved. That thread alone
-/// changes its size, Windows itself treats all messages, and keys are handed on before. It goes away with the process, or when it is
-/// closed; then it has no size any more.
+/// It has a thread of its own, so that it responds while a frame is drawn, and frames are drawn while it is moved. Only this thread
+/// changes its size. It forwards the keys, and the default procedure handles all messages. The window exists until the process ends
+/// or it is closed; then it has no size.
 pub struct Window {
     window: Handle,
     context: Handle,
@@ -86,20 +86,20 @@ pub struct Window {
     drawn: (usize, usize),
 }
 
-/// A window that is to be opened.
+/// A window to be opened.
 struct Opening {
     title: *const c_char,
     size: (i32, i32),
-    /// The pointers over the window and over the whole screen.
+    /// The cursors in the window and in fullscreen.
     pointers: [Handle; 2],
-    /// The thread that keys are for.
+    /// The thread that receives keys.
     thread: u32,
-    /// The window, or null if there is none, once it is done.
+    /// The window, or null if opening failed, once `is_done` is 1.
     window: AtomicPtr<c_void>,
     is_done: AtomicU32,
 }
 
-/// Opens a window, and has Windows treat its messages as long as the process lasts.
+/// Opens a window, and dispatches its messages as long as the process lasts.
 extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     // SAFETY: `Window::open` passes it, and never frees it.
     let opening = unsafe { &*opening.cast::<Opening>() };
@@ -107,13 +107,13 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     let none = null_mut();
     let (class, title) = (CLASS.as_ptr().cast(), opening.title.cast());
     let style = FRAME as u32;
-    // SAFETY: what is pointed to outlives the calls; zero is a value of every field of a message.
+    // SAFETY: pointers outlive the calls; zero is valid for all fields of a message.
     unsafe {
         SetThreadExecutionState(SCREEN_ON);
         let window = CreateWindowExA(
             0, class, title, style, ANYWHERE, 0, width, height, none, none, none, none,
         );
-        // Give it a frame around that size, by how much smaller the inside is now, and show it.
+        // Add the frame's size, which is the difference from the inner size, and show the window.
         let inside = inside(window).unwrap_or_default();
         let (width, height) = (2 * width - inside.right, 2 * height - inside.bottom);
         SetWindowPos(window, none, 0, 0, width, height, SAME_PLACE | SHOW);
@@ -127,7 +127,7 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         };
         let mut message = zeroed();
         while GetMessageA(&mut message, none, 0, 0) > 0 {
-            // With Ctrl they are no keys of the intro's; with Alt they come as other messages.
+            // Ctrl makes a key another program's command. (Alt sends other messages.)
             let is_new = message.message == KEY_DOWN && message.second & REPEATED == 0;
             if is_new && GetKeyState(CONTROL_KEY) >= 0 {
                 match message.first {
@@ -142,24 +142,24 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     none
 }
 
-/// A window that covers the whole screen, or does not.
+/// The fullscreen state.
 ///
-/// All of it is for the window's own thread: where another changes style and size, Wine, which meanwhile hears from the window
-/// manager, may take the answer to the first change for one to the second, and keep the size from before.
+/// Only the window's own thread may change it. If another thread changes style and size, Wine may take the window manager's
+/// response to the first change as the response to the second, and keep the old size.
 struct Cover {
     window: Handle,
-    /// Where the window was before it covered the screen.
+    /// The placement before fullscreen.
     before: Option<Placement>,
     pointers: [Handle; 2],
 }
 
 impl Cover {
-    /// Covers the monitor that the window is on, without a frame or pointer, or goes back to where it was, as it was.
+    /// Makes the window cover its monitor, without frame and cursor, or restores it.
     fn set(&mut self, on: bool) {
         if on == self.before.is_some() {
             return;
         }
-        // SAFETY: the window exists, or the functions do nothing. What is pointed to outlives the calls.
+        // SAFETY: the functions do nothing if the window does not exist. Pointers outlive the calls.
         unsafe {
             let style = GetWindowLongPtrA(self.window, STYLE);
             if let Some(place) = self.before.take() {
@@ -190,29 +190,29 @@ impl Cover {
         }
     }
 
-    /// Puts the window somewhere, above the others.
+    /// Moves the window, and raises it.
     fn place(&self, [x, y, width, height]: [i32; 4], flags: u32) {
-        // SAFETY: the window exists, or it does nothing.
+        // SAFETY: this does nothing if the window does not exist.
         unsafe { SetWindowPos(self.window, null_mut(), x, y, width, height, flags) };
     }
 }
 
-/// The inside of a window, unless it has been closed.
+/// Returns the inner rectangle of a window, unless it has been closed.
 fn inside(window: Handle) -> Option<Rectangle> {
     let mut inside = Rectangle::default();
-    // SAFETY: it may be asked of any window, and there is room for the answer.
+    // SAFETY: any handle is allowed, and `inside` is writable.
     let is_there = unsafe { GetClientRect(window, &mut inside) } != 0;
     is_there.then_some(inside)
 }
 
 impl Window {
-    /// Opens a window whose inside has a size in pixels.
+    /// Opens a window with an inner size in pixels.
     ///
     /// # Errors
-    /// If there is no desktop to open it on.
+    /// If there is no desktop.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
         const NONE: &str = "no window on this desktop";
-        // SAFETY: zero is a value of every field that is not named, and what is pointed to outlives the calls.
+        // SAFETY: zero is valid for all other fields, and pointers outlive the calls.
         let (pointers, thread) = unsafe {
             SetProcessDpiAwarenessContext(PER_MONITOR_AWARE_V2);
             let arrow = LoadCursorA(null_mut(), ARROW);
@@ -224,7 +224,7 @@ impl Window {
                 ..zeroed()
             };
             RegisterClassA(&class);
-            // As large as pointers are everywhere; what is below all of its pixels stays as it is.
+            // A transparent cursor of the standard size.
             let (keep, invert) = ([0xff_u8; 4 * 32], [0_u8; 4 * 32]);
             let (keep, invert) = (keep.as_ptr(), invert.as_ptr());
             let nothing = CreateCursor(null_mut(), 0, 0, 32, 32, keep, invert);
@@ -238,7 +238,7 @@ impl Window {
             window: AtomicPtr::new(null_mut()),
             is_done: AtomicU32::new(0),
         }));
-        // SAFETY: it stays, and all of it that changes is atomic; the title outlives the wait.
+        // SAFETY: it is never freed, and only its atomic fields change; the title outlives the wait.
         unsafe { spawn(window_main, (&raw mut *opening).cast()) }.ok_or(NONE)?;
         while opening.is_done.load(Acquire) == 0 {
             wait(&opening.is_done, 0);
@@ -249,7 +249,7 @@ impl Window {
         }
         let mut window = Window {
             window,
-            // SAFETY: it may be asked of any window.
+            // SAFETY: any handle is allowed.
             context: unsafe { GetDC(window) },
             size: (0, 0),
             pixels: pixels(),
@@ -259,14 +259,14 @@ impl Window {
         Ok(window)
     }
 
-    /// Goes to the whole of its monitor without a frame and hides the pointer, or back to the window where it was and as it was.
+    /// Makes the window cover its monitor, without frame and cursor, or restores it.
     pub fn set_fullscreen(&mut self, on: bool) {
         let key = if on { F_KEY } else { W_KEY };
         // SAFETY: it may be posted to any window.
         unsafe { PostMessageA(self.window, KEY_DOWN, key, 0) };
     }
 
-    /// Finds the size of its inside. False if the window has been closed.
+    /// Updates the inner size. Returns false if the window has been closed.
     fn look(&mut self) -> bool {
         let inside = inside(self.window);
         let size = inside.unwrap_or_default();
@@ -275,7 +275,7 @@ impl Window {
     }
 }
 
-impl Screen for Window {
+impl RenderTarget for Window {
     fn size(&self) -> (usize, usize) {
         self.size
     }
@@ -286,7 +286,6 @@ impl Screen for Window {
     }
 
     fn show(&mut self) -> Next {
-        // Show the frame.
         let (width, height) = (self.drawn.0 as i32, self.drawn.1 as i32);
         let info = BitmapInfo {
             size: size_of::<BitmapInfo>() as u32,
@@ -297,7 +296,7 @@ impl Screen for Window {
             unused: [0; 6],
         };
         let (columns, rows) = (self.size.0 as i32, self.size.1 as i32);
-        // SAFETY: the pixels are as many as is said, and outlive the call.
+        // SAFETY: the pixels have this size, and outlive the call.
         unsafe {
             let pixels = self.pixels.as_ptr();
             StretchDIBits(
@@ -316,9 +315,8 @@ impl Screen for Window {
                 COPY,
             );
         }
-        // Read all keys that have come.
         let mut next = Next::GoOn;
-        // SAFETY: zero is a value of every field of a message, and it outlives the call.
+        // SAFETY: zero is valid for all fields of a message, which outlives the call.
         unsafe {
             let mut message = zeroed();
             while PeekMessageA(&mut message, null_mut(), 0, 0, REMOVE) != 0 {

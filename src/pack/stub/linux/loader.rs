@@ -1,22 +1,22 @@
-//! Does for a program what `execve` does: puts its segments to their addresses, and its dynamic linker to some, and tells the
-//! latter where the former is. It is packed with the program, and so may be anywhere in memory.
+//! Does the work of `execve`: loads the program's segments and its dynamic linker, and tells the linker about the program. It is
+//! packed with the program, and is position-independent.
 
 use crate::{
     elf::{FileHeader, LOAD, PAGE, ProgramHeader},
     system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error},
 };
 
-// Kinds of program headers.
+// Types of program headers.
 const INTERPRETER: u32 = 3;
 const PROGRAM_HEADERS: u32 = 6;
 
-// For `mmap`.
+// Flags of `mmap`.
 const READ_WRITE: usize = 3;
 const PRIVATE: usize = 2;
 const FIXED: usize = 0x10;
 const ANONYMOUS: usize = 0x20;
 
-/// A program that was put to its addresses.
+/// A loaded program.
 struct Loaded {
     headers: usize,
     header_count: usize,
@@ -24,7 +24,7 @@ struct Loaded {
     interpreter: usize,
 }
 
-/// The flags of a program header as `mmap` has them, in the opposite order.
+/// Reverses the order of a header's permission bits, for `mmap`.
 #[inline(always)]
 fn protection(header: &ProgramHeader) -> usize {
     0x7351_6240 >> (header.flags * 4) & 7
@@ -33,20 +33,20 @@ fn protection(header: &ProgramHeader) -> usize {
 /// The type of [`load`].
 pub type Load = unsafe extern "C" fn(&FileHeader, usize, *mut usize) -> usize;
 
-/// Loads a program, with a page of memory to be used and the stack that the process was started with. Returns where its dynamic
-/// linker starts, or 0 if the system refuses something.
+/// Loads a program. `memory` is a page for temporary use, `stack` the process' initial stack. Returns the entry point of its
+/// dynamic linker, or 0 if a system call fails.
 ///
 /// # Safety
-/// `file` has to be an executable, and at its addresses has to be memory that can be written to and is zero.
+/// `file` has to be an executable whose addresses are zeroed, writable memory.
 #[unsafe(no_mangle)]
 #[unsafe(link_section = ".text.loader")]
 unsafe extern "C" fn load(file: &FileHeader, memory: usize, stack: *mut usize) -> usize {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: required of the caller.
     let entry = unsafe { place(file).and_then(|loaded| loaded.link(memory, stack)) };
     entry.unwrap_or(0)
 }
 
-/// Puts a program to its addresses. None if the system refuses to execute what was written.
+/// Copies a program to its addresses. Returns None if the system refuses to make written memory executable.
 #[inline(always)]
 unsafe fn place(file: &FileHeader) -> Option<Loaded> {
     let mut loaded = Loaded {
@@ -55,7 +55,7 @@ unsafe fn place(file: &FileHeader) -> Option<Loaded> {
         entry: file.entry,
         interpreter: 0,
     };
-    // SAFETY: the caller vouches for it.
+    // SAFETY: required of the caller.
     for header in unsafe { file.headers() } {
         match header.kind {
             LOAD => {
@@ -78,17 +78,17 @@ unsafe fn place(file: &FileHeader) -> Option<Loaded> {
 }
 
 impl Loaded {
-    /// Maps the dynamic linker and tells it of the program. Returns where it starts, or an error.
+    /// Maps the dynamic linker. Returns its entry point, or None if a system call fails.
     ///
     /// # Safety
-    /// `memory` has to be a page, and `stack` what the process was started with.
+    /// `memory` has to be a page, and `stack` the process' initial stack.
     #[inline(always)]
     unsafe fn link(&self, memory: usize, stack: *mut usize) -> Option<usize> {
-        // SAFETY: the path is in the program, the caller vouches for the rest.
+        // SAFETY: the path is in the program; the rest is required of the caller.
         unsafe {
             // Read the headers of the dynamic linker.
             let file = call(OPEN, [self.interpreter, 0]);
-            // Nothing can be read where it was not opened.
+            // Reading fails too if the file could not be opened.
             if is_error(call(READ, [file, memory, PAGE])) {
                 return None;
             }
@@ -106,7 +106,6 @@ impl Loaded {
             if is_error(base) {
                 return None;
             }
-            // Map each segment to its place.
             for header in loads {
                 let lead = header.lead();
                 let start = base + header.address - lead;
@@ -126,7 +125,7 @@ impl Loaded {
                     return None;
                 }
                 if header.size > header.file_size {
-                    // The rest of the last page is the next segment's, or nobody's.
+                    // Clear the rest of the last page.
                     let mut end = start + size;
                     while end % PAGE != 0 {
                         *(end as *mut u8) = 0;
@@ -134,17 +133,16 @@ impl Loaded {
                     }
                 }
             }
-            // Tell the dynamic linker where it is.
             call(CLOSE, [file]);
             self.tell(stack, base);
             Some(base + header.entry)
         }
     }
 
-    /// Corrects what the system has told of the program.
+    /// Corrects the auxiliary vector.
     #[inline(always)]
     unsafe fn tell(&self, stack: *mut usize, base: usize) {
-        // SAFETY: the caller vouches for the stack: the number of arguments, these, 0, the environment, 0, and pairs.
+        // SAFETY: the caller guarantees the stack: argument count, arguments, 0, environment, 0, pairs.
         unsafe {
             let mut pair = stack.add(*stack + 2);
             while *pair != 0 {

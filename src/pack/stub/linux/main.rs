@@ -1,7 +1,7 @@
-//! The stub that starts the packed program: it unpacks the program behind it and puts that in its own place.
+//! The Linux stub: unpacks the program, and replaces itself by it.
 //!
-//! It is compiled by itself, to an object that the packer links; see `src/pack/build`. What only a program that has been unpacked
-//! needs, the [loader], is packed with it.
+//! It is compiled separately, to an object that the packer links; see `src/pack/build`. The [loader], which runs after unpacking,
+//! is packed with the program.
 
 #![no_std]
 #![no_main]
@@ -21,21 +21,19 @@ use model::Model;
 use packed::fail;
 use system::{EXECVEAT, MADVISE, MEMFD_CREATE, MMAP, MPROTECT, MUNMAP, WRITE, call, is_error};
 
-/// Bytes of a page with which a processor rarely has to look up where memory is. The model reads all over its memory: by such pages
-/// it takes three quarters of the time.
+/// The size of a huge page. The model accesses its memory at random; huge pages avoid TLB misses and save a quarter of the time.
 const HUGE_PAGE: usize = 1 << 21;
-/// Advice to have huge pages.
+/// `MADV_HUGEPAGE`.
 const HUGE_PAGES: usize = 14;
-/// Advice to have all pages at once: one by one takes longer, above all if they are small.
+/// `MADV_POPULATE_WRITE`: one call is faster than a fault for each page.
 const POPULATE: usize = 23;
 
-// Linux comes here, with a stack that the dynamic linker is given as it was. The register `rdx` could have a function to be called
-// at the end, and has none.
+// The entry point. The dynamic linker later gets the same stack, and 0 in `rdx`: no function to call at exit.
 //
-// First of all it finds out whether the file is as it was packed. Where it was cut, its last pages are missing, and reading them
-// would end the process by a signal: so Linux is asked to read its last eight bytes, as a set of signals for `rt_sigprocmask` (14) to
-// do what it does not know (14), and would have no access to them (-14). Then there is a checksum of all behind these instructions,
-// FNV-1a as in the packer. They and what they say are all that nobody checks, and in the file's first page.
+// First the file is verified. If it was cut, its last pages are missing, and reading them would end the process by a signal. So
+// Linux reads the last eight bytes, as the signal set of `rt_sigprocmask` (14) with an invalid operation (14), and reports EFAULT
+// (-14). Then comes an FNV-1a checksum of all bytes behind this section. This section itself is unverified; it is in the file's
+// first page.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -69,7 +67,7 @@ global_asm!(
     "lea rdi, [rip + 4f]",
     "push 32",
     "pop rsi",
-    // Says a line of so many bytes on standard error and ends the process.
+    // Prints `rsi` bytes at `rdi` on standard error, and exits with code 1.
     "fail:",
     "mov edx, esi",
     "mov rsi, rdi",
@@ -93,23 +91,23 @@ global_asm!(
 unsafe extern "C" {
     /// The end of the packed bytes.
     static PACKED_END: u8;
-    /// Where all begins that [`SUM`] is the checksum of, up to the end of what was packed.
+    /// The first byte that the checksum [`SUM`] covers.
     static CHECKED: u8;
     static SUM: u32;
-    /// Where the program is loaded to.
+    /// The program's first address.
     static PROGRAM: u8;
-    /// Its address is no address, but how much memory it takes there.
+    /// The program's size in memory, as an address.
     static PROGRAM_SIZE: u8;
 }
 
-/// Unpacks the program and loads it. Returns where its dynamic linker starts.
+/// Unpacks the program and loads it. Returns the entry point of its dynamic linker.
 unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = packed::length();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
-    // For reading and writing, private, of nothing; the program's memory is at a fixed place. Had this file a program header for it,
-    // Linux would end a process that may not have as much before it can say so.
-    // SAFETY: nobody has that memory.
+    // Readable and writable, private, anonymous; the program's memory at a fixed address. A program header for that memory would
+    // end the process without a message where memory is limited.
+    // SAFETY: this memory is unused.
     let [mapped, program] = unsafe {
         let (program, size_of_it) = (
             (&raw const PROGRAM).addr(),
@@ -126,17 +124,16 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     }
     let memory = mapped.next_multiple_of(HUGE_PAGE);
     for advice in [HUGE_PAGES, POPULATE] {
-        // Where the system does not know one, or has no huge pages, it only takes longer.
-        // SAFETY: it is part of that memory.
+        // Errors do not matter: advice only saves time.
+        // SAFETY: the range is part of that memory.
         unsafe { call(MADVISE, [memory, used, advice]) };
     }
-    // SAFETY: there is as much memory.
+    // SAFETY: the memory is large enough.
     let file = unsafe { packed::unpack(memory) };
     let program_length = packed::program_length();
-    // SAFETY: the packer has packed an executable and the loader. The former's addresses are
-    // memory.
+    // SAFETY: the packer has packed an executable and the loader, and the executable's addresses are mapped.
     unsafe {
-        // For reading and executing, from the page before on.
+        // Make the loader executable, from the previous page boundary on.
         let loader = file.add(program_length);
         let page = loader.addr() & !4095;
         if !is_error(call(MPROTECT, [page, length - program_length + 4096, 5])) {
@@ -153,8 +150,8 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     fail(line.as_ptr(), line.len());
 }
 
-/// Has the system execute the program from a file in memory, where it refuses to execute what has been written to. Returns if that
-/// fails too.
+/// Executes the program from a file in memory, for systems that refuse to make written memory executable. Returns if that fails
+/// too.
 #[inline(always)]
 unsafe fn execute(file: usize, length: usize, stack: *mut usize) {
     // SAFETY: the name is a string, the bytes are there, and the stack has the arguments and the environment.

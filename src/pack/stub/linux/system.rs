@@ -1,4 +1,4 @@
-//! Calls of Linux. Each returns what Linux does: from -4095 on, an error.
+//! System calls of Linux. Results from -4095 on are errors.
 
 use core::arch::asm;
 
@@ -13,7 +13,7 @@ pub const CLOSE: usize = 3;
 pub const MEMFD_CREATE: usize = 319;
 pub const EXECVEAT: usize = 322;
 
-/// Calls Linux with arguments in these registers. It changes no others but `rax`, `rcx` and `r11`.
+/// Calls Linux with arguments in registers. The call changes only `rax`, `rcx` and `r11`.
 macro_rules! with_registers {
     ($number:expr $(, $register:tt $argument:expr)*) => {{
         let result;
@@ -29,13 +29,13 @@ macro_rules! with_registers {
     }};
 }
 
-/// Calls Linux with as many arguments as the call has: what other registers hold is of no matter.
+/// Calls Linux; unused argument registers are undefined.
 ///
 /// # Safety
-/// The call has to do nothing to memory that is in use, but for what its arguments point to.
+/// The call must not change memory in use, except through its arguments.
 #[inline(always)]
 pub unsafe fn call<const N: usize>(number: usize, arguments: [usize; N]) -> usize {
-    // SAFETY: the caller vouches for the call.
+    // SAFETY: required of the caller.
     unsafe {
         match arguments[..] {
             [a] => with_registers!(number, "rdi" a),
@@ -52,7 +52,7 @@ pub unsafe fn call<const N: usize>(number: usize, arguments: [usize; N]) -> usiz
     }
 }
 
-/// Whether a call failed.
+/// Returns whether a call failed.
 pub fn is_error(result: usize) -> bool {
     result > -4096_isize as usize
 }

@@ -1,12 +1,12 @@
-//! Does for a program what Windows does when it starts one: puts its segments to their addresses and protects them. It is packed
-//! with the program, and so may be anywhere in memory.
+//! Does the work of Windows' loader: copies the program's segments to their addresses and protects them. It is packed with the
+//! program, and is position-independent.
 
 use crate::{
     elf::{FileHeader, LOAD, ProgramHeader},
     system::{READ, READ_EXECUTE, READ_WRITE, System, protect},
 };
 
-/// The flags of a program header as Windows has them.
+/// Returns Windows' protection for a header's permissions.
 #[inline(always)]
 fn protection(header: &ProgramHeader) -> u32 {
     match header.flags & 3 {
@@ -19,14 +19,14 @@ fn protection(header: &ProgramHeader) -> u32 {
 /// The type of [`load`].
 pub type Load = unsafe extern "C" fn(&FileHeader, &System) -> usize;
 
-/// Loads a program. Returns where it begins, or 0 if the system refuses something.
+/// Loads a program. Returns its entry point, or 0 if Windows refuses a protection.
 ///
 /// # Safety
-/// `file` has to be an executable, and at its addresses has to be memory that can be written to and is zero.
+/// `file` has to be an executable whose addresses are zeroed, writable memory.
 #[unsafe(no_mangle)]
 #[unsafe(link_section = ".text.loader")]
 unsafe extern "C" fn load(file: &FileHeader, system: &System) -> usize {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: required of the caller.
     unsafe {
         for header in file.headers() {
             if header.kind == LOAD {

@@ -1,8 +1,8 @@
-//! The stub that starts the packed program on Windows: it unpacks the program behind it and puts that to its addresses.
+//! The Windows stub: unpacks the program, and loads it to its addresses.
 //!
-//! It is compiled by itself, to an object that the packer links; see `src/pack/build`. It is an ELF object, as that of Linux: the
-//! standard library's core for Linux is there wherever that is packed, too, and only calls of Windows are made in another way. What
-//! only a program that has been unpacked needs, the [loader], is packed with it.
+//! It is compiled separately, to an object that the packer links; see `src/pack/build`. It is an ELF object for Linux, because the
+//! packing machine has that target's core library; only calls of Windows use another convention. The [loader], which runs after
+//! unpacking, is packed with the program.
 
 #![no_std]
 #![no_main]
@@ -22,14 +22,14 @@ use model::Model;
 use packed::fail;
 use system::{COMMIT_RESERVE, READ_EXECUTE, READ_WRITE, RELEASE, System, protect};
 
-// Windows comes here, with a stack that is aligned to 16 bytes but for the return address. The program is begun with the same stack,
-// and with the functions by which it finds all others: `LoadLibraryA` in `rcx`, `GetProcAddress` in `rdx`.
+// The entry point. The stack is aligned to 16 bytes, less the return address. The program starts with the same stack,
+// `LoadLibraryA` in `rcx` and `GetProcAddress` in `rdx`.
 //
-// First of all comes a checksum of all behind these instructions, FNV-1a as in the packer: they and what they say are all that nobody
-// checks, besides the headers and the import table. (A file that was cut Windows does not start.)
+// First comes an FNV-1a checksum of all bytes behind this section. This section, the headers and the import table are unverified.
+// (Windows itself refuses a file that was cut.)
 //
-// What there is to say goes to the console of whoever started it, if that has one: `AttachConsole(-1)`; then
-// `WriteFile(GetStdHandle(-12), line, length, &written, 0)` and `ExitProcess(1)`.
+// Messages go to the parent's console, if it has one, by `AttachConsole(-1)` and `WriteFile(GetStdHandle(-12), line, length,
+// &written, 0)`. Then `ExitProcess(1)` ends the process.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -55,7 +55,7 @@ global_asm!(
     "lea rdi, [rip + 4f]",
     "push 32",
     "pop rsi",
-    // Says a line of so many bytes on standard error and ends the process.
+    // Prints `rsi` bytes at `rdi` on standard error, and exits with code 1.
     "fail:",
     "and rsp, -16",
     "sub rsp, 48",
@@ -85,26 +85,26 @@ global_asm!(
 unsafe extern "C" {
     /// The end of the packed bytes.
     static PACKED_END: u8;
-    /// Where all begins that [`SUM`] is the checksum of, up to the end of what was packed.
+    /// The first byte that the checksum [`SUM`] covers.
     static CHECKED: u8;
     static SUM: u32;
-    /// Where Windows has put the addresses of its functions.
+    /// The import table, filled in by Windows.
     static SYSTEM: System;
 }
 
-/// Unpacks the program and loads it. Returns where it begins.
+/// Unpacks the program and loads it. Returns its entry point.
 unsafe extern "C" fn start() -> usize {
     let length = packed::length();
     // SAFETY: the packer has put it there, and Windows has filled it.
     let system = unsafe { &SYSTEM };
-    // SAFETY: it is new memory, zero to begin with.
+    // SAFETY: this allocates new, zeroed memory.
     let memory =
         unsafe { (system.allocate)(0, size_of::<Model>() + length, COMMIT_RESERVE, READ_WRITE) };
     if memory == 0 {
         let line = "eightfold: there are no 70 MB of memory for it\n";
         fail(line.as_ptr(), line.len());
     }
-    // SAFETY: there is as much memory. The packer has packed an executable and the loader.
+    // SAFETY: the memory is large enough, and the packer has packed an executable and the loader.
     unsafe {
         let file = packed::unpack(memory);
         let program_length = packed::program_length();

@@ -1,20 +1,20 @@
-//! Functions of Windows, by the addresses that it puts into the packed file's import table.
+//! Functions of Windows, from the packed file's import table.
 
 use core::ffi::{c_char, c_void};
 
-/// Memory that is for reading.
+/// `PAGE_READONLY`.
 pub const READ: u32 = 2;
-/// Memory that is for reading and writing.
+/// `PAGE_READWRITE`.
 pub const READ_WRITE: u32 = 4;
-/// Memory that is for reading and executing.
+/// `PAGE_EXECUTE_READ`.
 pub const READ_EXECUTE: u32 = 0x20;
-/// Memory that is reserved, and given where it is touched.
+/// `MEM_COMMIT | MEM_RESERVE`.
 pub const COMMIT_RESERVE: u32 = 0x3000;
-/// All of what was allocated together is to be freed.
+/// `MEM_RELEASE`.
 pub const RELEASE: u32 = 0x8000;
 
-/// The import table, in the order in which the packer has it (`IMPORTS` in `src/pack/executable/windows.rs`). `first` also has the last
-/// four.
+/// The import table, in the order of `FUNCTIONS` in `src/pack/executable/windows.rs`. The code before `start` calls the last four
+/// by their offsets.
 #[repr(C)]
 pub struct System {
     pub load_library: unsafe extern "win64" fn(name: *const u8) -> *mut c_void,
@@ -36,13 +36,13 @@ pub struct System {
     pub exit: unsafe extern "win64" fn(code: u32) -> !,
 }
 
-/// Protects memory. False if the system refuses.
+/// Protects memory. Returns false if Windows refuses.
 ///
 /// # Safety
-/// Nobody may need what is no longer allowed.
+/// Nobody may need the lost permissions.
 #[inline(always)]
 pub unsafe fn protect(system: &System, address: usize, size: usize, to: u32) -> bool {
     let mut was = 0;
-    // SAFETY: the caller vouches for the memory.
+    // SAFETY: required of the caller.
     unsafe { (system.protect)(address, size, to, &mut was) != 0 }
 }

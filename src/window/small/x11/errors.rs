@@ -1,4 +1,4 @@
-//! Errors of the server, and its end.
+//! Errors of the server, and loss of the connection.
 
 use core::{
     ffi::c_int,
@@ -10,28 +10,28 @@ use x11_dl::xlib;
 use super::functions::Xlib;
 use crate::line;
 
-/// Set when the server no longer knows the window.
+/// Whether the window was destroyed.
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// Whether the server no longer knows the window.
+/// Returns whether the window was destroyed.
 pub fn is_closed() -> bool {
     CLOSED.load(Relaxed)
 }
 
-/// Heeds errors from now on.
+/// Installs the error handlers.
 pub fn heed(x: Xlib) {
-    // SAFETY: the functions have the signatures that Xlib calls them by, and stay.
+    // SAFETY: the functions have the signatures that Xlib expects.
     unsafe {
         (x.XSetErrorHandler)(refused);
         (x.XSetIOErrorHandler)(lost);
     }
 }
 
-/// Takes note if somebody destroyed the window. Xlib's own function would end the process.
+/// Records that the window was destroyed, for which Xlib's own handler would end the process.
 ///
-/// Ignores what else the server refuses, such as a focus that can't be set yet: it does no harm.
+/// Ignores other errors, such as a focus that cannot be set yet: they do no harm.
 unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEvent) -> c_int {
-    // SAFETY: Xlib hands over the error it got.
+    // SAFETY: Xlib passes a valid error.
     let code = unsafe { (*error).error_code };
     if code == xlib::BadWindow || code == xlib::BadDrawable {
         CLOSED.store(true, Relaxed);
@@ -39,9 +39,9 @@ unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEven
     0
 }
 
-/// Ends the process when the connection to the display breaks: Xlib can't go on, nor return.
+/// Ends the process when the connection breaks, since Xlib must not return.
 unsafe extern "C" fn lost(_: *mut xlib::Display) -> c_int {
     line::write(line::ERROR, b"eightfold: the display is gone\n");
-    // SAFETY: nothing is left to be written or given back.
+    // SAFETY: nothing is left to be written or restored.
     unsafe { libc::_exit(1) }
 }

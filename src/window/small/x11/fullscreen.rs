@@ -1,7 +1,7 @@
-//! The whole screen, and back.
+//! Fullscreen.
 //!
-//! A window manager is asked to (EWMH): it keeps panels away and the window's place. Without one, or with one that never heard
-//! of that, the window is placed over the screen.
+//! The window manager is asked first (EWMH): it hides panels and remembers the window's position. Without one, or without EWMH, the
+//! window is placed over the screen.
 
 use core::{
     ffi::{c_int, c_long, c_uint},
@@ -13,7 +13,7 @@ use x11_dl::xlib;
 
 use super::Toplevel;
 
-/// Position on the screen, and size.
+/// A position on the screen, and a size.
 #[derive(Clone, Copy)]
 pub struct Place {
     pub x: c_int,
@@ -23,10 +23,10 @@ pub struct Place {
 }
 
 impl Toplevel {
-    /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was.
+    /// Makes the window cover the screen, without a pointer, or restores it.
     pub fn set_fullscreen(&mut self, on: bool) {
         let pointer = if on { self.no_pointer } else { 0 };
-        // SAFETY: the window exists, and the pointer, or 0 for the desktop's own.
+        // SAFETY: the window exists, and so does the pointer; 0 is the desktop's own.
         unsafe { (self.x.XDefineCursor)(self.display, self.window, pointer) };
         let (screen, listening) = self.attributes(self.root);
         let is_managed = listening & xlib::SubstructureRedirectMask != 0;
@@ -41,8 +41,7 @@ impl Toplevel {
             let (mut place, _) = self.attributes(self.window);
             let mut over = screen;
             if is_managed {
-                // A frame is around the window, of which the place is told; what is left of the window and above it goes beyond
-                // the screen.
+                // The window has a frame, which is placed in its stead. The frame's left and upper parts go beyond the screen.
                 let (left, top) = (place.x, place.y);
                 (over.x, over.y) = (-left, -top);
                 (place.x, place.y) = self.position();
@@ -59,30 +58,30 @@ impl Toplevel {
         }
     }
 
-    /// Where the window's inside is on the screen.
+    /// Returns the window's inner position on the screen.
     fn position(&self) -> (c_int, c_int) {
         let (mut x, mut y, mut child) = (0, 0, 0);
         let (display, window, root) = (self.display, self.window, self.root);
         let translate = self.x.XTranslateCoordinates;
-        // SAFETY: the windows exist, and there is room for the answers.
+        // SAFETY: the windows exist, and the results are writable.
         unsafe { translate(display, window, root, 0, 0, &mut x, &mut y, &mut child) };
         (x, y)
     }
 
-    /// Whether a window has a property.
+    /// Returns whether a window has a property.
     fn has_property(&self, window: xlib::Window, property: xlib::Atom) -> bool {
         let mut count = 0;
-        // SAFETY: the window exists. The list is as long as Xlib says, and is kept: nobody asks often.
+        // SAFETY: the window exists. Xlib gives the list's length. The list is leaked, as calls are rare.
         unsafe {
             let list = (self.x.XListProperties)(self.display, window, &mut count);
             !list.is_null() && from_raw_parts(list, count as usize).contains(&property)
         }
     }
 
-    /// A window's place in its parent, and the events that anybody listens to on it. (A window manager listens on the
-    /// root window; its properties may be left over.)
+    /// Returns a window's position in its parent, and the events that any client selects on it. (The root window's properties may
+    /// be left over from a window manager that has ended; its selection is not.)
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
-        // SAFETY: zero is a value of every field, and the window exists.
+        // SAFETY: zero is valid for all fields, and the window exists.
         let attributes = unsafe {
             let mut attributes: xlib::XWindowAttributes = zeroed();
             (self.x.XGetWindowAttributes)(self.display, window, &mut attributes);
@@ -97,9 +96,9 @@ impl Toplevel {
         (place, attributes.all_event_masks)
     }
 
-    /// Asks the window manager to add or to remove the fullscreen state.
+    /// Asks the window manager to add or remove the fullscreen state.
     fn ask_manager(&self, fullscreen: bool) {
-        // SAFETY: zero is a value of every field, and the event outlives the call.
+        // SAFETY: zero is valid for all fields, and the event outlives the call.
         unsafe {
             let mut event: xlib::XEvent = zeroed();
             let message = &mut event.client_message;
@@ -107,7 +106,7 @@ impl Toplevel {
             message.window = self.window;
             message.message_type = self.atom(c"_NET_WM_STATE");
             message.format = 32;
-            // Add or remove, this state, no second one; from an application.
+            // Add or remove, this state, no second state, from an application.
             message.data.set_long(0, c_long::from(fullscreen));
             let state = self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long;
             message.data.set_long(1, state);
@@ -122,7 +121,7 @@ impl Toplevel {
         }
     }
 
-    /// Puts the window somewhere, above the others.
+    /// Moves the window, and raises it.
     pub fn move_to(&self, place: Place) {
         let (width, height) = (place.width as c_uint, place.height as c_uint);
         let (display, window) = (self.display, self.window);

@@ -1,4 +1,4 @@
-//! The functions of Xlib that are called, from which come a table and the names to fill it by.
+//! The functions of Xlib.
 
 #![allow(non_snake_case, reason = "Xlib's own names")]
 
@@ -12,7 +12,7 @@ use x11_dl::xlib::*;
 use crate::loading::{Table, loaded};
 
 loaded! {
-    /// The functions that are looked up in libX11.
+    /// The functions from libX11.
     Loaded, XLIB_NAMES:
     fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
     fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;
@@ -46,13 +46,12 @@ loaded! {
 
 static TABLE: Table<Loaded> = Table::new();
 
-/// libX11, opened: its functions. It has nothing in it, so that it costs nothing to hand it on.
+/// Loaded libX11, a zero-sized token.
 #[derive(Clone, Copy)]
 pub struct Xlib(());
 
 impl Xlib {
-    /// Opens libX11 the first time it is called, from any one thread at a time; `None` if it is not there, or lacks a
-    /// function.
+    /// Loads libX11 at the first call, from one thread at a time. Returns None if it or a function is missing.
     pub fn load() -> Option<Xlib> {
         TABLE.open(c"libX11.so.6", XLIB_NAMES)?;
         Some(Xlib(()))
@@ -64,7 +63,7 @@ impl Deref for Xlib {
 
     #[inline(always)]
     fn deref(&self) -> &Loaded {
-        // SAFETY: there is an `Xlib` only after `load`.
+        // SAFETY: only `load` creates an `Xlib`.
         unsafe { TABLE.loaded() }
     }
 }

@@ -1,10 +1,10 @@
-//! A window on an X display, by Xlib: what every desktop of X11 understands.
+//! A window on an X display, by Xlib.
 
 mod colours;
 mod errors;
 mod fullscreen;
 mod functions;
-pub mod keys;
+pub mod keyboard;
 
 use core::{
     ffi::{CStr, c_int, c_uint, c_void},
@@ -19,27 +19,28 @@ pub use colours::{MASKS, masks, with_masks};
 pub use errors::is_closed;
 pub use fullscreen::Place;
 pub use functions::Xlib;
-pub use keys::typed;
+pub use keyboard::typed;
 
 use super::threads::spawn;
 use crate::clock;
 
-/// The address of the display, 0 if there is none, and [`ASKED`] before it answers.
+/// The display's address, 0 without one, or [`ASKED`] before it answers.
 static DISPLAY: AtomicU64 = AtomicU64::new(ASKED);
 const ASKED: u64 = 1;
 
 /// Opens the display.
 extern "C" fn connect(_: *mut c_void) -> *mut c_void {
-    // SAFETY: `open` has loaded it. No name stands for the environment's.
+    // SAFETY: `open` has loaded Xlib; null selects the environment's display.
     let display = Xlib::load().map_or(null_mut(), |x| unsafe { (x.XOpenDisplay)(null()) });
     DISPLAY.store(display.expose_provenance() as u64, Release);
     null_mut()
 }
 
-/// Opens the display that the environment names, or says why not. A server may accept and never answer: so it is waited for.
+/// Opens the environment's display, or returns the reason why not. A second thread connects, because a server may accept and never
+/// answer.
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     errors::heed(x);
-    // SAFETY: the thread takes no pointer.
+    // SAFETY: the thread uses no pointer.
     let thread = unsafe { spawn(connect, null_mut()) };
     if thread.is_none() {
         connect(null_mut());
@@ -48,7 +49,7 @@ pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     if display == ASKED {
         return Err("X display does not answer");
     }
-    // Its stack is for the next thread.
+    // Frees its stack for the next thread.
     if let Some(thread) = thread {
         thread.join();
     }
@@ -58,12 +59,12 @@ pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     }
 }
 
-/// Makes Xlib's record of a picture for a display, without pixels yet; it belongs to nobody else.
+/// Creates an image header without pixels.
 ///
 /// # Safety
 /// The display has to be open.
 pub unsafe fn picture(x: Xlib, display: *mut xlib::Display) -> *mut xlib::XImage {
-    // SAFETY: the caller vouches for the display.
+    // SAFETY: required of the caller.
     unsafe {
         let screen = &*(x.XDefaultScreenOfDisplay)(display);
         let (visual, depth) = (screen.root_visual, screen.root_depth as c_uint);
@@ -72,25 +73,25 @@ pub unsafe fn picture(x: Xlib, display: *mut xlib::Display) -> *mut xlib::XImage
     }
 }
 
-/// A window of the desktop, which the display closes when the process ends.
+/// A top-level window, which the display closes when the process ends.
 pub struct Toplevel {
     pub x: Xlib,
     pub display: *mut xlib::Display,
     pub window: xlib::Window,
     pub root: xlib::Window,
-    /// The pointer over the whole screen: one without a picture, or 0 for the desktop's own.
+    /// The pointer in fullscreen: an invisible one, or 0 for the desktop's own.
     pub no_pointer: xlib::Cursor,
-    /// Where the window was before it was placed over the screen.
+    /// The position before the window was placed over the screen.
     before: Option<Place>,
 }
 
 impl Toplevel {
-    /// Prepares the functions for a window on a display, which exists already.
+    /// Prepares an existing window.
     ///
     /// # Safety
     /// Display and window have to stay open.
     pub unsafe fn new(x: Xlib, display: *mut xlib::Display, window: xlib::Window) -> Toplevel {
-        // SAFETY: the caller vouches for the window; zero is a colour, and what is pointed to outlives the calls.
+        // SAFETY: the caller guarantees the window; zero is a valid colour, and pointers outlive the calls.
         unsafe {
             let dot = (x.XCreateBitmapFromData)(display, window, c"".as_ptr(), 1, 1);
             let mut colour: xlib::XColor = zeroed();
@@ -111,11 +112,11 @@ impl Toplevel {
         unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
     }
 
-    /// Sets a property that is a text.
+    /// Sets a text property.
     pub fn set_text(&self, property: xlib::Atom, kind: xlib::Atom, text: &[u8]) {
         let (display, window) = (self.display, self.window);
         let (format, replace) = (8, xlib::PropModeReplace);
-        // SAFETY: the window exists, and the text outlives the call and is as long as it says.
+        // SAFETY: the window exists, and the text outlives the call and has this length.
         unsafe {
             let set = self.x.XChangeProperty;
             let length = text.len() as c_int;
@@ -132,7 +133,7 @@ impl Toplevel {
         }
     }
 
-    /// Sets the name of the window and that of the program, by which desktops find its rules.
+    /// Sets the window's and the program's class names, by which desktops find their rules.
     pub fn set_class(&self) {
         self.set_text(
             xlib::XA_WM_CLASS,

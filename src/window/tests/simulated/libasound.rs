@@ -1,13 +1,13 @@
-//! ALSA's library with one device that is simulated, and the time by which it plays.
+//! A simulated ALSA library with one device and its own time.
 //!
-//! Preloaded to a program, it has its clock, too: time stands still while any of the program's threads works, and when all
-//! of them sleep it goes to where the first one wakes up. So a minute and a half takes seconds, and all is the same on
-//! any machine. Standard output is taken for a terminal.
+//! Preloaded, it also replaces the program's clock: time stands still while any of the program's threads works, and skips to the
+//! next wake-up when all of them sleep. So a minute and a half takes seconds, and is the same on any machine. Standard output
+//! counts as a terminal.
 //!
-//! The environment says how many parts per million the device is fast (`SIMULATED_FAST`), and in nanoseconds when it is written to so
-//! late that it has run out of samples (`SIMULATED_LATE`), when the program is stopped for a while (`SIMULATED_STOP`), and how long it
-//! takes to open (`SIMULATED_SLOW`). It writes what it plays to a file (`SIMULATED_FILE`): blocks, each after the nanosecond that it is
-//! heard from.
+//! The environment sets the device's deviation in parts per million (`SIMULATED_FAST`), and, in nanoseconds, the time of an
+//! underrun (`SIMULATED_LATE`), the time of a stop of the program (`SIMULATED_STOP`), and the time that the device takes to open
+//! (`SIMULATED_SLOW`). What the device plays goes to a file (`SIMULATED_FILE`): chunks, each after the nanosecond from which it is
+//! heard.
 
 use std::{
     env,
@@ -20,55 +20,55 @@ use std::{
     sync::{Condvar, LazyLock, Mutex, MutexGuard},
 };
 
-/// Samples that the device has room for, 400 ms, and those it takes at once.
+/// The buffer in samples (400 ms), and the samples that the device takes at once.
 const ROOM: u64 = 19_200;
 const PERIOD: u64 = 4800;
 
-/// Samples in the steps in which the device says how far it is: 5 ms.
+/// The steps of the reported position, in samples: 5 ms.
 const STEP: u64 = 240;
 
-/// How late a writer comes that is late: 700 ms.
+/// The delay of a late writer: 700 ms.
 const LATE: u64 = 700_000_000;
 
-/// How long a program that is stopped stays so: 1.5 s.
+/// The duration of a stop: 1.5 s.
 const STOP: u64 = 1_500_000_000;
 
-/// The errors of a device that has run out, and of one that isn't there.
+/// The errors of an underrun, and of an unsupported format.
 const OUT_OF_SAMPLES: c_int = -32;
 const NO_DEVICE: c_int = -19;
 
-/// Threads of the program that sleep at times, once it plays. Before that others come and go.
+/// The number of threads that sleep, once the device plays. Before that, threads come and go.
 const THREADS: usize = 2;
 
 struct World {
     /// Nanoseconds from the start.
     now: u64,
-    /// When each thread that sleeps wakes up.
+    /// The wake-up time of each sleeping thread.
     sleepers: Vec<u64>,
-    /// Whether all threads that sleep at times have.
+    /// Whether all threads have slept at the same time.
     plays: bool,
     /// Samples that the device plays in a million seconds.
     rate: u64,
-    /// When a writer is late next.
+    /// The time of the next underrun.
     late: u64,
-    /// When the program is stopped next.
+    /// The time of the next stop.
     stop: u64,
-    /// Where the device has begun to play, if it does.
+    /// The time when playing began.
     start: Option<u64>,
-    /// Samples that were written since it was ready.
+    /// Samples that were written since the device was ready.
     written: u64,
-    /// Blocks that wait for the start.
+    /// Chunks before the start.
     waiting: Vec<(u64, Vec<u8>)>,
     file: BufWriter<File>,
 }
 
-/// A number in the environment, or 0.
+/// Reads a number from the environment; 0 without one.
 fn number(name: &str) -> i64 {
     env::var(name).map_or(0, |text| text.parse().expect("a number"))
 }
 
 static WORLD: LazyLock<Mutex<World>> = LazyLock::new(|| {
-    // A time; if none is given, never.
+    // Without a time: never.
     let time = |name| match number(name) {
         0 => u64::MAX,
         time => time as u64,
@@ -113,7 +113,7 @@ fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static
         } else {
             // A thread that ends wakes nobody.
             drop(world);
-            // SAFETY: it looks at no files, for a millisecond.
+            // SAFETY: it waits for a millisecond and for no files.
             unsafe { poll(null_mut(), 0, 1) };
             world = self::world();
         }
@@ -123,31 +123,31 @@ fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static
     world
 }
 
-/// How many threads there are.
+/// Returns the number of threads.
 fn threads() -> usize {
     fs::read_dir("/proc/self/task").map_or(1, Iterator::count)
 }
 
 impl World {
-    /// When a sample is heard, counted from where the device was ready.
+    /// Returns the time when a sample is heard.
     fn time_of(&self, sample: u64) -> Option<u64> {
         let after = u128::from(sample) * 1_000_000_000_000_000;
         Some(self.start? + after.div_ceil(self.rate.into()) as u64)
     }
 
-    /// Samples that could have been heard until now.
+    /// Returns the number of samples that could have been heard until now.
     fn due(&self) -> u64 {
         self.start.map_or(0, |start| {
             (u128::from(self.now - start) * u128::from(self.rate) / 1_000_000_000_000_000) as u64
         })
     }
 
-    /// Notes what is heard when.
+    /// Writes the chunks with their times.
     fn note(&mut self) {
-        for (sample, block) in std::mem::take(&mut self.waiting) {
+        for (sample, chunk) in std::mem::take(&mut self.waiting) {
             let time = self.time_of(sample).expect("it plays");
             self.file.write_all(&time.to_le_bytes()).expect("room");
-            self.file.write_all(&block).expect("room");
+            self.file.write_all(&chunk).expect("room");
         }
         self.file.flush().expect("room");
     }
@@ -168,7 +168,7 @@ unsafe extern "C" fn snd_pcm_open(
     let world = world();
     let open = world.now + number("SIMULATED_SLOW") as u64;
     drop(sleep(world, open));
-    // SAFETY: the caller has room for it.
+    // SAFETY: the pointer is writable.
     unsafe { *pcm = null_mut() };
     0
 }
@@ -204,11 +204,11 @@ unsafe extern "C" fn snd_pcm_writei(
     }
     if world.start.is_some() && world.written + count > world.due() + ROOM {
         let end = world.time_of(world.written + PERIOD - ROOM);
-        // Some wake up later than others, as on a machine that has more to do: by up to 4 ms.
+        // Some wake-ups are late, as on a busy machine: by up to 4 ms.
         let end = end.expect("it plays") + world.written * 7919 % 4_000_000;
         world = sleep(world, end);
     }
-    // SAFETY: the caller has so many.
+    // SAFETY: the caller passes this number of samples.
     let samples = unsafe { slice::from_raw_parts(samples, count as usize) };
     let bytes = samples
         .as_flattened()
@@ -233,7 +233,7 @@ unsafe extern "C" fn snd_pcm_delay(_: *mut c_void, delay: *mut c_long) -> c_int 
         return OUT_OF_SAMPLES;
     }
     let played = world.due() / STEP * STEP;
-    // SAFETY: the caller has room for it.
+    // SAFETY: the pointer is writable.
     unsafe { *delay = (world.written - played) as c_long };
     0
 }
@@ -254,7 +254,7 @@ unsafe extern "C" {
     fn poll(files: *mut c_void, count: c_ulong, milliseconds: c_int) -> c_int;
 }
 
-/// The next library's function of a name: libc's.
+/// Returns libc's own function.
 macro_rules! libc {
     ($name:literal as $type:ty) => {{
         const NEXT: *mut c_void = usize::MAX as *mut c_void;
@@ -263,20 +263,20 @@ macro_rules! libc {
     }};
 }
 
-/// libc's clock, but for the one that goes forward only.
+/// Replaces the monotonic clock.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn clock_gettime(clock: c_int, time: *mut [i64; 2]) -> c_int {
     const MONOTONIC: c_int = 1;
     if clock == MONOTONIC {
         let now = world().now as i64;
-        // SAFETY: the caller has room for it.
+        // SAFETY: the pointer is writable.
         unsafe { *time = [now / 1_000_000_000, now % 1_000_000_000] };
         return 0;
     }
     libc!(c"clock_gettime" as extern "C" fn(c_int, *mut [i64; 2]) -> c_int)(clock, time)
 }
 
-/// Sleeps until a time of the clock that goes forward only, or as long as that.
+/// Sleeps until a time of the monotonic clock, or for a duration.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn clock_nanosleep(
     _: c_int,
@@ -292,7 +292,7 @@ unsafe extern "C" fn clock_nanosleep(
     let start = if flags == UNTIL { 0 } else { world.now };
     let mut world = sleep(world, start + time);
     if world.now >= world.stop {
-        // It goes on with this thread. The others wake up when it sleeps again.
+        // The program continues with this thread. The others wake up when it sleeps again.
         world.stop = u64::MAX;
         world.now += STOP;
     }
@@ -301,7 +301,7 @@ unsafe extern "C" fn clock_nanosleep(
 
 const OUTPUT: c_int = 1;
 
-/// Says that standard output is a terminal.
+/// Makes standard output a terminal.
 #[unsafe(no_mangle)]
 extern "C" fn tcgetattr(file: c_int, mode: *mut c_void) -> c_int {
     if file == OUTPUT {
@@ -310,14 +310,14 @@ extern "C" fn tcgetattr(file: c_int, mode: *mut c_void) -> c_int {
     libc!(c"tcgetattr" as extern "C" fn(c_int, *mut c_void) -> c_int)(file, mode)
 }
 
-/// Says how large a terminal on standard output is.
+/// Returns the size of the terminal.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn ioctl(file: c_int, request: c_ulong, argument: *mut c_void) -> c_int {
     const GET_SIZE: c_ulong = 0x5413;
-    /// Rows, columns, and nothing about pixels.
+    /// Rows, columns, unknown pixels.
     const SIZE: [u16; 4] = [12, 40, 0, 0];
     if (file, request) == (OUTPUT, GET_SIZE) {
-        // SAFETY: the caller has room for it.
+        // SAFETY: the pointer is writable.
         unsafe { *argument.cast() = SIZE };
         return 0;
     }

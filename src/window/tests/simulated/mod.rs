@@ -1,4 +1,4 @@
-//! A device and a time that are simulated, for programs that play sound: see `libasound.rs`, which is built here.
+//! A simulated sound device and clock; builds `libasound.rs`.
 
 use std::{
     env, fs,
@@ -6,10 +6,10 @@ use std::{
     process::{Command, Output},
 };
 
-/// The samples that the device has played: blocks of samples, and the nanosecond from which each is heard.
+/// Chunks of samples, and the nanosecond from which each is heard.
 pub type Played = Vec<(u64, Vec<[f32; 2]>)>;
 
-/// Builds ALSA's library into a folder.
+/// Builds the library into a folder.
 pub fn build(folder: &Path) -> PathBuf {
     let library = folder.join("libasound.so.2");
     let source = folder.join("libasound.rs");
@@ -24,7 +24,7 @@ pub fn build(folder: &Path) -> PathBuf {
     library
 }
 
-/// Runs a program with the library to its end, Says what it wrote and what was played.
+/// Runs a program with the library. Returns its output and the sound.
 pub fn run(library: &Path, program: &mut Command) -> (Output, Played) {
     let file = library.with_extension("played");
     let output = program
@@ -34,16 +34,16 @@ pub fn run(library: &Path, program: &mut Command) -> (Output, Played) {
         .output()
         .expect("the program starts");
     let bytes = fs::read(&file).expect("what was played");
-    /// Bytes of a time, and of a block of 48 samples.
+    /// Bytes of a time, and of a chunk of 48 samples.
     const TIME: usize = 8;
-    const BLOCK: usize = 48 * 8;
+    const CHUNK: usize = 48 * 8;
     let sides = |bytes: &[u8]| {
         [0, 4].map(|at| f32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes")))
     };
-    let blocks = bytes.chunks_exact(TIME + BLOCK).map(|bytes| {
-        let (time, block) = bytes.split_at(TIME);
+    let chunks = bytes.chunks_exact(TIME + CHUNK).map(|bytes| {
+        let (time, chunk) = bytes.split_at(TIME);
         let time = u64::from_le_bytes(time.try_into().expect("eight bytes"));
-        (time, block.chunks_exact(8).map(sides).collect())
+        (time, chunk.chunks_exact(8).map(sides).collect())
     });
-    (output, blocks.collect())
+    (output, chunks.collect())
 }

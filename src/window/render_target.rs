@@ -1,30 +1,28 @@
-//! The screen that frames are shown on.
+//! Targets for the output of frames.
 
 use crate::backend::memory::pixels;
 
-/// The most pixels that a frame may have: 3840x2160.
+/// The maximum number of pixels in a frame: 3840x2160.
 pub const MOST_PIXELS: usize = 3840 * 2160;
 
-/// A place for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or
-/// [`Headless`].
-pub trait Screen {
-    /// Width and height in pixels that the next frame should have, at least 1. There may be more than
-    /// [`MOST_PIXELS`]; then the frame has to be smaller, and is stretched.
+/// A target for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or [`Headless`].
+pub trait RenderTarget {
+    /// Returns the target's width and height in pixels, at least 1. Above [`MOST_PIXELS`] the frame has to be smaller, and is
+    /// stretched.
     fn size(&self) -> (usize, usize);
 
-    /// Where to draw the next frame, of `width` by `height` pixels, `0x00RRGGBB`, row after row. What is there already is
-    /// of no use.
+    /// Returns the pixels of the next frame, of `width` by `height`, `0x00RRGGBB`, row by row. Their initial content is undefined.
     ///
     /// # Panics
     /// If these are more than [`MOST_PIXELS`].
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32];
 
-    /// Shows the frame, and looks at what the viewer has done meanwhile.
+    /// Shows the frame, and handles the viewer's input.
     fn show(&mut self) -> Next;
 }
 
 impl Next {
-    /// The next step if H was pressed as well.
+    /// Returns the next step after another press of H.
     pub(crate) fn toggled(self) -> Next {
         match self {
             Next::GoOn => Next::Toggle,
@@ -33,25 +31,25 @@ impl Next {
     }
 }
 
-/// Whether the show goes on.
+/// The next step of the show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Next {
-    /// It goes on.
+    /// The show continues.
     GoOn,
-    /// It goes on, and H was pressed: the numbers over the picture come or go.
+    /// The show continues, and H toggles the numbers over the picture.
     Toggle,
-    /// It ends, with this exit code: 0 if the viewer ended it, something else if the screen was lost.
+    /// The show ends with this exit code: 0 if the viewer ended it, otherwise 1 or more.
     End(i32),
 }
 
-/// No screen: the frames are drawn and not shown.
+/// A target that discards frames.
 pub struct Headless {
     size: (usize, usize),
     pixels: &'static mut [u32],
 }
 
 impl Headless {
-    /// As if there were a window of a size in pixels.
+    /// Creates a target of this size in pixels.
     #[must_use]
     pub fn new(width: usize, height: usize) -> Headless {
         Headless {
@@ -61,7 +59,7 @@ impl Headless {
     }
 }
 
-impl Screen for Headless {
+impl RenderTarget for Headless {
     fn size(&self) -> (usize, usize) {
         self.size
     }
@@ -75,8 +73,8 @@ impl Screen for Headless {
     }
 }
 
-/// Returns the size of the picture for a screen of a given size: the same, or the largest of the same aspect ratio that is within `most`.
-/// No side is 0.
+/// Returns the size of the picture for a target: the target's size, or the largest within `most` of the same aspect ratio. No side
+/// is 0.
 #[inline]
 pub fn fit((width, height): (usize, usize), most: (usize, usize)) -> (usize, usize) {
     if width <= most.0 && height <= most.1 {

@@ -1,26 +1,26 @@
-//! The diet: std's functions that the intro does not need are replaced.
+//! Replaces the functions of std that explain a panic.
 //!
-//! A program of std brings with it what it needs to explain a panic: formatting, a backtrace, a reader of debugging information, a
-//! demangler. They are most of its bytes, packed as well. The functions that lead there are found by their names in the archives
-//! that the intro is linked with; an object defines each anew, ahead of the archives; the linker takes the first definition, and
-//! drops all that only the second one needed. What they do instead is in `src/window/abort.rs`.
+//! A panic brings formatting, a backtrace, a reader of debugging information and a demangler: most of a program's bytes. This
+//! module finds the functions that lead there by their names in the archives on the linker's command line. It writes an object that
+//! defines each of them as a jump. The object precedes the archives, the linker keeps the first definition, and drops all code that
+//! only the second one needs. `src/window/abort.rs` has the replacements.
 //!
-//! The bytes that each measure saves of the packed file, found by leaving it out, of 53,456 bytes (of others where that is said):
+//! Packed bytes that each measure saves, found by leaving it out, of 53,456 bytes unless stated:
 //!
 //! | measure | where | bytes |
 //! | --- | --- | ---: |
-//! | `rust_begin_unwind` and what is below, together | [`INSTEAD`] | 83,356 |
-//! | `str::slice_error_fail`, which formats what was to be cut | [`INSTEAD`] | 3,433 |
-//! | `handle_alloc_error`, which prints | [`INSTEAD`] | 2,122 |
-//! | `rust_eh_personality`, which reads unwind tables | [`INSTEAD`] | 936 |
-//! | the other ways to a panic, with the arguments of their messages | [`INSTEAD`] | 975 |
-//! | `str::count::do_count_chars`, which counts eight bytes at a time (of 64,400) | [`INSTEAD`] | 405 |
+//! | `rust_begin_unwind` and the rows below, together | [`REPLACEMENTS`] | 83,356 |
+//! | `str::slice_error_fail`, which formats the string | [`REPLACEMENTS`] | 3,433 |
+//! | `handle_alloc_error`, which prints | [`REPLACEMENTS`] | 2,122 |
+//! | `rust_eh_personality`, which reads unwind tables | [`REPLACEMENTS`] | 936 |
+//! | the other panicking functions, with the arguments of their messages | [`REPLACEMENTS`] | 975 |
+//! | `str::count::do_count_chars`, which counts eight bytes at a time (of 64,400) | [`REPLACEMENTS`] | 405 |
 //! | C's `main`, not Rust's (of 59,633) | `main!` in `src/window/arguments.rs` | 9,564 |
 //! | C's arguments, not std's (of 59,633) | the same | 432 |
 //! | `opt-level = 2`, as fast as 3 (of 72,726) | `Cargo.toml` | 6,566 |
 //!
-//! Tried, and not worth it: an allocator by `malloc` alone saves 105 bytes, `Display::fmt` redirected 1,587, and then nothing can be
-//! formatted; the window's crates at `opt-level = "s"` 104.
+//! Tried and rejected: an allocator by `malloc` saves 105 bytes; `Display::fmt` redirected saves 1,587 but leaves no formatting;
+//! the window's crates at `opt-level = "s"` save 104.
 
 use std::{collections::HashSet, ffi::OsString, fs, path::PathBuf};
 
@@ -32,7 +32,7 @@ use object::{
 
 use crate::{Error, panics::ABORT};
 
-/// The crates that functions are redirected in. The last three have functions of the others compiled in.
+/// The crates to redirect functions in. The last three have inlined copies of the others' functions.
 const CRATES: [&str; 6] = [
     "core",
     "alloc",
@@ -42,8 +42,8 @@ const CRATES: [&str; 6] = [
     "rustc_demangle",
 ];
 
-/// Replacements for functions of std, and those functions: parts of paths. One that std does not have is a warning.
-const INSTEAD: [(&str, &[&str]); 2] = [
+/// Replacements, and the functions of std that they replace (parts of paths). The linker warns of functions that std does not have.
+const REPLACEMENTS: [(&str, &[&str]); 2] = [
     (
         ABORT,
         &[
@@ -63,18 +63,18 @@ const INSTEAD: [(&str, &[&str]); 2] = [
     ),
 ];
 
-/// An object that defines functions of std anew, for the arguments of a link, and those that its std does not have.
+/// Returns an object that defines the replaced functions, and the names from [`REPLACEMENTS`] that are missing in the link's std.
 pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), Error> {
     let names = symbols(&libraries(words))?;
     let mut object =
         write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
-    // Linkers take from this that it needs no stack that is executable.
+    // Tells linkers that the object needs no executable stack.
     object.add_section(Vec::new(), b".note.GNU-stack".into(), SectionKind::Other);
     let mut missing = Vec::new();
     let mut done = HashSet::new();
-    for (target, paths) in INSTEAD {
-        // A section of its own, with a jump.
-        let name = format!(".text.{target}_instead").into_bytes();
+    for (target, paths) in REPLACEMENTS {
+        // One jump in a section of its own.
+        let name = format!(".text.{target}_redirection").into_bytes();
         let section = object.add_section(Vec::new(), name, SectionKind::Text);
         object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);
         let symbol = |name: &str, section, scope| write::Symbol {
@@ -122,7 +122,7 @@ pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), 
     Ok((object.write()?, missing))
 }
 
-/// The archives of [`CRATES`] among the arguments of a link.
+/// Returns the archives of [`CRATES`] among the link's arguments.
 fn libraries(words: &[OsString]) -> Vec<PathBuf> {
     let mut libraries: Vec<_> = words.iter().map(PathBuf::from).collect();
     libraries.retain(|path| {
@@ -133,7 +133,7 @@ fn libraries(words: &[OsString]) -> Vec<PathBuf> {
     libraries
 }
 
-/// Names of the global functions in archives.
+/// Returns the names of the archives' global functions.
 fn symbols(libraries: &[PathBuf]) -> Result<Vec<String>, Error> {
     let mut names = Vec::new();
     for library in libraries {
@@ -154,7 +154,7 @@ fn symbols(libraries: &[PathBuf]) -> Result<Vec<String>, Error> {
     Ok(names)
 }
 
-/// A path as it is found in mangled names: `std::io::_print` is `3std2io7__print`. A name without a path isn't mangled.
+/// Mangles a path: `std::io::_print` becomes `3std2io7__print`. Names without a path are not mangled.
 fn mangled(path: &str) -> String {
     if !path.contains("::") {
         return path.into();

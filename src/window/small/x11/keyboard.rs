@@ -1,4 +1,4 @@
-//! The meaning of keys, whatever alphabet is typed.
+//! The meaning of keys, for any alphabet.
 
 use core::ffi::{c_int, c_uint};
 
@@ -7,17 +7,16 @@ use x11_dl::xlib::{ControlMask, Mod1Mask, Mod4Mask, XKeyEvent};
 use super::functions::Xlib;
 use crate::input;
 
-/// The whole screen.
+/// Fullscreen.
 pub const F: c_uint = b'f' as c_uint;
-/// The window.
+/// Window.
 pub const W: c_uint = b'w' as c_uint;
 
-/// Modifiers that make a key a command to somebody else: Ctrl, Alt, and the one with the desktop's sign.
+/// Modifiers that make a key another program's command: Ctrl, Alt, Super.
 const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
 
-/// The number of a key that was pressed, without Shift: by the layout, of several the one that is in use. Where that has no
-/// Latin letter, as those of other alphabets, F, H and W are those in the same place on a keyboard of the USA. [`input::NONE`]
-/// with Ctrl or Alt.
+/// Returns the number of a pressed key without Shift, by the current layout. If that has no Latin letter here, F, H and W are at
+/// their positions on a US keyboard. With Ctrl or Alt this is [`input::NONE`].
 pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
         return input::NONE;
@@ -26,7 +25,7 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if is_letter(key) {
         return key;
     }
-    // Places have these numbers on every Linux.
+    // These keycodes are the same on every Linux.
     match event.keycode {
         25 => W,
         41 => F,
@@ -35,8 +34,7 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     }
 }
 
-/// Like [`pressed`], and all keys of [`Press`](crate::input::Press) are in the same place on a keyboard of the USA where the
-/// layout has no Latin letter.
+/// Like [`pressed`], but with US positions for all keys of [`Press`](crate::input::Press).
 pub fn typed(x: Xlib, event: &XKeyEvent) -> c_uint {
     let key = pressed(x, event);
     match PLACES.iter().find(|(place, _)| *place == event.keycode) {
@@ -45,7 +43,7 @@ pub fn typed(x: Xlib, event: &XKeyEvent) -> c_uint {
     }
 }
 
-/// The places of letters other than F, H and W on a keyboard of the USA, and of `?`.
+/// US positions of other letters, and of `?`.
 const PLACES: [(c_uint, u8); 6] = [
     (26, b'e'),
     (33, b'p'),
@@ -55,14 +53,14 @@ const PLACES: [(c_uint, u8); 6] = [
     (61, b'/'),
 ];
 
-/// The number that the layout in use gives a key.
+/// Returns a key's number in the current layout.
 fn by_layout(x: Xlib, event: &XKeyEvent) -> c_uint {
     let layout = ((event.state >> 13) & 3) as c_int;
     // SAFETY: the event's display is open.
     unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) as c_uint }
 }
 
-/// Whether a key's number is that of a Latin letter.
+/// Returns whether this is a Latin letter.
 fn is_letter(key: c_uint) -> bool {
     (b'a'.into()..=b'z'.into()).contains(&key)
 }

@@ -1,4 +1,4 @@
-//! Keys as `minifb` names them.
+//! The keyboard, by `minifb`.
 
 use std::{cell::RefCell, ffi::c_uint, mem::take, rc::Rc};
 
@@ -6,10 +6,10 @@ use minifb::{InputCallback, Key};
 
 use crate::input::{self, Press};
 
-/// The keys that were pressed since the last call of [`Keys::take`]. The window and `minifb` share them: a key that is pressed and
-/// released between two frames counts.
+/// KeyQueue pressed since the last call of [`KeyQueue::take`], shared with `minifb`, so that a key that is pressed and released between two
+/// frames counts.
 #[derive(Clone, Default)]
-pub struct Keys(Rc<RefCell<State>>);
+pub struct KeyQueue(Rc<RefCell<State>>);
 
 #[derive(Default)]
 struct State {
@@ -17,14 +17,14 @@ struct State {
     held: Vec<Key>,
 }
 
-impl Keys {
-    /// Returns the numbers of the keys, in order.
+impl KeyQueue {
+    /// Returns the keys' numbers, in order.
     pub fn take(&self) -> Vec<c_uint> {
         take(&mut self.0.borrow_mut().pressed)
     }
 }
 
-impl InputCallback for Keys {
+impl InputCallback for KeyQueue {
     fn add_char(&mut self, _: u32) {}
 
     fn set_key_state(&mut self, key: Key, is_down: bool) {
@@ -44,7 +44,7 @@ impl InputCallback for Keys {
     }
 }
 
-/// The number of a key. `minifb` lists digits and letters in order.
+/// Returns a key's number. `minifb` numbers digits and letters consecutively.
 fn number(key: Key) -> c_uint {
     let character = match (key, key as u8) {
         (Key::Escape, _) => return input::ESCAPE,
