@@ -1,39 +1,35 @@
-//! Chooses the quality that holds the frame rate, or an accuracy.
+//! Governors: they select the preset that holds a frame rate or an accuracy.
 //!
-//! The choice depends on nothing but how long the frames took, or on what their probes found. The governors have no clock of their
-//! own, so the same times, or probes, always lead to the same qualities.
+//! They have no clock, so the same times or probes always give the same presets.
 
 use crate::counts::Probes;
 use crate::quality::Quality;
 use core::time::Duration;
 
-/// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// The number of presets of the ladder.
 const PRESETS: usize = Quality::LADDER.len();
 
-/// The number of late frames after which it steps down: 0.1 s at 60 frames per second. A frame that takes as long as several
-/// counts as several.
+/// The number of late frames before a step down: 0.1 s at 60 frames per second. A frame that takes the time of several counts as
+/// several.
 const TOO_LATE: u64 = 6;
 
-/// The most late frames that one frame counts as, so that a single one, which something else may have delayed, never causes a
-/// step.
+/// The largest number of late frames that one frame counts as, so that a single outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
-/// The time in nanoseconds for which a finer preset has to look possible before it is tried. Together with the delay of
-/// [`Governor::mean`] it takes half a second at 30 frames per second.
+/// The time in nanoseconds for which a finer preset must look possible before a step up. With the delay of [`Governor::mean`] that
+/// is half a second at 30 frames per second.
 const CALM: u64 = SECOND / 5;
 
-/// The number of frames after a step down in which the new preset's times are compared with the old one's.
+/// The number of frames after a step down whose times are compared with those before it.
 const COMPARED: u64 = 8;
 
-/// Steps along the [`Quality::LADDER`] to hold a frame rate: down when frames are late, and up again once the next finer preset
-/// would leave a sixth of the time unused. How long frames would take there is estimated from what the step down saved.
+/// Selects a preset of [`Quality::LADDER`] to hold a frame rate: steps down when frames are late, and up when the next finer preset
+/// would leave a sixth of the time unused. The last step down shows the ratio of both presets' times.
 ///
-/// Under a constant load it stays on one preset, even if the times vary. When the load changes, it takes its first step within half
-/// a second, or within two frames if these are longer. If it gets lighter within eight frames of a step down, that counts as saved by
-/// the step, since times alone cannot tell them apart: then it may stay where it is until the load changes again.
+/// The preset is stable under a constant load, even if times vary. After a change of the load the first step follows within half a
+/// second, or within two frames if these are longer. A load that falls within eight frames of a step down looks like the effect of
+/// the step: the preset may then stay too fast until the load changes again.
 ///
 /// ```
 /// use core::time::Duration;
@@ -47,26 +43,26 @@ const COMPARED: u64 = 8;
 /// assert_ne!(governor.quality(), &Quality::LADDER[0]);
 /// ```
 pub struct Governor {
-    /// The time that a frame may take, as all times in nanoseconds.
+    /// The time that a frame may take, in nanoseconds, as all times.
     budget: u64,
-    /// The current preset, an index in the ladder.
+    /// The current preset's index.
     preset: usize,
-    /// The number of late frames since the last step, less the number of frames in time.
+    /// The number of late frames since the last step, minus the number of frames in time.
     late: u64,
-    /// The number of successive frames in which the next finer preset has looked possible.
+    /// The number of successive frames in which the next finer preset looked possible.
     calm: u64,
-    /// Frames since the last step.
+    /// The number of frames since the last step.
     age: u64,
-    /// The time of a frame on this preset: an exponential moving average, mostly of the last four.
+    /// The time of a frame at this preset: an exponential moving average, mostly of the last four.
     mean: u64,
-    /// The mean on the next finer preset when it was left; 0 if the last step was up.
+    /// The mean at the next finer preset before a step down; 0 after a step up.
     before: u64,
     /// For each preset, the mean time below which the next finer one looks possible.
-    room: [u64; PRESETS],
+    threshold: [u64; PRESETS],
 }
 
 impl Governor {
-    /// Returns a governor for frames of this duration, a second at most. It starts on the finest preset.
+    /// Returns a governor for frames of this duration, at most one second. It starts at the finest preset.
     #[must_use]
     #[inline]
     pub fn new(budget: Duration) -> Self {
@@ -78,17 +74,17 @@ impl Governor {
             age: 0,
             mean: 0,
             before: 0,
-            room: [0; PRESETS],
+            threshold: [0; PRESETS],
         }
     }
 
-    /// The quality for the next frame.
+    /// Returns the quality for the next frame.
     #[must_use]
     pub fn quality(&self) -> &'static Quality {
         &Quality::LADDER[self.preset]
     }
 
-    /// Its preset, as an index in [`Quality::LADDER`].
+    /// Returns the index of the preset in [`Quality::LADDER`].
     #[must_use]
     pub fn preset(&self) -> usize {
         self.preset
@@ -107,20 +103,24 @@ impl Governor {
         };
         let hold = (CALM / budget).max(2);
         let too_late = TOO_LATE.min(hold);
-        // A sixteenth of the budget is left to the system.
+        // A sixteenth of the budget is reserved for the system.
         if time > budget / 16 * 15 {
             let frames = (time / budget).max(1).min(too_late - 1);
             self.late = (self.late + frames).min(too_late);
         } else {
             self.late = self.late.saturating_sub(1);
         }
-        let Some(room) = self.room.get_mut(self.preset) else {
+        let Some(threshold) = self.threshold.get_mut(self.preset) else {
             return;
         };
         if self.before > 0 && self.age <= COMPARED {
-            *room = self.mean * (budget / 6 * 5) / self.before;
+            *threshold = self.mean * (budget / 6 * 5) / self.before;
         }
-        self.calm = if self.mean < *room { self.calm + 1 } else { 0 };
+        self.calm = if self.mean < *threshold {
+            self.calm + 1
+        } else {
+            0
+        };
         if self.late == too_late && self.preset + 1 < PRESETS {
             self.before = self.mean;
             self.preset += 1;
@@ -134,41 +134,40 @@ impl Governor {
     }
 }
 
-/// The fewest probes that a step of an [`AccuracyGovernor`] is decided by: 13 frames of [`Frame::PROBES`](crate::Frame::PROBES).
-const FEWEST: u64 = 1_000;
+/// The least number of probes for a step of an [`AccuracyGovernor`]: 13 frames of [`Frame::PROBES`](crate::Frame::PROBES).
+const MIN_PROBES: u64 = 1_000;
 
-/// The most probes that it remembers, 1.7 s at 60 frames per second: then each counts half.
-const MOST: u64 = 8_000;
+/// The number of probes, 1.7 s at 60 frames per second, above which their weight is halved.
+const MAX_PROBES: u64 = 8_000;
 
-/// dB that a preset may be expected to be worse than the next finer one: the least of the ladder, and more than its most.
-const WORSE: [f32; 2] = [1.4, 3.0];
+/// The expected loss from a preset to the next faster one, in dB: the least of the ladder, and more than its largest.
+const STEP_LOSS: [f32; 2] = [1.4, 3.0];
 
-/// dB that are left to chance before a preset is tried again that was left.
-const CHANCE: f32 = 0.5;
+/// The additional accuracy in dB that is required to try a preset again.
+const RETRY_GAIN: f32 = 0.5;
 
-/// Steps along the [`Quality::LADDER`] to hold an accuracy, by what probes find (see
-/// [`Frame::with_probes`](crate::Frame::with_probes)): to a finer preset when frames are certainly less accurate, and to a faster one
-/// once that would certainly be accurate enough. How accurate frames would be there is estimated from what the step to the finer one
-/// gained.
+/// Selects a preset of [`Quality::LADDER`] to hold an accuracy, from the results of probes (see
+/// [`Frame::with_probes`](crate::Frame::with_probes)): steps to a finer preset when frames are certainly less accurate, and to a
+/// faster one when that is certainly accurate enough. The last step to a finer preset shows the difference between both.
 ///
-/// Few pixels make most of the error, so a second of frames is known to some dB: it takes its steps when the difference is larger than
-/// that, within a second or two if it is 6 dB. Where the accuracy is constant it stays on one preset. Unless
-/// that is the finest, it is at most 1 dB less accurate than asked for, or 2 dB in two cases of a thousand, and up to 4 dB more.
+/// A few pixels make most of the error, so the accuracy of a second of frames is uncertain by some dB. A step follows when the
+/// difference is larger: within one or two seconds at 6 dB. The preset is stable while the accuracy is constant. Except at the
+/// finest preset, the accuracy is at most 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
 pub struct AccuracyGovernor {
-    /// The accuracy to hold, in dB.
+    /// The target in dB.
     target: f32,
-    /// The current preset, an index in the ladder.
+    /// The current preset's index.
     preset: usize,
-    /// The findings of probes on it.
+    /// The probes at this preset.
     probes: Probes,
-    /// The dB on the next faster preset when it was left, until it is known what that gained.
+    /// The dB at the next faster preset before the step to this one, until the gain is known.
     before: Option<f32>,
     /// For each preset, the dB above which the next faster one looks accurate enough.
-    room: [f32; PRESETS],
+    threshold: [f32; PRESETS],
 }
 
 impl AccuracyGovernor {
-    /// A governor that holds a peak signal-to-noise ratio, in dB. It starts on the finest preset.
+    /// Returns a governor that holds a peak signal-to-noise ratio in dB. It starts at the finest preset.
     #[must_use]
     pub fn new(target: f32) -> Self {
         Self {
@@ -176,43 +175,44 @@ impl AccuracyGovernor {
             preset: 0,
             probes: Probes::NONE,
             before: None,
-            room: [target + WORSE[0]; PRESETS],
+            threshold: [target + STEP_LOSS[0]; PRESETS],
         }
     }
 
-    /// The quality for the next frame.
+    /// Returns the quality for the next frame.
     #[must_use]
     pub fn quality(&self) -> &'static Quality {
         &Quality::LADDER[self.preset]
     }
 
-    /// Its preset, as an index in [`Quality::LADDER`].
+    /// Returns the index of the preset in [`Quality::LADDER`].
     #[must_use]
     pub fn preset(&self) -> usize {
         self.preset
     }
 
-    /// Records what the last frame's probes found.
+    /// Records the probes of the last frame.
     pub fn frame(&mut self, probes: Probes) {
         self.probes += probes;
-        if self.probes.pixels < FEWEST {
+        if self.probes.pixels < MIN_PROBES {
             return;
         }
-        // Without any error there is no margin. Errors that no probe met are those of the next steps.
+        // The margin is NaN without any error. Errors that no probe met are left to the next steps.
         let margin = self.probes.margin_with(0.0).max(0.0);
         let psnr = self.probes.psnr();
-        let room = &mut self.room[self.preset];
+        let threshold = &mut self.threshold[self.preset];
         if let Some(before) = self.before {
-            *room = self.target + (psnr - before).clamp(WORSE[0], WORSE[1]) + CHANCE;
+            *threshold =
+                self.target + (psnr - before).clamp(STEP_LOSS[0], STEP_LOSS[1]) + RETRY_GAIN;
         }
-        if self.probes.pixels > MOST {
+        if self.probes.pixels > MAX_PROBES {
             self.probes.halve();
             self.before = None;
         }
         if psnr + margin < self.target && self.preset > 0 {
             self.preset -= 1;
             self.before = Some(psnr);
-        } else if psnr - margin > *room && self.preset + 1 < PRESETS {
+        } else if psnr - margin > *threshold && self.preset + 1 < PRESETS {
             self.preset += 1;
             self.before = None;
         } else {

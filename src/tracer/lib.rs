@@ -1,9 +1,9 @@
-//! A ray tracer for the CPU that draws animated scenes in real time. It traces few of the pixels and fills the rest.
+//! A real-time ray tracer for the CPU. It traces few of the pixels, and fills the squares between them.
 //!
-//! # A first picture
+//! # Quick start
 //!
-//! A [`Scene`](scene::Scene) describes what there is to see, a [`Quality`] trades accuracy for speed, a [`Frame`] has the pixels, and
-//! a [`Renderer`] draws, by the best instruction set of the processor and on all of its cores:
+//! A [`Renderer`] draws a [`Scene`](scene::Scene) into a [`Frame`] at a [`Quality`]. It uses the best instruction set of the CPU
+//! and all of its cores:
 //!
 //! ```
 //! use eightfold_tracer::glam::vec3;
@@ -23,7 +23,7 @@
 //! let mut threads = ScopedThreads::new();
 //! let counts = renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?;
 //!
-//! // The sphere is red, the corner is black, and few pixels have a point of their own.
+//! // The sphere is red, the corner is black, and few pixels are traced.
 //! let [_, red, green, _] = pixels[height / 2 * width + width / 2].to_be_bytes();
 //! assert!(red > 100 && green < red / 2);
 //! assert_eq!(pixels[0], 0);
@@ -35,8 +35,8 @@
 //!
 //! # Shapes, materials and lights
 //!
-//! Spheres, boxes, cylinders, capsules and planes; matt, mirrors, metal, glass and patterns; points, suns, spotlights and lights with a
-//! size, whose shadows are soft:
+//! Shapes are spheres, boxes, cylinders, capsules and planes. Materials are matt, mirrors, metal, glass and patterns. Lights are
+//! points, suns, spotlights and balls with soft shadows.
 //!
 //! ```
 //! use eightfold_tracer::glam::{Mat3, Vec3, vec3};
@@ -64,14 +64,15 @@
 //!
 #![doc = concat!("![A glass ball and a golden cube on checkers](data:image/webp;base64,", include_str!("pictures/table.txt"), ")")]
 //!
-//! [`Scene::validate`](scene::Scene::validate) names the first number that is out of its range, and [`Renderer::render`] calls it.
+//! [`Renderer::render`] calls [`Scene::validate`](scene::Scene::validate), which reports the first number that is out of range.
 //!
-//! # The squares
+//! # How it works
 //!
-//! The picture is cut into squares of 8 pixels. Only their corners are traced. A square is filled with colours between its corners' if
-//! these are similar, and if the corners show the same objects in the same light. Other squares are split into four, down to single
-//! pixels. A square is also split if an object, a shadow on a plane, a reflection in the first plane or a highlight may be visible in it
-//! that none of its corners shows. A [`Method`](scene::Method) draws the squares over the same scene:
+//! The picture is divided into squares of 8 pixels, and their corners are traced. If the corners have similar colours and show the
+//! same objects in the same light, the square is filled by interpolation. Otherwise it is split into four, down to single pixels. A
+//! square is also split if conservative bounds show that an object, a shadow on a plane, a reflection in the first plane or a
+//! highlight may be visible in it although none of its corners shows it. To draw the squares over a picture, set its
+//! [`Method`](scene::Method):
 //!
 //! ```
 //! # use eightfold_tracer::scene::*;
@@ -89,58 +90,58 @@
 //!
 //! # Quality
 //!
-//! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven presets, from one that can hardly be told from
-//! it to one for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] steps along the ladder to hold a frame rate, by
-//! the time that each frame took. A frame can measure its own error ([`Frame::with_probes`]), and an [`AccuracyGovernor`] holds an
-//! accuracy by that. [`limits`] has the figures of accuracy, and the conditions for them.
+//! [`Quality::EXHAUSTIVE`] traces every pixel. [`Quality::LADDER`] has seven presets, from one that looks almost the same to one
+//! for slow machines, with [`Quality::DEFAULT`] in the middle. A [`Governor`] selects presets to hold a frame rate. A frame can
+//! measure its own error ([`Frame::with_probes`]); an [`AccuracyGovernor`] selects presets to hold an accuracy. See [`limits`] for
+//! the accuracy in figures.
 //!
 //! # Memory and threads
 //!
-//! Rendering allocates nothing. A renderer has a [`Memory`] of [`Memory::BYTES`] bytes, and each thread has a [`Worker`] of
+//! Rendering never allocates. A renderer has a [`Memory`] of [`Memory::BYTES`] bytes, and each thread a [`Worker`] of
 //! [`Worker::BYTES`] bytes, for pictures of any size: under 8 MiB with sixteen threads. [`Renderer::detect`], [`ScopedThreads`] and
-//! [`Worker::several`] allocate them in place: they work on the smallest stack of a thread, in unoptimised programs as well.
+//! [`Worker::several`] allocate them on the heap in place, so that threads with small stacks can call them, in unoptimised
+//! programs, too.
 //!
-//! [`Threads`] is a trait with one method, for threads of your own. [`ScopedThreads`] are the threads of std; a worker alone is the
-//! caller's thread.
+//! [`ScopedThreads`] are threads of the standard library, and a single worker is the caller's thread. Implement [`Threads`] for
+//! your own thread pool.
 //!
 //! # Without std
 //!
-//! With `default-features = false` the crate needs neither a system nor an allocator, and draws the same bits. The caller provides
-//! memory and workers, as a `static` for example: they are all zeros at first, which takes no room in a program's file.
-//! [`Renderer::with_memory`] borrows the memory.
+//! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Provide
+//! memory and workers as `static`s, for example, and pass the memory to [`Renderer::with_memory`]. They are zero at first, so they
+//! take no space in an executable file.
 //!
 //! # Scenes as data
 //!
-//! By the feature `serde` a [`Scene`](scene::Scene) and a [`Quality`] are written and read in any of serde's formats, by the names of
-//! their fields. Fields that a text leaves out have their defaults; objects need a place, a size and a material. Reading leaves numbers
-//! out of their ranges to [`Scene::validate`](scene::Scene::validate). JSON has no infinite numbers, as some qualities have; other
-//! formats do. (The scene files of the repository's lab have more: names for materials, and motions.)
+//! The feature `serde` implements serialization of a [`Scene`](scene::Scene) and a [`Quality`]. Missing fields get their defaults;
+//! objects need a position, a size and a material. Call [`Scene::validate`](scene::Scene::validate) after reading. Some qualities
+//! have infinite numbers, which JSON lacks.
 //!
 //! # Conventions
 //!
-//! Coordinates are right-handed, y up, in scene units, which are of any size; angles in radians, times in seconds. The
-//! picture's pixel (0, 0) is its upper left, x to the right, y down; a pixel's sample is its centre. Colours are linear RGB, 1
-//! the brightest that is shown; pixels are `0x00RRGGBB`, a colour clamped to 0 to 1, times 255 and rounded, without gamma.
-//! Vectors are those of [`glam`].
+//! Coordinates are right-handed with y up, in scene units of any size. Angles are in radians, times in seconds. Pixel (0, 0) is the
+//! upper left one, with x to the right and y down, and is sampled at its centre. Colours are linear RGB, 1 the brightest displayed
+//! value. Pixels are `0x00RRGGBB`: colours clamped to 0 to 1, times 255, rounded, without gamma. Vectors are those of [`glam`].
 //!
-//! # What a frame depends on
+//! # Determinism
 //!
-//! Scene, size, quality, the samples' offset and the instruction set, and nothing else: the same bits by any number of threads,
-//! whatever was rendered before. Instruction sets differ by 1 of 255 at most, but for silhouettes.
+//! A frame depends on the scene, the size, the quality, the offset of samples and the instruction set only. Its bits are the same
+//! for any number of threads, and after any other frames. Between instruction sets pixels differ by at most 1/255, except on
+//! silhouettes.
 //!
-//! # What later versions change
+//! # Compatibility
 //!
-//! A [`Scene`](scene::Scene), the structs in it, and a [`Quality`] get more fields in minor versions, whose defaults leave pictures as
-//! they are. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`, and they compile with any
-//! minor version; a struct expression that lists all fields breaks. [`Counts`], [`Error`] and [`Frame`] are `#[non_exhaustive]`.
+//! Minor versions may add fields to [`Scene`](scene::Scene), the structs in it, and [`Quality`]. Their defaults keep pictures the
+//! same. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`, so that they still compile.
+//! [`Counts`], [`Error`] and [`Frame`] are `#[non_exhaustive]`.
 //!
-//! The bits of a picture are no promise between versions, nor are the numbers of [`Quality::LADDER`]; the figures of [`limits`] are.
-//! [`glam`] and [`Level`] are those of `glam` and `fearless_simd`: where these break, so does this crate, by a new major version.
+//! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of [`Quality::LADDER`] may change. A
+//! breaking version of `glam` or `fearless_simd` ([`Level`]) makes a breaking version of this crate.
 //!
 //! # Errors
 //!
-//! [`Renderer::render`] returns an [`Error`], whose text says what to change. [`Renderer::render_valid`] is for scenes that are known
-//! to be valid: it does not check them, and panics if a size or a quality is out of its range.
+//! [`Renderer::render`] returns an [`Error`] that names the value and its range. [`Renderer::render_valid`] skips the checks of a
+//! scene that is known to be valid.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -182,12 +183,12 @@ pub use refine::Worker;
 pub use render::{BoxedMemory, ScopedThreads};
 pub use render::{Error, Job, Memory, Renderer, Threads};
 
-/// The widest picture, in pixels.
+/// The maximum width of a picture, in pixels.
 pub const MAX_WIDTH: usize = 3840;
-/// The tallest picture, in pixels.
+/// The maximum height of a picture, in pixels.
 pub const MAX_HEIGHT: usize = 2160;
 
-/// The example of the README compiles and runs.
+/// Runs the example of the README.
 #[cfg(doctest)]
 #[doc = include_str!("README.md")]
 struct Readme;

@@ -1,27 +1,27 @@
-//! A number of a scene or a quality that is out of its range.
+//! Errors for numbers that are out of range.
 
 use core::fmt;
 use glam::Vec3;
 
-/// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of its range.
+/// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of range.
 ///
-/// It is displayed by the name that the number has in a program: `spheres[3].material.kd is 1.5, must be 0 to 1`.
+/// Its text is, for example, `spheres[3].material.kd is 1.5, must be 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RangeError {
-    /// The field of the scene that has it, such as "spheres", or "quality".
+    /// The field of the scene, such as "spheres", or "quality".
     pub object: &'static str,
     /// The index of the item, if the field is a list.
     pub index: Option<usize>,
-    /// The field inside of the object, such as "material.kd"; empty if the object itself is the number.
+    /// The field of the object, such as "material.kd"; empty if the object itself is the number.
     pub field: &'static str,
     /// The value.
     pub found: Found,
-    /// The values that are allowed, such as "0 to 1".
+    /// The valid values, such as "0 to 1".
     pub range: &'static str,
 }
 
-/// A value that is out of its range.
+/// A value that is out of range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Found {
@@ -69,12 +69,12 @@ impl fmt::Display for RangeError {
 
 impl core::error::Error for RangeError {}
 
-/// The numbers that a field may have, both ends included; of a vector, each component. The text says the same.
+/// The valid numbers of a field or of a vector's components, both ends included, and the same as text.
 #[derive(Clone, Copy)]
 pub(crate) struct Range(pub f32, pub f32, pub &'static str);
 
 impl Range {
-    /// Whether it contains a number, or all components of a vector.
+    /// Returns whether a number, or each component of a vector, is in the range.
     pub fn holds(self, found: impl Into<Found>) -> bool {
         let is_inside = |number| (self.0..=self.1).contains(&number);
         match found.into() {
@@ -84,7 +84,7 @@ impl Range {
     }
 }
 
-/// The struct that is checked: a field of a scene, an item of a list, or a quality.
+/// The struct to check: a field of a scene, an item of a list, or a quality.
 #[derive(Clone, Copy)]
 pub(crate) struct Checked {
     pub object: &'static str,
@@ -92,13 +92,13 @@ pub(crate) struct Checked {
 }
 
 impl Checked {
-    /// A struct that is in no list.
+    /// Returns a struct that is not in a list.
     pub fn one(object: &'static str) -> Self {
         let index = None;
         Self { object, index }
     }
 
-    /// Returns an error if a field is out of its range. An empty name is the object itself.
+    /// Returns an error if a field is out of range. An empty name is the object itself.
     pub fn field(
         self,
         field: &'static str,
@@ -109,7 +109,7 @@ impl Checked {
         self.rule(field, found, range.holds(found), range.2)
     }
 
-    /// Returns an error if a field does not obey a rule, such as one about several fields.
+    /// Returns an error unless a rule holds, such as one for several fields.
     pub fn rule(
         self,
         field: &'static str,

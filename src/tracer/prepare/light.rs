@@ -1,4 +1,4 @@
-//! Lights, prepared for shading and for shadow rays. Coordinates are the scene's.
+//! Lights, prepared for shading and for shadow rays, in scene coordinates.
 
 use super::object::ObjectId;
 use super::surface::bounded;
@@ -8,16 +8,14 @@ use crate::rounding::{BOUND, COSINE, hit_error};
 use crate::scene::{Light, Spot};
 use glam::{Vec3, Vec3A};
 
-/// A light of the scene with everything that shading needs of it.
 pub(crate) struct PreparedLight {
     /// See [`Light::shadow_position`].
     pub position: Vec3A,
     pub colour: Vec3A,
-    /// Whether it is a spotlight.
     pub is_cone: bool,
     /// The spotlight's cone, or one that is bright in all directions.
     pub cone: SpotCone,
-    /// See [`Light::diameter`].
+    /// See [`Light::shadow_diameter`].
     pub diameter: f32,
     /// The square of [`Light::glow_radius`].
     pub glow2: f32,
@@ -25,16 +23,15 @@ pub(crate) struct PreparedLight {
     pub max_penumbra: f32,
     /// See [`Light::is_point`].
     pub is_point: bool,
-    /// The first object that is listed where it may hide some of it: before are the spheres, if it is a point, whose shadows are hard, so
-    /// that a faster test decides.
+    /// The first object that is listed as an occluder. The spheres before it have hard shadows by a point light, which a faster
+    /// test decides.
     pub listed_from: ObjectId,
     /// The shadow cones of the [`super::Tree`]'s solid nodes, in the same order.
     pub shadow_cones: [ShadowCone; MAX_NODES],
 }
 
-/// The cone of a spotlight, see [`Spot`].
 pub(crate) struct SpotCone {
-    /// The direction in which it points, of length 1.
+    /// The direction, of length 1.
     pub aim: Vec3,
     /// The cosines of the angles to its edges.
     pub cos_inner: f32,
@@ -42,7 +39,6 @@ pub(crate) struct SpotCone {
 }
 
 impl SpotCone {
-    /// All zeros: memory before a frame is prepared.
     const ZERO: Self = Self {
         aim: Vec3::ZERO,
         cos_inner: 0.0,
@@ -65,16 +61,15 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere by one light. Points outside the sphere that lie in its shadow are inside a cone about the sphere
-/// with its apex at the light, and no nearer to the light than the sphere. The cone is slightly wider than necessary, to cover
-/// rounding.
+/// The shadow of a node's sphere. Points outside the sphere in its shadow are inside a cone around the sphere with its apex at the
+/// light, and no nearer to the light than the sphere. The cone is slightly enlarged for rounding.
 ///
-/// Its vectors are unaligned, so that it fits a cache line of 64 bytes: a frame has up to 2,572 of these.
+/// Unaligned vectors make it fit a cache line of 64 bytes: a frame has up to 2,572 cones.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
     /// The direction from the sphere's centre to the light, of length 1.
     pub axis: Vec3,
-    /// On the unit sphere, the squared length of the chord between the axis and the side of the cone.
+    /// The squared length of the chord between the axis and the side of the cone, on the unit sphere.
     pub chord2: f32,
     /// The distance from the light at which the shadow may begin.
     pub from: f32,
@@ -84,27 +79,26 @@ pub(crate) struct ShadowCone {
     pub skip: u16,
     /// See [`BvhNode::object`].
     pub object: ObjectId,
-    /// Whether all of the light is inside the sphere, which then blocks its light to the outside alone. A block is none.
+    /// Whether the sphere contains the light, and casts its shadow outward. Always false for blocks.
     pub around_light: bool,
     /// The vector from the sphere's centre to the light.
     pub from_light: Vec3,
-    /// The squared radius minus a bound on the rounding error of the discriminant, so that a ray that leaves the sphere is not
-    /// shadowed by it. If the light is inside, the bound is added instead.
+    /// The squared radius, reduced by the rounding error of the discriminant, so that a ray that leaves the sphere is not in its
+    /// shadow. If the light is inside, it is enlarged.
     pub r2: f32,
-    /// The shadow of a box or a cylinder lies between two planes through the light, at the same angle on both sides of the plane
-    /// that contains the longer axis. This is that plane's normal, of any length; for a sphere it is 0.
+    /// The shadow of a block lies between two planes through the light, at equal angles to the plane that contains the longer axis.
+    /// This is that plane's normal, of any length; 0 for a sphere.
     pub side: Vec3,
     /// The squared sine of that angle, times the squared length of `side`.
     pub sine2: f32,
-    /// The radius plus a bound on rounding errors.
+    /// The radius, enlarged for rounding.
     pub radius: f32,
 }
 
-/// More than the squared length of any chord of the unit sphere, which is at most 4.
+/// Larger than the squared length of any chord of the unit sphere, which is at most 4.
 const ALL_AROUND: f32 = 5.0;
 
 impl PreparedLight {
-    /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self {
         position: Vec3A::ZERO,
         colour: Vec3A::ZERO,
@@ -118,7 +112,7 @@ impl PreparedLight {
         shadow_cones: [ShadowCone::ZERO; MAX_NODES],
     };
 
-    /// Prepares a light of a scene with so many spheres, and the shadows of the tree's solid nodes.
+    /// Prepares a light of a scene with `spheres` spheres, and the shadows of the tree's solid nodes.
     pub fn set(&mut self, light: &Light, nodes: &[BvhNode], spheres: usize) {
         self.position = light.shadow_position();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
@@ -143,7 +137,6 @@ impl PreparedLight {
 }
 
 impl ShadowCone {
-    /// All zeros: memory before a frame is prepared.
     const ZERO: Self = Self {
         axis: Vec3::ZERO,
         chord2: 0.0,
@@ -159,10 +152,10 @@ impl ShadowCone {
         radius: 0.0,
     };
 
-    /// Prepares the shadow of a node by a light of some diameter; `radius` includes the penumbra.
+    /// Prepares the shadow of a node; `radius` includes the penumbra.
     fn set(&mut self, from_light: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
         let distance2 = from_light.length_squared();
-        // A bound on the rounding errors of the sphere's centre and of the vector from the light.
+        // The rounding error of the sphere's centre and of the vector from the light.
         let error = hit_error(from_light, 0.0);
         let r2_error = 2.0 * node.radius * (node.hit_error + error);
         let wide = radius * (1.0 + BOUND) + error;
@@ -171,7 +164,6 @@ impl ShadowCone {
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
         let room = node.radius - 0.5 * diameter;
         self.around_light = !node.is_block && room > 0.0 && distance2 < room * room;
-        // No part of the sphere is nearer to the light than this.
         let from = sqrt(distance2) * (1.0 - BOUND) - wide;
         let sine = sqrt(node.thin2) / from.max(0.0) + COSINE;
         let side = node.axis.cross(from_light);

@@ -1,35 +1,35 @@
-//! Why a frame can't be rendered.
+//! The errors of rendering.
 
 use crate::range_error::RangeError;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::fmt;
 
-/// Why a frame can't be rendered. It is displayed as a sentence that says what to mend.
+/// The reason why a frame cannot be rendered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// A side of the frame is 0, or beyond [`MAX_WIDTH`] or [`MAX_HEIGHT`].
+    /// A side of the frame is 0, or above [`MAX_WIDTH`] or [`MAX_HEIGHT`].
     Size {
         /// The frame's width, in pixels.
         width: usize,
         /// The frame's height, in pixels.
         height: usize,
     },
-    /// A row of the frame begins before the one above it ends.
+    /// The stride is below the width.
     Stride {
         /// The frame's width, in pixels.
         width: usize,
         /// The frame's stride, in pixels.
         stride: usize,
     },
-    /// The frame has fewer pixels than its size says.
+    /// There are fewer pixels than the size needs.
     Pixels {
-        /// As many as there are from its first to its last one: width times height, unless it has a stride.
+        /// The number of pixels from the first to the last one of the frame.
         needed: usize,
-        /// How many there are.
+        /// The number of pixels in the slice.
         given: usize,
     },
-    /// A number of the scene or the quality is out of its range.
+    /// A number of the scene or the quality is out of range.
     Range(RangeError),
 }
 
@@ -44,17 +44,13 @@ impl fmt::Display for Error {
         match self {
             Self::Size { width, height } => write!(
                 f,
-                "a frame has 1x1 to {MAX_WIDTH}x{MAX_HEIGHT} pixels, and not {width}x{height}"
+                "frame size is {width}x{height}; must be 1x1 to {MAX_WIDTH}x{MAX_HEIGHT}"
             ),
-            Self::Stride { width, stride } => write!(
-                f,
-                "a frame {width} pixels wide has a stride of {width} or more, and not {stride}"
-            ),
+            Self::Stride { width, stride } => {
+                write!(f, "frame stride is {stride}; must be {width} or more")
+            }
             Self::Pixels { needed, given } => {
-                write!(
-                    f,
-                    "a frame of this size takes {needed} pixels, and there are {given}"
-                )
+                write!(f, "frame has {given} pixels; must have {needed} or more")
             }
             Self::Range(error) => error.fmt(f),
         }

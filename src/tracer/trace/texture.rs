@@ -159,7 +159,7 @@ fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     let lower = product::<S>(cell_u, ACROSS) + product::<S>(cell_v, ALONG);
     let mut corners = [s; 4];
     for (corner, step) in corners.iter_mut().zip(STEPS) {
-        *corner = chance::<S>(lower + step);
+        *corner = random::<S>(lower + step);
     }
     let [a, b, c, d] = corners;
     let (upper, lower) = (a + (b - a) * s, c + (d - c) * s);
@@ -182,7 +182,7 @@ fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
 
 /// Returns a hash of `h` as a number from -1 to 1.
 #[inline(always)]
-fn chance<S: Isa>(h: U<S>) -> F<S> {
+fn random<S: Isa>(h: U<S>) -> F<S> {
     let h = product::<S>(h ^ (h >> 15), 0x846c_a68b).bitcast::<I<S>>();
     h.to_float::<F<S>>() * (1.0 / (1u32 << 31) as f32)
 }
