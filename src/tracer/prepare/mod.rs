@@ -1,4 +1,4 @@
-//! Computes, once per frame, everything that does not change from ray to ray.
+//! Computes the per-frame data of a scene.
 
 mod film;
 mod light;
@@ -18,12 +18,10 @@ use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Plane, Scene, c
 use core::ops::Deref;
 use glam::{Vec2, Vec3, Vec3A};
 
-/// The most objects that rays can hit: solids, lights (shown as spheres), planes, and the background.
+/// The maximum number of objects that rays can hit: solids, visible lights, planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
-/// The content of a frame: the scene, and what is computed of it once.
-///
-/// Objects are numbered: spheres come first, then boxes and cylinders, lights, planes, and the background.
+/// A scene and its per-frame data.
 #[derive(Clone, Copy)]
 pub(crate) struct World<'a> {
     pub scene: &'a Scene,
@@ -40,18 +38,17 @@ impl Deref for World<'_> {
 }
 
 impl<'a> World<'a> {
-    /// The planes.
     pub fn planes(self) -> &'a [Plane] {
         &self.scene.planes
     }
 
-    /// An object and its material.
+    /// Returns an object and its material.
     pub fn object(self, id: ObjectId) -> (Object<'a>, &'a Material) {
         object::of(self.scene, id)
     }
 }
 
-/// All that is computed of the scene of one frame for the kernels.
+/// The per-frame data of a scene.
 pub(crate) struct Prepared {
     /// Whether there is no haze, and the background has one colour.
     pub is_clear: bool,
@@ -82,7 +79,6 @@ pub(crate) struct Prepared {
 }
 
 impl Prepared {
-    /// All zeros: memory before a frame is prepared.
     pub const fn new() -> Self {
         Self {
             is_clear: false,
@@ -105,23 +101,21 @@ impl Prepared {
         }
     }
 
-    /// The lights.
     pub fn lights(&self) -> &[PreparedLight] {
         &self.lights[..self.light_count]
     }
 
-    /// The object number of the first plane.
+    /// Returns the object number of the first plane.
     pub fn first_plane(&self) -> usize {
         self.solids + self.light_count
     }
 
-    /// The object number of the background.
+    /// Returns the object number of the background.
     pub fn background(&self) -> usize {
         self.first_plane() + self.plane_count
     }
 
-    /// Prepares a scene for a picture of so many pixels along x and y, whose samples are off the centres of their pixels by so
-    /// many pixels.
+    /// Prepares a scene for a picture of `width` by `height` pixels, with its samples moved by `offset` pixels.
     pub fn prepare<'a>(
         &'a mut self,
         scene: &'a Scene,

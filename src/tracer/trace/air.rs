@@ -1,5 +1,4 @@
-//! Haze, sky and glow: how the light of a surface fades on its way to the ray's origin, the colour of the background, and the light
-//! of the air around lights.
+//! Haze, the gradient of the sky, and the glow around lights.
 
 use super::rays::Rays;
 use super::surface::SurfaceLanes;
@@ -7,20 +6,20 @@ use crate::lanes::*;
 use crate::prepare::World;
 use glam::Vec3A;
 
-/// The density of haze added everywhere, in 1 / scene units. It is dense enough to hide everything at the distance that stands
-/// for "no hit", 1e30, so that the sky replaces it, and too thin to be visible at any distance within a scene.
+/// The density of haze added everywhere, in 1 / scene units. At the distance of a miss, 1e30, it hides everything, so that the sky
+/// shows; within a scene it is invisible.
 const BACKGROUND_HAZE: f32 = 1e-20;
 
 /// The haze along a packet's rays.
 pub(super) struct AirLanes<S: Isa> {
     /// The background in the rays' directions.
     sky: Vec3x<S>,
-    /// The share of the surfaces' light that arrives, 0 to 1.
+    /// The weight of the surfaces' light, 0 to 1.
     pub transmittance: F<S>,
 }
 
 impl<S: Isa> AirLanes<S> {
-    /// The haze along rays that hit surfaces at distance `t`; `None` if the air is clear.
+    /// Returns the haze in front of surfaces at the distance `t`; `None` if the air is clear.
     #[inline(always)]
     pub fn along(
         simd: S,
@@ -34,7 +33,7 @@ impl<S: Isa> AirLanes<S> {
         }
         let rise = at_least::<S>(d.y, splat(simd, 0.0));
         let gradient = rise * (rise * -1.0 + 2.0);
-        // There is none in front of lights.
+        // Haze does not dim visible lights.
         let density = surface
             .is_light()
             .select(splat(simd, 0.0), t * (world.haze + BACKGROUND_HAZE));
@@ -46,21 +45,21 @@ impl<S: Isa> AirLanes<S> {
         })
     }
 
-    /// The colour of a surface as seen through the haze.
+    /// Returns the colour of a surface behind the haze.
     #[inline(always)]
     pub fn veil(&self, colour: Vec3x<S>) -> Vec3x<S> {
         self.sky.add_scaled(colour - self.sky, self.transmittance)
     }
 }
 
-/// No surface is farther away, nor any light; the square is finite.
+/// Larger than the distance of any surface or light, with a finite square.
 const FARTHEST: f32 = 1e15;
 
-/// The light of the air around lights along rays that hit surfaces at distance `t`.
+/// Returns the glow in front of surfaces at the distance `t`.
 ///
-/// The air shines by `a^2 / 2 (r^2 + a^2)^(-3/2)` at the distance r of a light with a glow of radius a. The integral along a ray
-/// that passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))`, where
-/// `q = h^2 + a^2`: of an endless ray, `a^2 / q`.
+/// At the distance r from a light, the air of a glow with the radius a emits `a^2 / 2 (r^2 + a^2)^(-3/2)`. The integral along a ray
+/// that passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))` with
+/// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray.
 #[inline(always)]
 pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
     let t = at_most::<S>(t, splat(simd, FARTHEST));

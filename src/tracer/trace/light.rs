@@ -1,4 +1,4 @@
-//! Direct light by Phong's model: what surfaces reflect of the light that arrives.
+//! Direct light by Phong's model.
 
 use super::Tracer;
 use super::candidates::Occluders;
@@ -13,13 +13,12 @@ use glam::Vec3A;
 
 /// The light that surfaces reflect along the rays.
 pub(super) struct Reflected<S: Isa> {
-    /// Ambient light and diffuse reflection, before the texture is applied.
+    /// Ambient and diffuse light, before the texture is applied.
     pub untextured: Vec3x<S>,
-    /// Highlights.
     pub specular: Vec3x<S>,
 }
 
-/// Ambient light, and the light of each light that reaches the points. The keys get each light's state.
+/// Returns the reflected light of all sources, and adds their states to the keys.
 #[inline(always)]
 pub(super) fn gather<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -60,7 +59,7 @@ pub(super) fn gather<S: Isa>(
     }
 }
 
-/// Returns the strength of a light's highlight by Phong's model; `None` if there is none at any point.
+/// Returns the strength of a light's highlight; `None` if no point has one.
 #[inline(always)]
 fn highlight<S: Isa>(
     simd: S,
@@ -79,7 +78,7 @@ fn highlight<S: Isa>(
     Some(shiny.select(strength, splat(simd, 0.0)))
 }
 
-/// The cosine of the angle between the mirrored ray and the direction to a light, or what grooves make of it.
+/// Returns the cosine of the angle between the mirrored ray and the direction to a light, changed by grooves.
 #[inline(always)]
 fn cosine<S: Isa>(simd: S, point: &ShadingPoint<S>, l: &Vec3x<S>) -> F<S> {
     let rv = point.r.dot(*l);

@@ -1,4 +1,4 @@
-//! The points that are shaded. Coordinates are the scene's.
+//! Shading points, in scene coordinates.
 
 use super::intersect::Hit;
 use super::rays::{INWARD, Rays, departure};
@@ -10,38 +10,37 @@ use crate::shapes::TexturePoint;
 use crate::shapes::block::{self, BlockHit};
 use glam::Mat3;
 
-/// The points that the rays of a packet hit.
+/// The points that a packet hits.
 pub(super) struct ShadingPoint<S: Isa> {
     pub p: Vec3x<S>,
-    /// The normal, of length 1; it faces the ray.
+    /// The normal, of length 1, towards the ray.
     pub n: Vec3x<S>,
     /// The dot product of the ray's direction and the normal, at most 0.
     pub dn: F<S>,
     /// The direction of the reflected ray.
     pub r: Vec3x<S>,
-    /// The distance of `p` from the surface, on the ray's side: 0 except for blocks.
+    /// The distance of `p` from a block's surface, on the ray's side; 0 for other objects.
     pub hit_error: F<S>,
-    /// The [`departure`]s of rays from here to the ray's side.
+    /// The [`departure`]s of rays to the ray's side.
     pub departure: U<S>,
-    /// The direction of the grooves, of length 1; of no meaning where `anisotropy` is 0.
+    /// The direction of the grooves, of length 1; undefined where `anisotropy` is 0.
     pub groove: Vec3x<S>,
     /// See [`crate::scene::Material::anisotropy`].
     pub anisotropy: F<S>,
-    /// The share that the texture leaves of the surface's colour, 0 to 1; with a negative sign where the texture is finer than squares.
+    /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
     pub reflectance: F<S>,
-    /// The cosine of the angle between normal and light has to be more than this times the light's distance.
+    /// The limit for the cosine of the angle between normal and light, divided by the light's distance.
     ///
-    /// It is 0 but for points inside of a sphere, whose far side blocks all lights beyond it: the chord towards a light has the
-    /// length of twice the cosine times the radius.
+    /// It is above 0 inside a sphere, whose far side blocks all lights beyond it: the chord towards a light has the length of twice
+    /// the cosine times the radius.
     pub horizon: F<S>,
-    /// Whether the ray comes from inside of the object.
+    /// Whether the ray comes from inside the object.
     pub inside: M<S>,
-    /// The lanes whose object is lit by lights.
+    /// The lanes that lights illuminate.
     pub solid: M<S>,
 }
 
 impl<S: Isa> ShadingPoint<S> {
-    /// The points that rays hit.
     #[inline(always)]
     pub fn new(
         simd: S,
@@ -62,7 +61,6 @@ impl<S: Isa> ShadingPoint<S> {
         point
     }
 
-    /// The points on spheres and planes.
     #[inline(always)]
     fn on_sphere_or_plane(
         simd: S,
@@ -83,7 +81,6 @@ impl<S: Isa> ShadingPoint<S> {
             scale = far.select(one / square.sqrt(), scale);
         }
         let mut p = surface.vector(Parameter::Centre).add_scaled(out, scale);
-        // A point on a plane is exact.
         p.y = is_plane.select(surface.vector(Parameter::Centre).y, p.y);
         let mut n = out.scaled(scale * inverse_radius);
         n.y = is_plane.select(one, n.y);
@@ -103,7 +100,7 @@ impl<S: Isa> ShadingPoint<S> {
         }
     }
 
-    /// Computes the points on boxes and cylinders, and the textures, one object at a time.
+    /// Computes the points on blocks, and the textures, one object at a time.
     #[inline(always)]
     fn add_detail(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;
@@ -116,7 +113,7 @@ impl<S: Isa> ShadingPoint<S> {
             let texture_point = if let Object::Block(block) = object {
                 let on_block = BlockHit::near(simd, block, out);
                 let error = splat(simd, block::hit_error(block));
-                // The point is moved to the ray's side of the surface.
+                // Move the point to the ray's side of the surface.
                 let n = on_block.texture_point.n;
                 let sign = !d.dot(n).bitcast::<U<S>>() & (1 << 31);
                 let p = centre + on_block.out;
@@ -146,12 +143,12 @@ impl<S: Isa> ShadingPoint<S> {
         }
     }
 
-    /// Makes the normals face the rays, and computes the reflected directions.
+    /// Turns the normals towards the rays, and computes the reflected directions.
     #[inline(always)]
     fn face(&mut self, simd: S, rays: &Rays<S>, hit: &Hit<S>) {
         let n = self.n;
         let outward = rays.d.dot(n);
-        // The sign bit that flips normals pointing along the ray.
+        // The sign bit that flips normals along the ray.
         let sign = U::<S>::splat(simd, 1 << 31);
         let flip = (outward.bitcast::<U<S>>() & sign) ^ sign;
         let n = n.flipped(flip);

@@ -1,29 +1,27 @@
-//! Shadow rays: which of them something blocks. Coordinates are the scene's.
+//! Shadow rays, in scene coordinates.
 
 use super::candidates::{CONES, Candidate, Occluders};
 use crate::lanes::*;
 use crate::prepare::{PreparedLight, ShadowCone, World};
 use crate::shapes::plane;
 
-/// Rays from points towards a light.
 #[derive(Clone, Copy)]
 pub(super) struct ShadowRays<S: Isa> {
-    /// Origins: the points.
+    /// The points.
     pub o: Vec3x<S>,
-    /// Directions to the light, of length 1.
+    /// The directions to the light, of length 1.
     pub d: Vec3x<S>,
-    /// Distances to the light; 0 in lanes that are not asked for.
+    /// The distances to the light; 0 in inactive lanes.
     pub distance: F<S>,
     /// The [departures](super::rays::departure).
     pub departure: U<S>,
 }
 
 impl Occluders {
-    /// Finds what is between points and a light. Returns the rays that planes block or, if the light is a point, spheres. Other solids that
-    /// may hide some of it are listed.
+    /// Returns the rays that planes block, or spheres if the light is a point, and lists other occluders.
     ///
-    /// A bound's shadow cone contains those of all solids below it, so skipping it loses nothing. Below a lowest bound that is met,
-    /// all solids are tested, without a branch that could be predicted wrongly.
+    /// A bound's shadow cone contains the cones of its solids. All solids of a leaf are tested without a branch that could be
+    /// mispredicted.
     #[inline(always)]
     pub fn find<S: Isa>(
         &mut self,
@@ -45,7 +43,7 @@ impl Occluders {
                 if cone.object < light.listed_from {
                     blocked |= rays.meet_sphere(simd, cone);
                 } else {
-                    // No branch: which cones a packet meets cannot be predicted.
+                    // Branch-free: the cones that a packet meets are unpredictable.
                     self.cones[count % CONES] = i as u16;
                     count += usize::from(rays.start_inside(simd, cone).any_true());
                 }
@@ -66,7 +64,7 @@ impl Occluders {
 }
 
 impl<S: Isa> ShadowRays<S> {
-    /// Which rays start inside of a shadow cone.
+    /// Returns the rays that start inside a shadow cone.
     #[inline(always)]
     fn start_inside(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let chord = self.d - Vec3x::splat(simd, cone.axis);
@@ -74,8 +72,8 @@ impl<S: Isa> ShadowRays<S> {
         is_near & self.distance.simd_gt(splat(simd, cone.from))
     }
 
-    /// Which rays towards a light of a given diameter certainly miss the box, the cylinder or the sphere of a shadow cone, and
-    /// its penumbra; or all of the way is inside of the sphere, as in [`ShadowRays::meet_sphere`].
+    /// Returns the rays that certainly miss the solid of a shadow cone and its penumbra, or are wholly inside the sphere, as in
+    /// [`ShadowRays::meet_sphere`]. `diameter` is the light's.
     #[inline(always)]
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
@@ -83,8 +81,8 @@ impl<S: Isa> ShadowRays<S> {
         let f = Vec3x::splat(simd, cone.from_light);
         let way = f.dot(d);
         let across = f.add_scaled(d, -way);
-        // Half of the penumbra lies outside of the sphere: the light's radius times the ratio of the distances to the sphere and
-        // to the light. All is multiplied by the distance, which saves a division.
+        // Half of the penumbra is outside the sphere: the light's radius times the ratio of the distances to the sphere and to the
+        // light. All terms are multiplied by the distance, which saves a division.
         let share = at_least::<S>(distance - way, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
         let across2 = across.dot(across);
@@ -95,7 +93,7 @@ impl<S: Isa> ShadowRays<S> {
         (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
     }
 
-    /// Which rays a sphere blocks. It does not block rays that start on it and leave it, see [`ShadowCone::r2`].
+    /// Returns the rays that a sphere blocks. A ray that starts on the sphere and leaves it passes, see [`ShadowCone::r2`].
     #[inline(always)]
     fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let zero = splat(simd, 0.0);
@@ -105,16 +103,15 @@ impl<S: Isa> ShadowRays<S> {
         let across = f.add_scaled(self.d, -way);
         let half2 = splat(simd, cone.r2) - across.dot(across);
         if cone.around_light {
-            // The chord extends by sqrt(half2) to both sides of that point. It ends between the light and the ray's origin.
+            // The chord extends by sqrt(half2) to both sides of that point, and ends between the light and the origin.
             let left = at_least::<S>(self.distance - way, zero);
             return half2.simd_lt(left * left);
         }
-        // A part of the chord lies between the light and the ray's origin.
+        // A part of the chord lies between the light and the origin.
         let short = at_least::<S>(at_least::<S>(way - self.distance, -way), zero);
         half2.simd_gt(short * short)
     }
 
-    /// Which rays a plane blocks.
     #[inline(always)]
     fn meet_planes(&self, simd: S, world: World<'_>, light: &PreparedLight) -> M<S> {
         let mut blocked = M::<S>::splat(simd, false);

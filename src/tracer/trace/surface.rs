@@ -5,48 +5,45 @@ use crate::prepare::{
     ObjectId, Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable, World,
 };
 
-/// Surfaces that are kept in all lanes: more than a picture's tile shows of most scenes. Packets of primary and of secondary rays
-/// take turns and so do their objects: with one, the model scene's frame takes 3 % more instructions.
+/// The number of cached surfaces: more than most tiles show. Packets of primary and of secondary rays alternate, and so do their
+/// objects: with one cached surface, the model scene's frame takes 3 % more instructions.
 const KEPT: usize = 16;
 
-/// All zeros: memory before a packet's surfaces are looked up.
 const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
 
-/// Surfaces spread over lanes, which a thread keeps from packet to packet. That of an object is kept at its number modulo [`KEPT`].
+/// A thread's cache of surfaces spread over lanes. An object's surface is at its number modulo [`KEPT`].
 pub(super) struct SurfaceRows {
     kept: [SurfaceTable; KEPT],
-    /// The objects whose surfaces are kept.
+    /// The objects of the cached surfaces.
     objects: [Option<ObjectId>; KEPT],
     /// The surfaces of a packet that hits several objects.
     mixed: SurfaceTable,
 }
 
 impl SurfaceRows {
-    /// None.
     pub const NONE: Self = Self {
         kept: [NO_SURFACES; KEPT],
         objects: [None; KEPT],
         mixed: NO_SURFACES,
     };
 
-    /// Forgets all surfaces.
     pub fn clear(&mut self) {
         self.objects = [None; KEPT];
     }
 }
 
-/// The numbers of surfaces that shading needs, per lane.
+/// The parameters of the surfaces that a packet hits.
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
-    /// Of lanes that hit the background, any object's.
+    /// The parameters; those of any object in lanes that hit the background.
     table: &'a SurfaceTable,
     background: &'a SurfaceNumbers,
     is_background: M<S>,
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
-    /// Looks up the objects of the active lanes. Most packets hit one object and perhaps the background; its surface is usually
-    /// kept already. Otherwise the surfaces of all objects are mixed, lane by lane. What `memory` keeps has to be of this frame.
+    /// Looks up the objects of the active lanes. Most packets hit one object, usually a cached one, and perhaps the background.
+    /// Otherwise the surfaces of all objects are mixed lane by lane. The cache must be of this frame.
     #[inline(always)]
     pub fn look_up(
         simd: S,
@@ -86,7 +83,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
             let mask: U<S> = same.to_vector().bitcast();
             let new = &world.surfaces[id.index()];
             for ((row, &first), &new) in mixed.iter_mut().zip(first).zip(new) {
-                // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
+                // Bit operations: a select would compile to a masked store, which takes 20 cycles on AMD.
                 let old: F<S> = if is_first {
                     splat(simd, first)
                 } else {
@@ -101,34 +98,34 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         surfaces(mixed)
     }
 
-    /// A parameter that is one number. Of lanes that hit the background it is of no meaning.
+    /// Returns a scalar parameter, undefined in lanes that hit the background.
     #[inline(always)]
     pub fn number(&self, parameter: Parameter) -> F<S> {
         load(self.simd, &self.table[parameter as usize])
     }
 
-    /// A parameter of three components.
+    /// Returns a parameter of three components, undefined in lanes that hit the background.
     #[inline(always)]
     pub fn vector(&self, parameter: Parameter) -> Vec3x<S> {
         let [x, y, z] = [0, 1, 2].map(|i| load(self.simd, &self.table[parameter as usize + i]));
         Vec3x { x, y, z }
     }
 
-    /// Which lanes hit something that lights light: no light, and not the background.
+    /// Returns the lanes that lights illuminate: neither visible lights nor the background.
     #[inline(always)]
     pub fn is_lit(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
         self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }
 
-    /// Which lanes hit a light's own sphere.
+    /// Returns the lanes that hit a visible light.
     #[inline(always)]
     pub fn is_light(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
         !self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }
 
-    /// The light that they emit, the background included.
+    /// Returns the emitted light, the background's included.
     #[inline(always)]
     pub fn emitted(&self) -> Vec3x<S> {
         let background = [0, 1, 2].map(|i| self.background[Parameter::Emitted as usize + i]);
@@ -141,7 +138,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 }
 
-/// The object of the first lane in `rest`, and all lanes that hit it. These lanes are removed from `rest`.
+/// Returns the object of the first lane in `rest` and all lanes that hit it, and removes these from `rest`.
 #[inline(always)]
 pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (ObjectId, M<S>) {
     let lane = rest.trailing_zeros() as usize % lanes::<S>();
@@ -151,13 +148,12 @@ pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (Obje
     (ObjectId::new(number as usize), same)
 }
 
-/// A packet's lanes of a row.
 #[inline(always)]
 fn load<S: Isa>(simd: S, row: &PerLane) -> F<S> {
     F::<S>::from_slice(simd, &row[..lanes::<S>()])
 }
 
-/// Copies a surface to all lanes. Few packets need that, so it is compiled only once, not for each instruction set.
+/// Copies a surface to all lanes. This is rare, so it is compiled once, not for each instruction set.
 #[inline(never)]
 fn spread(surface: &SurfaceNumbers, table: &mut SurfaceTable) {
     for (row, &number) in table.iter_mut().zip(surface) {

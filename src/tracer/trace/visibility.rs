@@ -1,5 +1,4 @@
-//! Visibility: which points of a packet a light's light reaches, and how much of it, by spotlights' cones, penumbrae and coloured
-//! shadows. Coordinates are the scene's.
+//! The part of a light that reaches points: spotlights' cones, shadows, penumbrae and coloured shadows.
 
 use super::candidates::{Candidates, Occluders};
 use super::point::ShadingPoint;
@@ -12,20 +11,20 @@ use crate::scene::Sphere;
 use crate::shapes::{block, sphere};
 use glam::Vec3A;
 
-/// The light of one light that arrives at the points of a packet.
+/// The light of one source at the points of a packet.
 pub(super) struct ArrivingLight<S: Isa> {
     /// The directions to the light, of length 1.
     pub l: Vec3x<S>,
     /// The cosine of the angle between normal and `l`.
     pub nl: F<S>,
-    /// The points that light arrives at.
+    /// The points that the light reaches.
     pub lit: M<S>,
-    /// The light, per channel; of no meaning at other points.
+    /// The light's colour there; undefined at other points.
     pub colour: Vec3x<S>,
 }
 
 impl<S: Isa> ShadingPoint<S> {
-    /// The light of a light that arrives; `None` if all points face away from the light or are outside of its cone.
+    /// Returns the light that arrives at the points; `None` if all face away from it or are outside its cone.
     #[inline(always)]
     pub fn light_of(
         &self,
@@ -69,7 +68,7 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// The share of a light's light, as a colour, that its cone and the solids in the way let pass; 0 in lanes that are not needed.
+/// Returns the factor on the light from its cone and the listed occluders, as a colour; 0 in lanes at the distance 0.
 #[inline(always)]
 fn transmittance<S: Isa>(
     simd: S,
@@ -104,7 +103,7 @@ fn transmittance<S: Isa>(
             Object::Sphere(sphere) => sphere_covers(simd, light, sphere, rays),
             Object::Plane(_) | Object::Light(_) | Object::Background => continue,
         };
-        // The share given by the blocker's tint passes. NaN counts as no tint: it would spoil lanes that are not blocked.
+        // A NaN tint counts as black, so that it cannot spoil the lanes that are not in shadow.
         let mut absorbed = Vec3A::ONE;
         if light.diameter > 0.0 {
             absorbed -= Vec3A::from(material.tint).max(Vec3A::ZERO).min(Vec3A::ONE);
@@ -118,10 +117,10 @@ fn transmittance<S: Isa>(
     passing
 }
 
-/// The share of a light that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
+/// Returns the share of a light that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
 ///
-/// The rays from the point to the light form a cone. At the distance `a`, where it passes the sphere, it is `b = a diameter /
-/// distance` wide. As the sphere's edge crosses the cone from one side to the other, the covered share goes from 0 to 1.
+/// The rays from the point to the light form a cone. At the distance `a`, where it passes the sphere, its width is `b = a diameter
+/// / distance`. While the sphere's edge crosses the cone, the share rises from 0 to 1.
 #[inline(always)]
 fn sphere_covers<S: Isa>(
     simd: S,
@@ -140,7 +139,7 @@ fn sphere_covers<S: Isa>(
     )
 }
 
-/// A smooth step that is 0 up to 0, and 1 from 1 on.
+/// Returns a smooth step from 0 at 0 to 1 at 1.
 #[inline(always)]
 fn soft_edge<S: Isa>(simd: S, v: F<S>) -> F<S> {
     smooth_step::<S>(clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0)))
