@@ -1,7 +1,7 @@
-//! The overlay: copper bars, then captions, drawn over a finished picture row by row.
+//! Copper bars and captions over a finished picture.
 //!
-//! A caption's coverage of a pixel is computed from the distance of the pixel's centre to the nearest stroke, so edges are
-//! antialiased at any size. Letters are measured in units of the font's grid.
+//! A caption's coverage is computed from the distance of the pixel's centre to the nearest stroke, so edges are antialiased at any
+//! size. Letters are measured in units of the font's grid.
 
 use crate::font::strokes;
 use crate::maths::{round, sqrt};
@@ -22,25 +22,21 @@ const SHADOW: f32 = 0.35;
 /// The opacity of the shadow at its darkest.
 const DARKNESS: f32 = 0.7;
 
-/// The overlay of a picture.
 pub(crate) struct Overlay<'a> {
     pub copper_bars: &'a [CopperBar],
     pub captions: &'a [Caption],
-    /// The numbers whose digits captions show, see [`Caption::letters`].
+    /// See [`Caption::letters`].
     pub numbers: &'a [usize],
-    /// The alignment, 0 to 1: this share of a line's width is at the same share of the picture's width. 0 is left, 0.5 centred.
+    /// The alignment of lines, from 0, left, to 1, right.
     pub middle: f32,
-    /// The number of rows of the picture.
     pub height: usize,
 }
 
 impl Overlay<'_> {
-    /// Returns whether there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.copper_bars.is_empty() && self.captions.is_empty()
     }
 
-    /// Draws over a band: the last phase of a frame.
     pub fn draw(&self, band: &mut Band<'_>) {
         for bar in self.copper_bars {
             self.draw_bar(bar, band);
@@ -70,7 +66,7 @@ impl Overlay<'_> {
 
     fn draw_caption(&self, caption: &Caption, band: &mut Band<'_>) {
         let (w, h) = (pixels(band.width), pixels(self.height));
-        // The size of a grid unit in pixels. A letter is four units high and two wide.
+        // A letter is four units high and two wide.
         let unit = 0.25 * caption.size * h.min(w * (9.0 / 16.0));
         let line = caption.middle * h - pixels(band.top);
         for (y, row) in band.rows() {

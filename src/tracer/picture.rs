@@ -1,4 +1,4 @@
-//! The frame that a caller passes in, and the bands of it that threads draw.
+//! Frames, and the bands of them that threads draw.
 
 use crate::counts::Counts;
 use crate::quality::Quality;
@@ -15,7 +15,7 @@ pub struct Frame<'a> {
     pub height: usize,
     /// `0x00RRGGBB`, row by row from the top. Pixels between rows and after the last one stay unchanged.
     pub pixels: &'a mut [u32],
-    /// The distance between the starts of two rows in pixels, at least `width`. See [`Frame::with_stride`].
+    /// The distance between the starts of two rows in pixels, at least `width`.
     pub stride: usize,
     /// See [`Frame::with_offset`].
     pub offset: Vec2,
@@ -23,7 +23,7 @@ pub struct Frame<'a> {
     pub probing: Probing,
 }
 
-/// The number and the choice of probed pixels. See [`Frame::with_probes`].
+/// The probed pixels, see [`Frame::with_probes`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probing {
     /// The number of probes. Pixels that an overlay hides are skipped.
@@ -33,8 +33,8 @@ pub struct Probing {
 }
 
 impl<'a> Frame<'a> {
-    /// A number of probes that takes less than 1 % of the time of a default frame of 1024x768. With AVX2, callgrind counts 0.8 %
-    /// more instructions for the model scene, and 0.6 and 0.3 % more for the show at 20 and at 76 s.
+    /// A number of probes that takes less than 1 % of the time of a default frame of 1024x768: with AVX2, callgrind counts 0.8 %
+    /// more instructions for the model scene, 0.6 and 0.3 % for the show at 20 and at 76 s.
     pub const PROBES: u16 = 80;
 
     /// Returns a frame of `width` by `height` pixels without gaps between its rows. [`Renderer::render`](crate::Renderer::render)
@@ -88,7 +88,6 @@ impl<'a> Frame<'a> {
 }
 
 impl Frame<'_> {
-    /// Returns the number of pixels from the first to the last one, gaps included.
     pub(crate) fn count(&self) -> usize {
         let Some(above) = self.height.checked_sub(1) else {
             return 0;
@@ -110,39 +109,31 @@ impl Frame<'_> {
     }
 }
 
-/// The width of a tile in pixels. A row of a level's bits is then eight words, and the samples of a tile fit in the core's own
-/// cache.
+/// The width of a tile in pixels: a row of a level's bits is eight words, and a tile's samples fit in the core's own cache.
 pub(crate) const TILE_WIDTH: usize = 512;
 /// The height of a tile and of a band in pixels: the side of the largest square. The last band may be lower.
 pub(crate) const TILE_HEIGHT: usize = Quality::MAX_SQUARE;
 
-/// The number of bands of the tallest picture.
 pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(TILE_HEIGHT);
 
-/// The side of a cell in pixels.
 pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 
-/// The number of rows of cells in a full band.
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
 /// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough, which means that neighbouring pixels in it may
 /// differ by an edge. Neighbours in smooth cells, or across the border of two smooth cells, never do.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
-/// The rows of cells of all bands.
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
 
 /// Some rows of a picture: the drawing surface, and the unit of work of a thread.
 pub struct Band<'a> {
-    /// The index of the first row in the picture.
     pub(crate) top: usize,
     pub(crate) width: usize,
-    /// The distance between the starts of two rows in pixels.
     pub(crate) stride: usize,
     pub(crate) pixels: &'a mut [u32],
     /// The work of drawing the band. The frame's counts are the sum over its bands.
     pub counts: Counts,
-    /// The rough cells, row by row.
     pub(crate) rough: &'a mut [RoughRow],
 }
 
@@ -159,7 +150,6 @@ impl Band<'_> {
         self.rough.fill([u64::MAX; _]);
     }
 
-    /// Returns the number of rows.
     pub(crate) fn height(&self) -> usize {
         // The last row ends with its last pixel.
         (self.pixels.len() + self.stride - self.width) / self.stride
@@ -180,7 +170,6 @@ impl Band<'_> {
         }
     }
 
-    /// Divides the picture into bands of [`TILE_HEIGHT`] rows.
     pub(crate) fn parts(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
         let &mut Self { width, stride, .. } = self;
         let pixels = self.pixels.chunks_mut(TILE_HEIGHT * stride);
@@ -195,7 +184,6 @@ impl Band<'_> {
         })
     }
 
-    /// Returns a band without rows.
     pub(crate) const fn none() -> Self {
         Self {
             top: 0,

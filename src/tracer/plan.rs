@@ -10,33 +10,29 @@ use crate::trace::{Batch, Kernel, Tracer};
 use fearless_simd::Level;
 use glam::Vec2;
 
-/// The largest squares, in pixels, in scenes with a crowd of mirrors and glass, whose images are narrow.
+/// Images in a crowd of mirrors and glass are narrow.
 const CROWD_SQUARE: usize = 4;
 
-/// The settings of a frame, fixed before its first band.
+/// The settings of a frame.
 pub(crate) struct FramePlan {
-    /// The instruction set.
     pub isa: Level,
-    /// The function that traces points.
     pub kernel: Kernel,
     /// The effective quality for this scene.
     pub quality: Quality,
-    /// The width and the height of the picture in pixels.
+    /// In pixels.
     pub size: [usize; 2],
     /// The number of finished columns, from the left: without marks of the method.
     pub finished: usize,
-    /// The side in pixels up to which squares are filled with one colour, see [`Method::coarse`]; below 2 for none.
+    /// See [`Method::coarse`]; below 2 for none.
     pub coarse: usize,
     /// Whether all points of strong mirrors and glass have different keys, because a crowd of them reflects each other.
     pub glitters: bool,
-    /// The offset of samples from the centres of their pixels, in pixels.
+    /// In pixels.
     pub offset: Vec2,
-    /// The probed pixels.
     pub probing: Probing,
 }
 
 impl FramePlan {
-    /// Returns the plan of a frame at the quality that the caller asks for.
     pub fn new(
         isa: Level,
         kernel: Kernel,
@@ -98,8 +94,7 @@ pub(crate) struct Context<'a, O> {
 }
 
 impl<O> Context<'_, O> {
-    /// Traces a batch's points with all their rays. Primary rays and their reflections in the first plane only meet the groups
-    /// `seen`.
+    /// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `seen`.
     pub fn trace(&self, quality: &Quality, seen: VisibleGroups, batch: &mut Batch) {
         let tracer = Tracer {
             isa: self.plan.isa,

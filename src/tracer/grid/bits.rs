@@ -4,18 +4,16 @@ use crate::picture::TILE_WIDTH;
 use core::array;
 use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
 
-/// The number of words of a row: one bit per pixel of a tile's width.
+/// One bit per pixel of a tile's width.
 pub(crate) const WORDS: usize = TILE_WIDTH / 64;
 
-/// A row of bits. Bit 0 is the lowest bit of the first word.
+/// Bit 0 is the lowest bit of the first word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Bits(pub [u64; WORDS]);
 
 impl Bits {
-    /// No bits.
     pub const NONE: Self = Self([0; WORDS]);
 
-    /// The bits with even indices.
     pub const EVEN: Self = Self([0x5555_5555_5555_5555; WORDS]);
 
     /// Returns the bits from 0 to below `count`.
@@ -37,12 +35,10 @@ impl Bits {
         self.0[i / 64] &= !(1 << (i % 64));
     }
 
-    /// Returns whether a bit is set.
     pub fn has(&self, i: usize) -> bool {
         self.0[i / 64] >> (i % 64) & 1 != 0
     }
 
-    /// Returns whether no bit is set.
     pub fn is_empty(&self) -> bool {
         self.0.iter().fold(0, |all, word| all | word) == 0
     }
@@ -95,7 +91,6 @@ impl Bits {
     }
 }
 
-/// Calls `call` with the index of each set bit of a word, in order.
 #[inline(always)]
 pub(crate) fn each(mut word: u64, mut call: impl FnMut(usize)) {
     while word != 0 {

@@ -1,4 +1,4 @@
-//! The grids of a tile: its squares and their corners, level by level. Level `n` has squares of `1 << n` pixels a side.
+//! The grids of a tile. Level `n` has squares of `1 << n` pixels a side.
 
 mod bits;
 mod pyramid;
@@ -10,9 +10,7 @@ pub(crate) use pyramid::{GridRow, LEVELS, Pyramid, SCRATCH};
 pub(crate) struct Area {
     pub left: usize,
     pub top: usize,
-    /// The end of its columns.
     pub right: usize,
-    /// The end of its rows.
     pub bottom: usize,
     /// The width and height of the picture.
     pub picture: [usize; 2],
@@ -24,7 +22,6 @@ impl Area {
         (self.right - self.left).div_ceil(1 << level)
     }
 
-    /// Returns the number of rows of squares. The last one may extend beyond the picture.
     pub fn rows(&self, level: usize) -> usize {
         (self.bottom - self.top).div_ceil(1 << level)
     }

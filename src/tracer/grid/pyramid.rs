@@ -5,17 +5,14 @@ use crate::picture::{TILE_HEIGHT, TILE_WIDTH};
 use crate::quality::Quality;
 use crate::trace::{Layers, Sample};
 
-/// The number of levels. Level `n` has squares of `1 << n` pixels a side.
 pub(crate) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
 
 /// The grids of all levels except level 0, whose pixels are drawn when they are traced.
 ///
-/// A grid is row-major, with one more point than squares along each side: the corners of the square (x, y) are the points (x, y),
-/// (x + 1, y), (x, y + 1) and (x + 1, y + 1).
+/// A grid is row-major. The corners of the square (x, y) are the points (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1).
 pub(crate) struct Pyramid {
-    /// [`Sample`]s as words, which the vector code loads.
+    /// [`Sample`]s as words.
     samples: [u64; POINTS],
-    /// The keys of the objects that were hit, and of the lights there.
     pub keys: [u32; POINTS],
     /// The light on patterns and apart from them.
     pub layers: [Layers; POINTS],
@@ -28,12 +25,11 @@ pub(crate) struct GridRow<'a> {
     pub keys: &'a [u32],
 }
 
-/// Returns the number of points in a row.
 const fn columns(level: usize) -> usize {
     (TILE_WIDTH >> level) + 1
 }
 
-/// The index of each level's first point, the finest level first.
+/// The index of each level's first point.
 const STARTS: [usize; LEVELS + 1] = {
     let mut starts = [0; LEVELS + 1];
     let mut level = 1;
@@ -44,10 +40,10 @@ const STARTS: [usize; LEVELS + 1] = {
     starts
 };
 
-/// The number of points, and of words that may be read after the last one.
+/// Vector code may read after the last point.
 const POINTS: usize = STARTS[LEVELS] + 2 * MAX_LANES;
 
-/// The number of words of [`Pyramid::scratch`]: two for each pixel of an eighth of a tile.
+/// Two words for each pixel of an eighth of a tile.
 pub(crate) const SCRATCH: usize = 2 * TILE_WIDTH * TILE_HEIGHT / 8;
 
 impl Pyramid {
@@ -59,12 +55,10 @@ impl Pyramid {
         }
     }
 
-    /// Returns the index of the point (x, y) of a level.
     pub fn index(level: usize, x: usize, y: usize) -> usize {
         STARTS[level] + y * columns(level) + x
     }
 
-    /// Returns the distance between the starts of two rows.
     pub fn stride(level: usize) -> usize {
         columns(level)
     }
@@ -83,7 +77,6 @@ impl Pyramid {
         self.samples.first_chunk_mut().expect("as many points")
     }
 
-    /// Returns a row of a level's grid.
     pub fn row(&self, level: usize, y: usize) -> GridRow<'_> {
         let start = Self::index(level, 0, y);
         let range = start..start + columns(level) + 2 * MAX_LANES - 1;
@@ -93,13 +86,13 @@ impl Pyramid {
         }
     }
 
-    /// Returns the indices of the corners of the square (x, y): upper left, upper right, lower left, lower right.
+    /// Returns the corners of the square (x, y): upper left, upper right, lower left, lower right.
     pub fn corner_indices(level: usize, x: usize, y: usize) -> [usize; 4] {
         let (upper, lower) = (Self::index(level, x, y), Self::index(level, x, y + 1));
         [upper, upper + 1, lower, lower + 1]
     }
 
-    /// Returns the samples at the corners of the square (x, y), in the same order.
+    /// Returns their samples.
     pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
         let (start, stride) = (Self::index(level, x, y), Self::stride(level));
         // A single slice needs a single bounds check.

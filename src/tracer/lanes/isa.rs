@@ -10,9 +10,7 @@ pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand where the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
-    /// Moves the lanes in `mask` to the first places, in order; the others are undefined.
-    ///
-    /// The default moves lane by lane, in little code.
+    /// Moves the lanes in `mask` to the first places, in order. The default moves lane by lane, in little code.
     #[inline(always)]
     fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
         let mut rest = mask.to_bitmask();
@@ -55,7 +53,6 @@ cfg_select! {
         }
     }
     _ => {
-        /// Scalar code.
         pub(crate) type Baseline = fearless_simd::Fallback;
 
         #[inline(always)]
@@ -73,26 +70,24 @@ pub(crate) fn baseline() -> Baseline {
 
 cfg_select! {
     target_arch = "x86_64" => {
-        /// Returns AVX2, if the level has it.
         #[inline(always)]
         pub(crate) fn avx2(isa: Level) -> Option<fearless_simd::Avx2> {
             isa.as_avx2()
         }
 
-        /// Returns AVX-512, if the level has it.
         #[inline(always)]
         pub(crate) fn avx512(isa: Level) -> Option<fearless_simd::Avx512> {
             isa.as_avx512()
         }
     }
     _ => {
-        /// Returns `None`: AVX2 exists on x86-64 only.
+        /// AVX2 exists on x86-64 only.
         #[inline(always)]
         pub(crate) fn avx2(_: Level) -> Option<Baseline> {
             None
         }
 
-        /// Returns `None`: AVX-512 exists on x86-64 only.
+        /// AVX-512 exists on x86-64 only.
         #[inline(always)]
         pub(crate) fn avx512(_: Level) -> Option<Baseline> {
             None
@@ -100,7 +95,6 @@ cfg_select! {
     }
 }
 
-/// Returns the instruction sets of this machine.
 #[cfg(test)]
 pub(crate) fn isas() -> impl Iterator<Item = Level> {
     let best = Level::new();
@@ -138,8 +132,8 @@ mod x86_64 {
     }
 
     kernel!(
-        /// Returns the indices of the lanes in a mask, in order: bytes of 0 to 7 selected by bits, without a table. (Slow on AMD
-        /// before Zen 3, where it is microcode.)
+        /// Returns the indices of the lanes in a mask, in order, without a table. (Slow on AMD before Zen 3, where it is
+        /// microcode.)
         #[inline(always)]
         fn order(simd: Avx2, mask: u64) -> __m256i {
             let bytes = _pdep_u64(mask, 0x0101_0101_0101_0101) * 0xff;

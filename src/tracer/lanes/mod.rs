@@ -1,10 +1,10 @@
-//! Vectors of lanes, one ray per lane: the types that kernels are written in.
+//! Vectors with a ray per lane.
 //!
 //! A kernel is generic over the instruction set `S` and inlined into one function per set: four lanes for SSE2, eight for AVX2,
 //! sixteen for AVX-512. A lane's result never depends on its neighbours.
 //!
 //! A closure that the compiler does not inline loses the instruction set, and with it the speed, so kernels call small functions
-//! marked `#[inline(always)]` instead.
+//! marked `#[inline(always)]`.
 
 mod isa;
 mod pow;
@@ -41,25 +41,20 @@ pub(crate) use isa::{Baseline, Isa, avx2, avx512, baseline};
 pub(crate) use pow::{log2, pow};
 pub(crate) use vec3x::Vec3x;
 
-/// The number of lanes of the widest instruction set.
 pub(crate) const MAX_LANES: usize = 16;
 
 /// A number per lane.
 pub(crate) type F<S> = <S as Simd>::f32s;
-/// An integer or a bit pattern per lane.
 pub(crate) type U<S> = <S as Simd>::u32s;
-/// A signed integer per lane.
 pub(crate) type I<S> = <S as Simd>::i32s;
 /// A truth value per lane.
 pub(crate) type M<S> = <S as Simd>::mask32s;
 
-/// Returns the number of lanes.
 #[inline(always)]
 pub(crate) const fn lanes<S: Simd>() -> usize {
     F::<S>::LEN
 }
 
-/// Returns a vector with `v` in every lane.
 #[inline(always)]
 pub(crate) fn splat<S: Simd>(simd: S, v: f32) -> F<S> {
     F::<S>::splat(simd, v)
@@ -77,7 +72,7 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
-/// Returns the maximum per lane, or `least` where `v` is NaN, on every instruction set. (For `max` that depends on the CPU.)
+/// Returns the maximum, or `least` where `v` is NaN. (For `max` that depends on the CPU.)
 #[inline(always)]
 pub(crate) fn at_least<S: Isa>(v: F<S>, least: F<S>) -> F<S> {
     if S::LIMITS_REPLACE_NAN {
@@ -87,7 +82,7 @@ pub(crate) fn at_least<S: Isa>(v: F<S>, least: F<S>) -> F<S> {
     }
 }
 
-/// Returns the minimum per lane, or `most` where `v` is NaN.
+/// Returns the minimum, or `most` where `v` is NaN.
 #[inline(always)]
 pub(crate) fn at_most<S: Isa>(v: F<S>, most: F<S>) -> F<S> {
     if S::LIMITS_REPLACE_NAN {
@@ -97,14 +92,14 @@ pub(crate) fn at_most<S: Isa>(v: F<S>, most: F<S>) -> F<S> {
     }
 }
 
-/// Clamps each lane to `least` to `most`; `least` where `v` is NaN.
+/// Clamps to `least` to `most`; `least` where `v` is NaN.
 #[inline(always)]
 pub(crate) fn clamp<S: Isa>(v: F<S>, least: F<S>, most: F<S>) -> F<S> {
     at_most::<S>(at_least::<S>(v, least), most)
 }
 
-/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, which is in the low bits of the sum.
-/// Subtracting it again gives the integer as a float.
+/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, in the low bits of the sum; subtracting
+/// it again gives the integer as a float.
 pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// Returns the difference from the nearest integer, for numbers between -2^22 and 2^22.
@@ -113,7 +108,7 @@ pub(crate) fn off_integer<S: Simd>(v: F<S>) -> F<S> {
     v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
-/// Returns Hermite's smooth step of numbers from 0 to 1: `v^2 (3 - 2 v)`, with slope 0 at both ends.
+/// Returns Hermite's smooth step of numbers from 0 to 1.
 #[inline(always)]
 pub(crate) fn smooth_step<S: Simd>(v: F<S>) -> F<S> {
     v * v * (v * -2.0 + 3.0)

@@ -39,7 +39,6 @@ pub(crate) fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
     ln.mul_add(splat(simd, core::f32::consts::LOG2_E), e.to_float::<F<S>>())
 }
 
-/// The bits of sqrt(1/2).
 const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
 
 /// Returns 2 to the power `y`, for `y` up to 127; 2^-126 below -126.
@@ -66,7 +65,7 @@ fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     (bits + (whole << 23)).bitcast()
 }
 
-/// Evaluates a polynomial by Horner's rule, the highest coefficient first.
+/// Evaluates a polynomial, the highest coefficient first.
 #[inline(always)]
 fn polynomial<S: Simd>(simd: S, x: F<S>, coefficients: &[f32]) -> F<S> {
     let mut p = splat(simd, coefficients[0]);
@@ -83,7 +82,6 @@ mod tests {
     use super::*;
     use fearless_simd::dispatch;
 
-    /// Asserts the error bound of [`pow`].
     #[inline(always)]
     fn hold<S: Simd>(simd: S, xs: &[f32], h: f32) {
         let mut results = [0.0; MAX_LANES];

@@ -1,5 +1,3 @@
-//! A vector per lane.
-
 use super::*;
 use core::ops::{Add, Mul, Sub};
 use glam::Vec3;
@@ -13,7 +11,6 @@ pub(crate) struct Vec3x<S: Simd> {
 }
 
 impl<S: Simd> Vec3x<S> {
-    /// Returns `v` in every lane.
     #[inline(always)]
     pub fn splat(simd: S, v: impl Into<Vec3>) -> Self {
         let v = v.into();
@@ -24,13 +21,11 @@ impl<S: Simd> Vec3x<S> {
         }
     }
 
-    /// Returns the dot product.
     #[inline(always)]
     pub fn dot(self, b: Self) -> F<S> {
         self.x.mul_add(b.x, self.y.mul_add(b.y, self.z * b.z))
     }
 
-    /// Returns the largest component.
     #[inline(always)]
     pub fn max_element(self) -> F<S>
     where
@@ -94,7 +89,7 @@ impl<S: Simd> Sub for Vec3x<S> {
     }
 }
 
-/// The componentwise product, to filter a colour by a colour.
+/// Componentwise: a colour filters a colour.
 impl<S: Simd> Mul for Vec3x<S> {
     type Output = Self;
     #[inline(always)]
@@ -108,7 +103,6 @@ impl<S: Simd> Mul for Vec3x<S> {
 }
 
 impl<S: Simd> Vec3x<S> {
-    /// Returns `a` in the lanes of the mask, `b` in the others.
     #[inline(always)]
     pub fn select(mask: M<S>, a: Self, b: Self) -> Self {
         Self {
@@ -118,7 +112,6 @@ impl<S: Simd> Vec3x<S> {
         }
     }
 
-    /// Returns the vector multiplied by `s`.
     #[inline(always)]
     pub fn scaled(self, s: F<S>) -> Self {
         Self {

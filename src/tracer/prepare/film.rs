@@ -1,4 +1,4 @@
-//! The tone curve, vignette and dither of a frame, see [`crate::scene::Film`].
+//! The tone curve, vignette and dither, see [`crate::scene::Film`].
 
 use crate::lanes::*;
 use crate::scene;
@@ -6,7 +6,7 @@ use crate::scene::camera::pixels;
 use fearless_simd::{f32x4, u16x8, u64x2};
 use glam::{Vec2, vec2};
 
-/// The prepared film. Colours are in output steps, 255 the brightest; positions in pixels of the picture.
+/// Colours are in output steps, 255 the brightest; positions in pixels.
 pub(crate) struct Film {
     /// Whether colours stay unchanged.
     pub is_plain: bool,
@@ -17,29 +17,26 @@ pub(crate) struct Film {
     middle: Vec2,
     /// 1 / half the picture's height.
     unit: f32,
-    /// See [`Dither`].
     pub dither: Dither,
 }
 
 /// Four points' light or colours: blue, green, red, and an unused vector.
 pub(crate) type Four = [f32x4<Baseline>; 4];
 
-/// Thresholds that are added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step. The pixel
-/// (x, y) has a word with the same number for each channel at `[y % 4][x % 4]`, and again four further on.
+/// Thresholds that are added to a pixel's colour before truncation, in 256ths of a step. The pixel (x, y) has the word at `[y %
+/// 4][x % 4]`, with the same number for each channel, and again four further on.
 pub(crate) type Dither = [[u64; 8]; 4];
 
-/// Thresholds of half an output step.
 #[cfg(test)]
 pub(crate) const ROUND: Dither = [[128 * WORDS; 8]; 4];
 
 /// 1 in each channel of a [`Dither`] word.
 const WORDS: u64 = 0x0001_0001_0001_0001;
 
-/// The smallest distance above a shoulder, to avoid a division by 0. It changes no output step.
+/// Avoids a division by 0, and changes no output step.
 const LEAST_ROOM: f32 = 1e-3;
 
 impl Film {
-    /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self {
         is_plain: false,
         shoulder: 0.0,
@@ -50,7 +47,6 @@ impl Film {
         dither: [[0; 8]; 4],
     };
 
-    /// Prepares the film for a picture of `width` by `height` pixels.
     pub fn of(film: &scene::Film, width: usize, height: usize) -> Self {
         let (width, height) = (pixels(width), pixels(height));
         Self {
@@ -70,7 +66,7 @@ impl Film {
         self.dither[y % 4][x % 4] >> 1
     }
 
-    /// Returns the thresholds of four pixels from (x, y) to the right, in two pairs, in 128ths of a step.
+    /// Returns the thresholds of four pixels from (x, y) to the right, in 128ths of a step.
     #[inline(always)]
     pub fn thresholds(&self, simd: Baseline, x: usize, y: usize) -> [u16x8<Baseline>; 2] {
         [0, 2].map(|i| {
@@ -87,7 +83,7 @@ impl Film {
         (x * x + y * y) * self.vignette + 1.0
     }
 
-    /// Converts the light at four points to colours: applies the vignette and the tone curve.
+    /// Applies the vignette and the tone curve to the light at four points.
     #[inline(never)]
     pub fn expose(&self, simd: Baseline, light: &mut Four, at: [f32x4<Baseline>; 2]) {
         let dimming: [f32; 4] = self.dimming(at).into();
@@ -96,7 +92,7 @@ impl Film {
         }
         let [a, b, c, d] = *light;
         let most = a.max(b).max(c.max(d));
-        // Most colours are below the shoulder and stay unchanged.
+        // Most colours are below the shoulder.
         if most.simd_gt(self.shoulder).any_true() {
             for light in light {
                 let over = (*light - self.shoulder).max(splat(simd, 0.0));

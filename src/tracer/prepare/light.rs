@@ -1,4 +1,4 @@
-//! Lights, prepared for shading and for shadow rays, in scene coordinates.
+//! Lights, prepared for shading and shadow rays.
 
 use super::object::ObjectId;
 use super::surface::bounded;
@@ -19,21 +19,18 @@ pub(crate) struct PreparedLight {
     pub diameter: f32,
     /// The square of [`Light::glow_radius`].
     pub glow2: f32,
-    /// See [`Light::max_penumbra`].
     pub max_penumbra: f32,
-    /// See [`Light::is_point`].
     pub is_point: bool,
-    /// The first object that is listed as an occluder. The spheres before it have hard shadows by a point light, which a faster
-    /// test decides.
+    /// The first object that is listed as an occluder: for point lights, a faster test decides the hard shadows of the spheres
+    /// before it.
     pub listed_from: ObjectId,
     /// The shadow cones of the [`super::Tree`]'s solid nodes, in the same order.
     pub shadow_cones: [ShadowCone; MAX_NODES],
 }
 
 pub(crate) struct SpotCone {
-    /// The direction, of length 1.
+    /// Of length 1.
     pub aim: Vec3,
-    /// The cosines of the angles to its edges.
     pub cos_inner: f32,
     pub cos_outer: f32,
 }
@@ -61,41 +58,38 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere. Points outside the sphere in its shadow are inside a cone around the sphere with its apex at the
-/// light, and no nearer to the light than the sphere. The cone is slightly enlarged for rounding.
+/// The shadow of a node's sphere. A point in it is inside the sphere, or inside a cone around the sphere with its apex at the light
+/// and no nearer to the light than the sphere. The cone is slightly enlarged for rounding.
 ///
 /// Unaligned vectors make it fit a cache line of 64 bytes: a frame has up to 2,572 cones.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
-    /// The direction from the sphere's centre to the light, of length 1.
+    /// The direction to the light, of length 1.
     pub axis: Vec3,
-    /// The squared length of the chord between the axis and the side of the cone, on the unit sphere.
+    /// The squared chord between the axis and the side of the cone, on the unit sphere.
     pub chord2: f32,
     /// The distance from the light at which the shadow may begin.
     pub from: f32,
-    /// See [`BvhNode::solids`].
     pub solids: u8,
-    /// See [`BvhNode::skip`].
     pub skip: u16,
-    /// See [`BvhNode::object`].
     pub object: ObjectId,
     /// Whether the sphere contains the light, and casts its shadow outward. Always false for blocks.
     pub around_light: bool,
-    /// The vector from the sphere's centre to the light.
+    /// The vector to the light.
     pub from_light: Vec3,
     /// The squared radius, reduced by the rounding error of the discriminant, so that a ray that leaves the sphere is not in its
-    /// shadow. If the light is inside, it is enlarged.
+    /// shadow; enlarged if the light is inside.
     pub r2: f32,
     /// The shadow of a block lies between two planes through the light, at equal angles to the plane that contains the longer axis.
     /// This is that plane's normal, of any length; 0 for a sphere.
     pub side: Vec3,
     /// The squared sine of that angle, times the squared length of `side`.
     pub sine2: f32,
-    /// The radius, enlarged for rounding.
+    /// Enlarged for rounding.
     pub radius: f32,
 }
 
-/// Larger than the squared length of any chord of the unit sphere, which is at most 4.
+/// Larger than the squared chord of any cone, which is at most 4.
 const ALL_AROUND: f32 = 5.0;
 
 impl PreparedLight {

@@ -21,7 +21,6 @@ use glam::{Vec2, Vec3, Vec3A};
 /// The maximum number of objects that rays can hit: solids, visible lights, planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
-/// A scene and its per-frame data.
 #[derive(Clone, Copy)]
 pub(crate) struct World<'a> {
     pub scene: &'a Scene,
@@ -42,19 +41,16 @@ impl<'a> World<'a> {
         &self.scene.planes
     }
 
-    /// Returns an object and its material.
     pub fn object(self, id: ObjectId) -> (Object<'a>, &'a Material) {
         object::of(self.scene, id)
     }
 }
 
-/// The per-frame data of a scene.
 pub(crate) struct Prepared {
     /// Whether there is no haze, and the background has one colour.
     pub is_clear: bool,
-    /// The density of haze, in 1 / scene units.
+    /// In 1 / scene units.
     pub haze: f32,
-    /// Whether any light has a glow.
     pub glows: bool,
     pub film: Film,
     pub eye: Vec3A,
@@ -62,7 +58,6 @@ pub(crate) struct Prepared {
     /// The width of a pixel at distance 1.
     pub pixel: f32,
     pub tree: Tree,
-    /// The number of spheres and blocks.
     pub solids: usize,
     lights: [PreparedLight; MAX_LIGHTS],
     pub light_count: usize,
@@ -70,7 +65,6 @@ pub(crate) struct Prepared {
     pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
     /// See [`object::glitters`].
     pub glitters: [bool; MAX_OBJECTS],
-    /// Whether any object has a pattern.
     pub has_patterns: bool,
     /// Whether any object is a block, or has a pattern or grooves.
     pub has_details: bool,
@@ -105,17 +99,15 @@ impl Prepared {
         &self.lights[..self.light_count]
     }
 
-    /// Returns the object number of the first plane.
     pub fn first_plane(&self) -> usize {
         self.solids + self.light_count
     }
 
-    /// Returns the object number of the background.
     pub fn background(&self) -> usize {
         self.first_plane() + self.plane_count
     }
 
-    /// Prepares a scene for a picture of `width` by `height` pixels, with its samples moved by `offset` pixels.
+    /// Prepares a scene for a picture of `width` by `height` pixels, with samples moved by `offset` pixels.
     pub fn prepare<'a>(
         &'a mut self,
         scene: &'a Scene,

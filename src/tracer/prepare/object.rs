@@ -3,14 +3,13 @@
 use crate::scene::{Block, Light, Material, Plane, Scene, Sphere};
 use glam::Vec3;
 
-/// An object that a ray can hit.
 pub(crate) enum Object<'a> {
     Sphere(&'a Sphere),
     Block(&'a Block),
     Plane(&'a Plane),
-    /// The sphere of a visible light.
+    /// A visible light.
     Light(&'a Light),
-    /// The object of rays that hit no other one.
+    /// Hit by rays that hit no other object.
     Background,
 }
 
@@ -27,33 +26,28 @@ impl Object<'_> {
     }
 }
 
-/// The number of an object in a frame: spheres first, then blocks, lights, planes and the background.
+/// The number of an object: spheres first, then blocks, lights, planes and the background.
 ///
-/// A packet's lanes have the number as a `u32`. A sample's word has the number plus 1 in 14 bits; 0 is no object.
+/// A sample's word has the number plus 1 in 14 bits; 0 is no object.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
 pub(crate) struct ObjectId(u16);
 
 impl ObjectId {
-    /// The object with the number 0.
     pub const FIRST: Self = Self(0);
 
-    /// Returns the object of a number below [`super::MAX_OBJECTS`].
     pub const fn new(number: usize) -> Self {
         Self(number as u16)
     }
 
-    /// Returns the number as an index in arrays of all objects.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// Returns the number as a lane has it.
     pub const fn lane(self) -> u32 {
         self.0 as u32
     }
 }
 
-/// Returns an object of a scene, and its material.
 pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     let mut i = id.index();
     if let Some(sphere) = scene.spheres.get(i) {
@@ -73,8 +67,8 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The number of strong mirrors and glass solids that make a crowd: they reflect each other in tiny images. The show's scenes have
-/// six at most. At a lower number, one in fifty random scenes of 16 blocks is below 42 dB at the default quality.
+/// The number of strong mirrors and glass solids that make a crowd, whose images of each other are tiny. The show's scenes have six
+/// at most. With a lower number, one in fifty random scenes of 16 blocks is below 42 dB at the default quality.
 const CROWD: usize = 12;
 
 /// The smallest weight of reflected or transmitted light that counts as strong: the presets' `key_weight`.
@@ -83,19 +77,18 @@ const STRONG: f32 = 0.3;
 /// The sine of half the viewing angle from which a glass sphere shows the crowd large enough.
 const LARGE: f32 = 0.2;
 
-/// Returns whether reflected and transmitted light matters in a material's picture.
 fn is_strong(material: &Material) -> bool {
     material.kr + material.kt >= STRONG
 }
 
-/// Returns whether a scene has a crowd of mirrors and glass, which needs small squares: see [`FramePlan`](crate::plan::FramePlan).
+/// Returns whether a scene has a crowd of mirrors and glass, which needs small squares.
 pub(crate) fn is_crowd(scene: &Scene) -> bool {
     let solids = (0..scene.solids()).map(ObjectId::new);
     let strong = solids.filter(|&id| is_strong(of(scene, id).1));
     strong.count() >= CROWD
 }
 
-/// Returns whether the images in an object of a crowd are too small to interpolate between two of its points.
+/// Returns whether the images in a crowd's object are too small to interpolate between its points.
 pub(super) fn glitters(scene: &Scene, object: &Object<'_>, material: &Material) -> bool {
     let is_small = match object {
         Object::Sphere(sphere) => {

@@ -1,69 +1,59 @@
-//! The surface parameters of an object, prepared for shading.
+//! Surface parameters, prepared for shading.
 
 use super::object::Object;
 use crate::lanes::MAX_LANES;
 use crate::scene::{Material, Scene};
 use glam::Vec3;
 
-/// Highlights below this are not computed: 1/40 of a step of 8-bit output.
+/// Highlights below this, 1/40 of a step of 8-bit output, are not computed.
 const MIN_HIGHLIGHT: f32 = 1e-4;
 
 /// Larger than any r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// A parameter of a surface, by the index of its first component. Lengths are in scene units.
+/// A parameter, by the index of its first component. Lengths are in scene units.
 #[derive(Clone, Copy)]
 pub(crate) enum Parameter {
-    /// The centre of a sphere or a plane: three components.
+    /// A vector: the centre of a sphere or a plane.
     Centre = 0,
-    /// 1 / radius for a sphere; 0 for others, whose normal is upright or a block's.
+    /// 0 for planes and blocks.
     InverseRadius = 3,
-    /// 1 for surfaces that lights illuminate, 0 for visible lights and the background.
+    /// 1 for surfaces that lights illuminate; otherwise 0.
     IsLit = 4,
-    /// The radiance independent of lights, a colour: reflected ambient light, or the light's or the background's own colour.
+    /// A colour: reflected ambient light, or the colour of a visible light or the background.
     Emitted = 5,
-    /// The colour times the diffuse coefficient.
+    /// A colour.
     Diffuse = 8,
-    /// The colour by which highlights multiply a light's colour.
+    /// A colour: the factor of highlights on a light's colour.
     Highlight = 11,
-    /// The specular coefficient.
     Ks = 14,
-    /// The exponent of the highlight.
     Exponent,
     /// The smallest r.v with a visible highlight.
     HighlightStart,
-    /// The weight of the reflected ray.
     Kr,
     /// See [`Material::fresnel`].
     Fresnel,
-    /// The weight of the transmitted ray.
     Kt,
-    /// The refractive index.
     Index,
 }
 
-/// The number of components of all parameters.
 pub(crate) const SURFACE_NUMBERS: usize = Parameter::Index as usize + 1;
 
-/// The components of a surface's parameters.
 pub(crate) type SurfaceNumbers = [f32; SURFACE_NUMBERS];
 
 /// A number per lane of the widest instruction set.
 pub(crate) type PerLane = [f32; MAX_LANES];
 
-/// The components of the surfaces that the lanes of a packet hit.
 pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 
 /// Larger than any parameter of a valid scene; products of a few such numbers stay finite.
 const LARGEST: f32 = 2e9;
 
-/// Returns a number, or 0 if it is NaN or its magnitude exceeds [`LARGEST`]: such a number would spoil the sum of a point even with
-/// the weight 0.
+/// Returns a number, or 0 if it is NaN or above [`LARGEST`]: such a number would spoil a point's sum even with the weight 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
 
-/// Returns the surface of an object, with all components [`bounded`].
 pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -> SurfaceNumbers {
     let mut surface = [0.0; SURFACE_NUMBERS];
     let mut set = |parameter: Parameter, components: &[f32]| {
@@ -111,8 +101,8 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
 /// Returns a lower bound of the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1: at least 0.8 times the
 /// root.
 ///
-/// The bits of a float approximate its logarithm: they give `e + m` for `2^e (1 + m)`, too small by up to 0.09. The inverse is too
-/// large by up to a factor of 1.07.
+/// The bits of a float approximate its logarithm: `e + m` for `2^e (1 + m)` is too small by up to 0.09. The inverse is too large by
+/// up to a factor of 1.07.
 fn root_below(x: f32, h: f32) -> f32 {
     const ONE: f32 = (1 << 23) as f32;
     const BIAS: f32 = 127.0;

@@ -1,6 +1,5 @@
-//! The bounding volume hierarchy: a tree of spheres in scene coordinates, stored as an array in depth-first order. A ray walks
-//! along the array, and skips the descendants of each bounding sphere that it misses. Solids are spheres and blocks; the leaves of
-//! blocks are their bounding spheres.
+//! The bounding volume hierarchy: a tree of spheres in depth-first order. A ray walks along the array, and skips the descendants of
+//! bounding spheres that it misses. Solids are spheres and blocks.
 
 use super::object::{self, Object, ObjectId};
 use crate::rounding::{BOUND, hit_error};
@@ -8,14 +7,12 @@ use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
 use glam::{Vec3, Vec3A};
 
-/// The number of groups that solids are divided into; up to this number each has its own. Each tile has the set of groups that may
-/// be visible in it.
+/// The number of groups of solids, with an equal number of solids each. Each tile has the set of groups that may be visible in it.
 const SOLID_GROUPS: usize = 32;
 
-/// The number of groups: those of solids, in the tree's order, then one for each light.
+/// Solids' groups come first, in the tree's order, then one for each light.
 pub(crate) const MAX_GROUPS: usize = SOLID_GROUPS + MAX_LIGHTS;
 
-/// A set of groups, one bit each.
 pub(crate) type GroupSet = u64;
 
 /// The groups that rays through a part of the picture can meet.
@@ -33,33 +30,29 @@ pub(crate) struct VisibleGroups {
 /// at edges, takes as long as four tests. With 4 solids the show's title takes 8 % longer, with 16 a field of 64 spheres 7 %.
 const LEAF: usize = 10;
 
-/// Up to this number solids keep their order.
 const UNSORTED: usize = 4;
 
-/// The most bounds: those of a tree whose solids are halved down to leaves.
 const MAX_BOUNDS: usize = 2 * MAX_SOLIDS.div_ceil(LEAF).next_power_of_two() - 1;
 
-/// The number of nodes of the largest tree.
 pub(super) const MAX_NODES: usize = MAX_BOUNDS + MAX_SOLIDS + MAX_LIGHTS;
 
 /// A node: a sphere, or the bounding sphere of a block, of a light or of several nodes.
 #[derive(Clone, Copy)]
 pub(crate) struct BvhNode {
     pub centre: Vec3A,
-    /// The squared radius; negative for lights that are not drawn, so that all rays miss them.
+    /// Negative for lights that are not drawn, so that all rays miss them.
     pub r2: f32,
-    /// The squared radius enlarged by [`BOUND`], for a conservative first test.
+    /// Enlarged by [`BOUND`], for a conservative first test.
     pub cull2: f32,
-    /// The largest distance by which rounding moves a point off the sphere, see [`hit_error`].
+    /// See [`hit_error`].
     pub hit_error: f32,
     /// The change of `r2` if the radius changes by `hit_error`.
     pub r2_error: f32,
     pub radius: f32,
-    /// The groups of the solids in it.
     pub groups: GroupSet,
     /// The object; meaningless for a bound.
     pub object: ObjectId,
-    /// The number of nodes to advance by if it is missed.
+    /// The number of nodes to skip if it is missed, itself included.
     pub skip: u16,
     /// Whether it is a bound of other nodes.
     pub is_bound: bool,
@@ -73,7 +66,6 @@ pub(crate) struct BvhNode {
     pub thin2: f32,
 }
 
-/// The bounding sphere of a solid.
 #[derive(Clone, Copy)]
 struct Ball {
     centre: Vec3A,
@@ -83,12 +75,10 @@ struct Ball {
 
 /// The hierarchy: the root and its descendants in depth-first order, then the lights.
 pub(crate) struct Tree {
-    /// The bounding spheres of the solids, in the tree's order.
     balls: [Ball; MAX_SOLIDS],
     solid_count: usize,
     nodes: [BvhNode; MAX_NODES],
     len: usize,
-    /// The index of the first light's node.
     solid_node_end: usize,
 }
 
@@ -96,7 +86,6 @@ pub(crate) struct Tree {
 const UNBOUNDED: f32 = 1e18;
 
 impl Tree {
-    /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self {
         balls: [Ball {
             centre: Vec3A::ZERO,
@@ -109,13 +98,11 @@ impl Tree {
         solid_node_end: 0,
     };
 
-    /// Returns all nodes.
     pub fn nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.len]
     }
 
-    /// Returns the index of the first node to test for rays that can only meet `groups`. It skips the root, since such rays
-    /// probably meet it.
+    /// Returns the index of the first node for rays that can only meet `groups`. It skips the root, which such rays probably meet.
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 {
             1
@@ -124,7 +111,6 @@ impl Tree {
         }
     }
 
-    /// Returns the nodes of the solids and their bounds.
     pub fn solid_nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.solid_node_end]
     }
@@ -141,7 +127,6 @@ impl Tree {
         self.objects().take_while(move |&(i, _)| i < end)
     }
 
-    /// Builds the tree of a scene.
     pub fn set(&mut self, scene: &Scene) {
         self.solid_count = scene.solids();
         for (number, ball) in self.balls.iter_mut().enumerate().take(self.solid_count) {
@@ -149,7 +134,6 @@ impl Tree {
             let (centre, radius) = match object::of(scene, id).0 {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
                 Object::Block(block) => (block.centre, block::bounding_radius(block)),
-                // Not in the tree.
                 Object::Light(_) | Object::Plane(_) | Object::Background => (Vec3::ZERO, 0.0),
             };
             *ball = Ball {
@@ -178,7 +162,7 @@ impl Tree {
         }
     }
 
-    /// Adds a bound of the balls from `first` to below `end`, and recursively its descendants.
+    /// Adds a bound of the balls from `first` to below `end`, and its descendants.
     fn add_bound(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
         let balls = &self.balls[first..end];
@@ -189,7 +173,7 @@ impl Tree {
             radius = radius.max(centre.distance(ball.centre) + ball.radius);
         }
         radius *= 1.0 + BOUND;
-        // A NaN or infinite coordinate gives a bound around everything, so that rays still find the other solids in it.
+        // A NaN or infinite coordinate gives an infinite bound, so that rays still find the other solids in it.
         if !(centre.abs().element_sum() + radius).is_finite() {
             (centre, radius) = (Vec3A::ZERO, UNBOUNDED);
         }
@@ -218,7 +202,6 @@ impl Tree {
         self.nodes[at].skip = (self.len - at) as u16;
     }
 
-    /// Appends the node of a sphere.
     fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut BvhNode {
         let node = &mut self.nodes[self.len];
         self.len += 1;
@@ -238,10 +221,8 @@ impl Tree {
     }
 }
 
-/// An upper limit of the radius of a box's bounding sphere.
 const MAX_RADIUS: f32 = 2.0 * MAX_LENGTH;
 
-/// Returns a radius, or 0 if it is NaN or out of range.
 fn valid_radius(radius: f32) -> f32 {
     if (0.0..MAX_RADIUS).contains(&radius) {
         radius
@@ -250,7 +231,6 @@ fn valid_radius(radius: f32) -> f32 {
     }
 }
 
-/// Returns the smallest and largest coordinates of the centres.
 fn extent(balls: &[Ball]) -> [Vec3A; 2] {
     let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
     for ball in balls {
@@ -273,8 +253,7 @@ fn sort(balls: &mut [Ball]) {
     sort(rest);
 }
 
-/// Partitions balls along an axis: the first `middle` are at most as far along it as the rest (Hoare: Algorithm 65, Find,
-/// Communications of the ACM, 1961).
+/// Partitions balls at `middle` along an axis (Hoare: Algorithm 65, Find, Communications of the ACM, 1961).
 fn partition(balls: &mut [Ball], middle: usize, axis: usize) {
     let coordinate = |ball: &Ball| ball.centre.as_ref()[axis];
     let (mut first, mut end) = (0, balls.len());
@@ -321,7 +300,6 @@ impl BvhNode {
         thin2: 0.0,
     };
 
-    /// Sets the fields of a block's node.
     fn set_block(&mut self, block: &Block) {
         self.is_block = true;
         let (axis, radius2) = block::bounding_cylinder(block);
@@ -329,12 +307,10 @@ impl BvhNode {
         self.thin2 = radius2 * (1.0 + 2.0 * BOUND);
     }
 
-    /// Returns the group of a solid's or a light's node.
     pub fn group(&self) -> usize {
         self.groups.trailing_zeros() as usize
     }
 
-    /// Returns the number of nodes to advance by.
     pub fn step(&self, is_met: bool) -> usize {
         if is_met { 1 } else { self.skip as usize }
     }

@@ -1,5 +1,3 @@
-//! Memory on the heap.
-
 use super::memory::Memory;
 use core::borrow::{Borrow, BorrowMut};
 use std::boxed::Box;
@@ -9,10 +7,9 @@ use std::vec;
 pub struct BoxedMemory(Box<[Memory]>);
 
 impl BoxedMemory {
-    /// Allocates empty memory.
+    /// Allocates empty memory. `Box::new` would copy it from the stack in unoptimised programs.
     #[must_use]
     pub fn new() -> Self {
-        // Unoptimised, `Box::new` and `Box::default` copy a value from the stack. This macro writes a constant in place.
         Self(vec![const { Memory::new() }].into_boxed_slice())
     }
 }

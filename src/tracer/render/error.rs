@@ -1,5 +1,3 @@
-//! The errors of rendering.
-
 use crate::range_error::RangeError;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::fmt;
@@ -10,16 +8,16 @@ use core::fmt;
 pub enum Error {
     /// A side of the frame is 0, or above [`MAX_WIDTH`] or [`MAX_HEIGHT`].
     Size {
-        /// The frame's width, in pixels.
+        /// In pixels.
         width: usize,
-        /// The frame's height, in pixels.
+        /// In pixels.
         height: usize,
     },
     /// The stride is below the width.
     Stride {
-        /// The frame's width, in pixels.
+        /// In pixels.
         width: usize,
-        /// The frame's stride, in pixels.
+        /// In pixels.
         stride: usize,
     },
     /// There are fewer pixels than the size needs.

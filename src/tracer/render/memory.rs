@@ -1,4 +1,4 @@
-//! The memory that threads share while they render a frame, and the frame's phases.
+//! The shared memory and the phases of a frame.
 
 use super::schedule::Schedule;
 use super::threads::Threads;
@@ -23,9 +23,7 @@ pub struct Memory {
     coverage: Coverage,
     seams: Seams,
     rough: Rough,
-    /// The order of bands while drawing.
     drawing: Schedule,
-    /// The order of bands while smoothing edges.
     smoothing: Schedule,
 }
 
@@ -49,7 +47,7 @@ impl Memory {
         }
     }
 
-    /// Renders a frame without an observer. Not generic, so it is compiled in this crate, once.
+    /// Not generic, so it is compiled in this crate, once.
     pub(super) fn render(
         &mut self,
         plan: &FramePlan,
@@ -60,7 +58,6 @@ impl Memory {
         self.render_observed(plan, scene, frame, threads, ())
     }
 
-    /// Renders a frame with an observer.
     pub(super) fn render_observed<O: Observer>(
         &mut self,
         plan: &FramePlan,
@@ -88,7 +85,7 @@ impl Memory {
             }
         };
         let mut counts = self.drawing.run(picture, &job, threads);
-        // Smoothing reads the rows of neighbouring bands, so all bands are drawn before.
+        // Smoothing reads the neighbouring bands.
         if has_edges {
             self.seams.set(picture, plan.finished);
             let seams = &self.seams;

@@ -7,7 +7,7 @@ use crate::picture::{Band, MAX_BANDS, TILE_HEIGHT};
 /// Sorts bands by their rays in the previous frame, most first: the last bands are short, and threads finish at about the same
 /// time.
 pub(super) struct Schedule {
-    /// The rays of each band in the previous frame, from the top.
+    /// In the previous frame, from the top.
     rays: [u64; MAX_BANDS],
 }
 
@@ -19,7 +19,7 @@ impl Schedule {
         }
     }
 
-    /// Runs a job on each band of a picture, and returns the sum of their counts.
+    /// Runs a job on each band, and returns the sum of their counts.
     pub fn run(
         &mut self,
         picture: &mut Band<'_>,
@@ -59,7 +59,6 @@ mod tests {
     use crate::refine::Worker;
     use std::prelude::v1::*;
 
-    /// Records the tops of the bands in drawing order.
     struct Tops(Vec<usize>);
 
     impl Threads for Tops {

@@ -1,4 +1,4 @@
-//! Threads of the standard library that are started for each frame.
+//! Threads that are started for each frame.
 
 use super::threads::{Job, Threads};
 use crate::picture::Band;
@@ -44,7 +44,7 @@ impl ScopedThreads {
         }
     }
 
-    /// Returns the number of threads, the caller's included.
+    /// Returns the number of threads.
     #[must_use]
     pub fn count(&self) -> usize {
         self.workers.len()

@@ -1,5 +1,3 @@
-//! The threads that draw the bands of a frame.
-
 use crate::picture::Band;
 use crate::refine::Worker;
 
@@ -19,7 +17,7 @@ pub trait Threads {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>);
 }
 
-/// Draws all bands on the caller's thread.
+/// Draws on the caller's thread.
 impl Threads for Worker {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
         for band in bands {
@@ -37,7 +35,6 @@ mod tests {
     use crate::{Frame, Level, Memory, Quality, Renderer};
     use std::prelude::v1::*;
 
-    /// The caller's thread, with a count of calls.
     struct Counting(Box<Worker>, usize);
 
     impl Threads for Counting {

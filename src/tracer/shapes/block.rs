@@ -1,4 +1,4 @@
-//! The code that boxes, cylinders and capsules share: it transforms rays and points to the block's own axes.
+//! Blocks: rays and points are transformed to a block's own axes.
 
 use super::sphere::Chord;
 use super::{TexturePoint, capsule, cuboid, cylinder};
@@ -7,10 +7,9 @@ use crate::rounding;
 use crate::scene::{Block, Shape};
 use glam::{Mat3, Vec3A};
 
-/// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
+/// Added to directions along a block's axes, to avoid divisions by 0.
 const TINY: f32 = 1e-12;
 
-/// Returns a vector's components along three axes.
 #[inline(always)]
 fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {
@@ -22,7 +21,7 @@ fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
 
 /// Returns the distances at which rays hit a block, infinite for misses, and the mask of rays that start inside.
 ///
-/// Rays of the mask `inward` start on the surface and go inside: they hit the far side, whatever the rounding of their origin.
+/// Rays of the mask `inward` start on the surface and hit the far side, whatever the rounding of their origin.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,
@@ -62,7 +61,6 @@ fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>)
     (face, farthest)
 }
 
-/// Points on the surface of a block, one per ray.
 pub(crate) struct BlockHit<S: Isa> {
     /// Relative to the centre, in scene coordinates.
     pub out: Vec3x<S>,
@@ -71,7 +69,7 @@ pub(crate) struct BlockHit<S: Isa> {
 }
 
 impl<S: Isa> BlockHit<S> {
-    /// Projects points near the surface to the nearest face. `out` is relative to the centre.
+    /// Projects points near the surface to the nearest face.
     #[inline(always)]
     pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
         let own = along(simd, &block.axes, &out);
@@ -91,12 +89,11 @@ impl<S: Isa> BlockHit<S> {
     }
 }
 
-/// Returns the offset from the surface at which secondary rays start, in scene units, see [`rounding::BLOCK_HIT`].
+/// Returns the offset of secondary rays from the surface, see [`rounding::BLOCK_HIT`].
 pub(crate) fn hit_error(block: &Block) -> f32 {
     rounding::BLOCK_HIT * (Vec3A::from(block.centre).abs() + Vec3A::from(block.half)).element_sum()
 }
 
-/// Returns the radius of the bounding sphere, enlarged for rounding.
 pub(crate) fn bounding_radius(block: &Block) -> f32 {
     Vec3A::from(block.half).length() * (1.0 + rounding::BLOCK_BOUND)
 }

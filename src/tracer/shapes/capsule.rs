@@ -1,5 +1,4 @@
-//! The capsule along y, in the block's own coordinates: all points within the radius of its core, which is the part of the axis
-//! between the centres of both ends.
+//! The capsule along y: all points within the radius of its core, the part of the axis between the centres of both ends.
 
 use super::cuboid::Span;
 use super::cylinder;
@@ -7,10 +6,9 @@ use crate::lanes::*;
 use glam::Vec3;
 
 /// Returns the intervals of rays inside the capsule. For a ray that starts outside, both ends are the entry; for one that starts
-/// inside, as those of the mask `inward` do, they are 0 and the exit.
+/// inside, or is in the mask `inward`, they are 0 and the exit.
 ///
-/// The sphere around the point of the core nearest to the ray's crossing of the infinite cylinder touches the surface there from
-/// inside.
+/// The surface where a ray crosses the infinite cylinder is that of a sphere around the nearest point of the core.
 #[inline(always)]
 pub(super) fn span<S: Isa>(
     simd: S,
@@ -42,7 +40,7 @@ pub(super) fn span<S: Isa>(
     }
 }
 
-/// Returns the heights of the points of the core that are nearest to points at the heights `y`.
+/// Returns the heights of the nearest points of the core.
 #[inline(always)]
 fn nearest<S: Isa>(simd: S, half: Vec3, y: F<S>) -> F<S> {
     let end = half.y - half.x;
@@ -56,7 +54,6 @@ pub(super) fn outward<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> (Vec3x<S>, F
     (way, way.dot(way).sqrt() * (1.0 / half.x))
 }
 
-/// Returns the vectors from the core to points.
 #[inline(always)]
 fn from_core<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {

@@ -1,20 +1,18 @@
-//! The box, in the block's own coordinates: relative to its centre, along its own axes.
+//! The box, along the block's own axes.
 
 use crate::lanes::*;
 use glam::Vec3;
 
 /// The intervals of rays inside a convex shape.
 pub(super) struct Span<S: Isa> {
-    /// The distance at which a ray enters. A ray that misses has `near` above `far`, or a false `is_met`.
+    /// The distance at which a ray enters; above `far` for some rays that miss.
     pub near: F<S>,
-    /// The distance at which it leaves.
     pub far: F<S>,
     pub is_met: M<S>,
 }
 
 impl<S: Isa> Span<S> {
-    /// Returns the intervals in the slab within `half` of the centre along one axis. `o` and `d` are the components of the rays'
-    /// origins and directions along that axis.
+    /// Returns the intervals within `half` of the centre along one axis. `o` and `d` are the rays' components along it.
     #[inline(always)]
     pub fn slab(simd: S, o: F<S>, d: F<S>, half: f32) -> Self {
         let middle = -o / d;
@@ -26,7 +24,6 @@ impl<S: Isa> Span<S> {
         }
     }
 
-    /// Returns the intersection of two intervals.
     #[inline(always)]
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -37,7 +34,7 @@ impl<S: Isa> Span<S> {
     }
 }
 
-/// Returns the intersection of the rays with all three slabs (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
+/// Intersects all three slabs (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
 #[inline(always)]
 pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let upright = Span::slab(simd, o.y, d.y, half.y);
@@ -46,7 +43,7 @@ pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> S
         .and(Span::slab(simd, o.z, d.z, half.z))
 }
 
-/// Returns the distance of points along each axis, where the faces are at -1 and 1. The largest is the face that the point is on.
+/// Returns the distance of points along each axis, where the faces are at -1 and 1.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
     Vec3x {

@@ -1,23 +1,22 @@
-//! The cylinder with flat ends along y, in the block's own coordinates.
+//! The cylinder with flat ends, along the block's own y axis.
 
 use super::cuboid::Span;
 use crate::lanes::*;
 use glam::Vec3;
 
-/// Returns the intervals of rays inside the cylinder.
 #[inline(always)]
 pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     Span::slab(simd, o.y, d.y, half.y).and(endless(simd, half.x, o, d))
 }
 
-/// Returns the intervals of rays inside an infinite cylinder along y.
+/// Returns the intervals of rays inside an infinite cylinder.
 #[inline(always)]
 pub(super) fn endless<S: Isa>(simd: S, radius: f32, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let zero = splat(simd, 0.0);
     let a: F<S> = d.x * d.x + d.z * d.z;
     let b: F<S> = d.x * o.x + d.z * o.z;
     let middle = -b / a;
-    // The squared half chord, from the perpendicular to the axis, which loses no digits far away.
+    // The perpendicular to the axis loses no digits far away.
     let x: F<S> = o.x + d.x * middle;
     let z: F<S> = o.z + d.z * middle;
     let off2: F<S> = x * x + z * z;
@@ -30,7 +29,7 @@ pub(super) fn endless<S: Isa>(simd: S, radius: f32, o: &Vec3x<S>, d: &Vec3x<S>) 
     }
 }
 
-/// Returns the distance of points along each axis, where the faces are at -1 and 1; the round face is along both x and z.
+/// Returns the distance of points along each axis, where the faces are at -1 and 1.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
     let round = (p.x * p.x + p.z * p.z).sqrt();

@@ -1,5 +1,3 @@
-//! The plane: a horizontal rectangle, in scene coordinates.
-
 use super::TexturePoint;
 use crate::lanes::*;
 use crate::scene::Plane;
@@ -7,8 +5,8 @@ use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// Returns the distance of a direction inside each of the four planes through the eye and an edge.
 ///
-/// A ray d meets the plane at `eye + d h / q`, where q is the rate at which it approaches, -d.y or d.y. The hit is inside an edge
-/// at the distance `reach` along x if `reach q - h d.x >= 0`. Results are scaled below 1, so that one rounding margin fits all.
+/// A ray d meets the plane at `eye + d h / q`, where q is the rate at which it approaches, -d.y or d.y. It is inside an edge at the
+/// distance `reach` along x if `reach q - h d.x >= 0`. Results are below 1, so that one rounding margin fits all.
 pub(crate) fn sides(plane: &Plane, eye: Vec3A, d: Vec3A) -> Vec4 {
     let from = eye - Vec3A::from(plane.centre);
     let reach = Vec4::new(plane.half_x, plane.half_x, plane.half_z, plane.half_z)
@@ -30,7 +28,7 @@ pub(crate) fn hit<S: Isa>(
     limit: F<S>,
 ) -> (M<S>, F<S>) {
     let [x, y, z] = plane.centre.to_array();
-    // For rays parallel to the plane this is infinite or NaN, and the comparisons below fail.
+    // Infinite or NaN for rays parallel to the plane: the comparisons below fail.
     let t = (splat(simd, y) - o.y) / d.y;
     let across = t.mul_add(d.x, o.x - x).abs();
     let along = t.mul_add(d.z, o.z - z).abs();
@@ -42,13 +40,13 @@ pub(crate) fn hit<S: Isa>(
     (hit, t)
 }
 
-/// Returns the distances at which lines meet the height of a plane. `from` is relative to its centre.
+/// Returns the distances at which lines from `from`, relative to the centre, meet the height of a plane.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(from: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
     -from.y / d.y
 }
 
-/// Returns the texture points on a plane, at height 0. `out` is relative to its centre.
+/// Returns the texture points of hits, `out` relative to the centre, at height 0.
 #[inline(always)]
 pub(crate) fn texture_point<S: Isa>(simd: S, out: Vec3x<S>) -> TexturePoint<S> {
     TexturePoint {

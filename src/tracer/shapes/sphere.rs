@@ -1,26 +1,21 @@
-//! The sphere, in scene coordinates.
-
 use super::TexturePoint;
 use crate::lanes::*;
 use crate::rounding;
 use crate::scene::Sphere;
 use glam::Vec3A;
 
-/// The chords in which the lines of rays cut a sphere.
 pub(crate) struct Chord<S: Isa> {
-    /// The vector from the ray's origin to the sphere's centre.
     f: Vec3x<S>,
-    /// The distance from the ray's origin to the middle of the chord, negative behind the origin.
+    /// The distance along the ray to the middle of the chord.
     pub t_mid: F<S>,
-    /// The perpendicular, from the centre to the middle of the chord.
+    /// The vector from the centre to the middle of the chord.
     pub l: Vec3x<S>,
-    /// The squared length of `l`.
     pub l2: F<S>,
 }
 
 impl<S: Isa> Chord<S> {
-    /// Computes the chords from the perpendicular from the centre to the ray, which loses no digits when the sphere is small and
-    /// far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
+    /// Uses the perpendicular from the centre to the ray, which loses no digits when the sphere is small and far away (Haines,
+    /// Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
     pub fn new(simd: S, centre: Vec3A, o: Vec3x<S>, d: Vec3x<S>) -> Self {
         let f = Vec3x::splat(simd, centre) - o;
@@ -34,8 +29,7 @@ impl<S: Isa> Chord<S> {
     ///
     /// Without FMA the product `d t_mid`, as long as the distance to the sphere, is rounded before most of it cancels. Both factors
     /// are split into halves of 12 bits with exact products (Dekker: A Floating-Point Technique for Extending the Available
-    /// Precision, Numerische Mathematik 18, 1971). Only the last product is rounded, which is smaller by 2^12. Most rays clearly
-    /// miss most spheres, so call this only for spheres that [may be ahead](Chord::may_be_ahead).
+    /// Precision, Numerische Mathematik 18, 1971). Only the last product is rounded, which is smaller by 2^12.
     #[inline(always)]
     pub fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -57,8 +51,8 @@ impl<S: Isa> Chord<S> {
         Self { l, l2, ..self }
     }
 
-    /// Returns a conservative mask of the rays that hit the sphere. It includes near misses and rays that start on the sphere and
-    /// leave it. `cull2` is the squared radius, enlarged by a thousandth or more.
+    /// Returns a conservative mask of the rays that hit the sphere. `cull2` is the squared radius, enlarged by a thousandth or
+    /// more.
     #[inline(always)]
     pub fn may_be_ahead(&self, cull2: f32) -> M<S> {
         let simd = self.t_mid.token();
@@ -74,9 +68,8 @@ impl<S: Isa> Chord<S> {
 
     /// Returns the nearest end of the chord that is ahead and nearer than `limit`.
     ///
-    /// Rounding moves the origin of a ray that starts on the sphere slightly inside or outside. An origin within `hit_error` of the
-    /// sphere counts as on it: outward the ray misses, inward it hits the far side. `r2` is the squared radius, and `r2_error` its
-    /// change if the radius changes by `hit_error`.
+    /// An origin within `hit_error` of the sphere counts as on it: outward the ray misses, inward it hits the far side. `r2` is the
+    /// squared radius, and `r2_error` its change if the radius changes by `hit_error`.
     #[inline(always)]
     pub fn entry(
         &self,
@@ -88,7 +81,7 @@ impl<S: Isa> Chord<S> {
     ) -> (M<S>, F<S>) {
         let simd = self.t_mid.token();
         let r2_error = splat(simd, r2_error);
-        // The squared half chord. For rays that miss the sphere it is negative, its root is NaN, and all comparisons fail.
+        // For rays that miss the sphere it is negative, its root is NaN, and all comparisons fail.
         let discriminant = splat::<S>(simd, r2) - self.l2;
         // The squared distance of the origin from the centre, minus the squared radius.
         let start = self.t_mid.mul_add(self.t_mid, -discriminant);
@@ -103,14 +96,13 @@ impl<S: Isa> Chord<S> {
     }
 }
 
-/// Returns the upper 12 bits of each mantissa.
 #[inline(always)]
 fn upper_half<S: Isa>(c: F<S>) -> F<S> {
     (c.bitcast::<U<S>>() & 0xffff_f000).bitcast()
 }
 
 /// Returns the distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`. `length2` is the squared
-/// length of `d`; `from` is the origin relative to the centre.
+/// length of `d`; `from` is relative to the centre.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,
@@ -148,7 +140,7 @@ pub(crate) fn deepest<S: Isa>(
     (a, -off.dot(off).sqrt() + (sphere.radius - error))
 }
 
-/// Returns the texture points on a sphere. `out` is relative to its centre.
+/// Returns the texture points of hits, `out` relative to the centre.
 #[inline(always)]
 pub(crate) fn texture_point<S: Isa>(simd: S, sphere: &Sphere, out: Vec3x<S>) -> TexturePoint<S> {
     TexturePoint {

@@ -9,7 +9,6 @@ use crate::prepare::Film;
 use fearless_simd::{f32x4, i32x4};
 use glam::Vec3A;
 
-/// The index of the key in a [`Sum`].
 const KEY: usize = 3;
 
 /// The light of a point on a patterned surface: its colour is `rest + reflectance * untextured`, where the pattern gives the
@@ -57,7 +56,7 @@ impl Accumulator {
         share.is_sign_negative()
     }
 
-    /// Returns the layers of point `i`, which shows an object with a pattern.
+    /// Returns the layers of point `i`, which must show a pattern.
     pub fn layers(&self, i: usize) -> Layers {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
@@ -66,7 +65,6 @@ impl Accumulator {
         [a, b, c, 0.0, blue, green, red, 0.0]
     }
 
-    /// Converts the sums to samples.
     #[inline(always)]
     pub(super) fn finish(&mut self, film: &Film, queue: &Queue) {
         let simd = baseline();
@@ -82,13 +80,13 @@ impl Accumulator {
         }
     }
 
-    /// Stores the objects that a packet of primary rays hit. `first` is the index of its first point.
+    /// Stores the objects that a packet of primary rays hit.
     #[inline(always)]
     pub(super) fn keep_objects<S: Isa>(&mut self, first: usize, objects: U<S>) {
         objects.store_slice(&mut self.objects[packet::<S>(first)]);
     }
 
-    /// Adds a packet's contribution to the sums of its points. Primary rays, whose first point is `first`, start these sums.
+    /// Adds a packet's contribution to the sums of its points. Primary rays, from point `first` on, start these sums.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,
@@ -139,7 +137,6 @@ impl Accumulator {
     }
 }
 
-/// Returns a sum's blue, green and red in output steps.
 fn steps(sum: &Sum) -> Vec3A {
     let [blue, green, red, _] = sum.map(|sum| sum as f32);
     Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32)
@@ -158,13 +155,10 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution, as a multiple of full brightness.
-///
-/// Contributions are not negative, so the excess over 1 is invisible. With this limit the sum over the 255 nodes of the deepest ray
-/// tree does not overflow.
+/// The upper limit of a ray's contribution, as a multiple of full brightness: with it the sum over the 255 nodes of the deepest ray
+/// tree does not overflow. Contributions are not negative, so the excess over 1 is invisible.
 const BRIGHTEST: f32 = 2.0;
 
-/// The contributions of a packet's hits to their points.
 pub(super) struct Contribution<S: Isa> {
     pub colour: Vec3x<S>,
     pub key: U<S>,
@@ -174,7 +168,7 @@ pub(super) struct Contribution<S: Isa> {
 }
 
 impl<S: Isa> Contribution<S> {
-    /// Stores blue, green and red in fixed point and the key, point by point.
+    /// Stores blue, green, red and the key, point by point.
     #[inline(always)]
     pub fn store(&self, simd: S, sums: &mut [i32]) {
         let Vec3x { x, y, z } = self.colour;
@@ -182,7 +176,7 @@ impl<S: Isa> Contribution<S> {
         store_transposed([blue, green, red, self.key.bitcast()], sums);
     }
 
-    /// Stores the untextured blue, green and red in output steps and the reflectance, point by point.
+    /// Stores the layers, point by point, in output steps.
     #[inline(always)]
     pub fn store_layers(&self, layers: &mut [f32]) {
         let Vec3x { x, y, z } = self.untextured;
@@ -190,7 +184,6 @@ impl<S: Isa> Contribution<S> {
     }
 }
 
-/// Converts to fixed point, rounded to nearest.
 #[inline(always)]
 fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
     let c = clamp::<S>(c, splat(simd, 0.0), splat(simd, BRIGHTEST));
@@ -199,7 +192,6 @@ fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
         .to_int()
 }
 
-/// Stores the transposed matrix: the first lane's four numbers, then the second's, and so on.
 #[inline(always)]
 fn store_transposed<S: Isa, V: SimdBase<S>>([a, b, c, d]: [V; 4], numbers: &mut [V::Element]) {
     let (ac0, ac1) = a.interleave(c);

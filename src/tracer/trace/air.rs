@@ -10,9 +10,7 @@ use glam::Vec3A;
 /// shows; within a scene it is invisible.
 const BACKGROUND_HAZE: f32 = 1e-20;
 
-/// The haze along a packet's rays.
 pub(super) struct AirLanes<S: Isa> {
-    /// The background in the rays' directions.
     sky: Vec3x<S>,
     /// The weight of the surfaces' light, 0 to 1.
     pub transmittance: F<S>,
@@ -45,7 +43,6 @@ impl<S: Isa> AirLanes<S> {
         })
     }
 
-    /// Returns the colour of a surface behind the haze.
     #[inline(always)]
     pub fn veil(&self, colour: Vec3x<S>) -> Vec3x<S> {
         self.sky.add_scaled(colour - self.sky, self.transmittance)

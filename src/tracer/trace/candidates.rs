@@ -4,16 +4,14 @@ use crate::lanes::*;
 use crate::prepare::ObjectId;
 use crate::scene::{List, MAX_SOLIDS};
 
-/// A solid that some rays of a packet may hit. The exact test is ignored in the other lanes, so that a ray's hit does not depend on
-/// its packet.
+/// A solid that needs an exact test in some lanes. The other lanes ignore it, so that a ray's hit does not depend on its packet.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Candidate {
     pub object: ObjectId,
-    /// A bit for each lane whose ray may hit the solid.
     lanes: u16,
 }
 
-/// The candidates of a packet. Each solid is one node of the tree, so it occurs at most once.
+/// Each solid occurs at most once.
 pub(crate) type Candidates = List<Candidate, MAX_SOLIDS>;
 
 impl Candidate {
@@ -28,7 +26,6 @@ impl Candidate {
         Self { object, lanes }
     }
 
-    /// Returns the lanes whose rays may hit the solid.
     #[inline(always)]
     pub fn lanes<S: Isa>(self, simd: S) -> M<S> {
         M::<S>::from_bitmask(simd, u64::from(self.lanes))
@@ -37,13 +34,12 @@ impl Candidate {
 
 /// The solids that may be between a packet's points and a light.
 pub(super) struct Occluders {
-    /// The indices of the shadow cones that the packet meets, in the light's list.
+    /// The indices of the shadow cones that the packet meets.
     pub(super) cones: [u16; CONES],
-    /// The solids of these cones that need an exact test.
     pub solids: Candidates,
 }
 
-/// The capacity: a power of two, so that one instruction bounds an index.
+/// A power of two, so that one instruction bounds an index.
 pub(super) const CONES: usize = MAX_SOLIDS.next_power_of_two();
 
 impl Occluders {

@@ -1,4 +1,4 @@
-//! The nearest hits of a packet. Blocks are tested after the tree has been traversed.
+//! The nearest hits of packets.
 
 use super::candidates::{Candidate, Candidates};
 use super::rays::{Rays, departing};
@@ -7,15 +7,12 @@ use crate::prepare::{GroupSet, Object, ObjectId, World};
 use crate::shapes::sphere::Chord;
 use crate::shapes::{block, plane};
 
-/// The distance of a miss.
 const NO_HIT: f32 = 1e30;
 
-/// The nearest hit of each ray.
 #[derive(Clone, Copy)]
 pub(crate) struct Hit<S: Isa> {
-    /// The distance, in lengths of the ray's direction.
+    /// In lengths of the ray's direction.
     pub t: F<S>,
-    /// The object, as [`ObjectId::lane`].
     pub object: U<S>,
     /// The rays that start inside a block and hit it.
     pub within_block: M<S>,

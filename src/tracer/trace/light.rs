@@ -11,7 +11,6 @@ use crate::lanes::*;
 use crate::prepare::Parameter;
 use glam::Vec3A;
 
-/// The light that surfaces reflect along the rays.
 pub(super) struct Reflected<S: Isa> {
     /// Ambient and diffuse light, before the texture is applied.
     pub untextured: Vec3x<S>,

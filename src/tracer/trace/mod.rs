@@ -50,18 +50,17 @@ use queue::Queue;
 use stack::RayStack;
 use surface::SurfaceRows;
 
-/// The working memory of a kernel: points, their results, and the secondary rays.
+/// The working memory of a kernel.
 pub(crate) struct Batch {
     pub points: Queue,
     pub results: Accumulator,
     /// The work since the last reset.
     pub counts: Counts,
     stack: RayStack,
-    /// The blocks that the current packet may hit, for an exact test.
+    /// The blocks that the current packet may hit.
     blocks: Candidates,
     /// The occluders of the current packet and light.
     occluders: Occluders,
-    /// The surfaces that packets hit.
     surfaces: SurfaceRows,
 }
 
@@ -91,7 +90,6 @@ impl Batch {
     }
 }
 
-/// The inputs of a kernel.
 #[derive(Clone, Copy)]
 pub(crate) struct Tracer<'a, I> {
     /// A [`Level`], or the instruction set that a kernel is compiled for.
@@ -100,7 +98,7 @@ pub(crate) struct Tracer<'a, I> {
     pub quality: &'a Quality,
 }
 
-/// Traces a batch's points with all their rays. Primary rays and their reflections in the first plane only meet the groups `seen`.
+/// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `seen`.
 pub(crate) type Kernel = fn(&Tracer<'_, Level>, VisibleGroups, &mut Batch);
 
 /// The kernels for AVX-512, AVX2 and the baseline. The linker drops the AVX-512 kernel if a program never refers to this function.
@@ -117,7 +115,6 @@ pub(crate) fn trace_narrow(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batc
 }
 
 impl<'a> Tracer<'a, Level> {
-    /// Returns the inputs for the instruction set of a kernel.
     #[inline(always)]
     fn by<S: Isa>(&self, isa: S) -> Tracer<'a, S> {
         let &Self { world, quality, .. } = self;

@@ -1,5 +1,3 @@
-//! Shading points, in scene coordinates.
-
 use super::intersect::Hit;
 use super::rays::{INWARD, Rays, departure};
 use super::surface::{SurfaceLanes, object_at};
@@ -10,14 +8,12 @@ use crate::shapes::TexturePoint;
 use crate::shapes::block::{self, BlockHit};
 use glam::Mat3;
 
-/// The points that a packet hits.
 pub(super) struct ShadingPoint<S: Isa> {
     pub p: Vec3x<S>,
-    /// The normal, of length 1, towards the ray.
+    /// Of length 1, towards the ray.
     pub n: Vec3x<S>,
     /// The dot product of the ray's direction and the normal, at most 0.
     pub dn: F<S>,
-    /// The direction of the reflected ray.
     pub r: Vec3x<S>,
     /// The distance of `p` from a block's surface, on the ray's side; 0 for other objects.
     pub hit_error: F<S>,
@@ -25,7 +21,6 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub departure: U<S>,
     /// The direction of the grooves, of length 1; undefined where `anisotropy` is 0.
     pub groove: Vec3x<S>,
-    /// See [`crate::scene::Material::anisotropy`].
     pub anisotropy: F<S>,
     /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
     pub reflectance: F<S>,
@@ -34,9 +29,7 @@ pub(super) struct ShadingPoint<S: Isa> {
     /// It is above 0 inside a sphere, whose far side blocks all lights beyond it: the chord towards a light has the length of twice
     /// the cosine times the radius.
     pub horizon: F<S>,
-    /// Whether the ray comes from inside the object.
     pub inside: M<S>,
-    /// The lanes that lights illuminate.
     pub solid: M<S>,
 }
 

@@ -1,16 +1,13 @@
-//! Packets of rays.
-
 use super::queue::BATCH;
 use crate::lanes::*;
 use crate::prepare::{MAX_OBJECTS, ObjectId, World};
 use crate::quality::Quality;
 
-/// A packet of rays, one per lane, in scene coordinates.
+/// A packet of rays, one per lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Rays<S: Isa> {
-    /// The origins.
     pub o: Vec3x<S>,
-    /// The directions, of length 1.
+    /// Of length 1.
     pub d: Vec3x<S>,
     /// The products of the coefficients along the rays' paths.
     pub weight: F<S>,
@@ -20,24 +17,23 @@ pub(crate) struct Rays<S: Isa> {
     pub slot_path: U<S>,
 }
 
-/// The mark of reflections of primary rays in the first plane.
+/// Marks reflections of primary rays in the first plane.
 const MIRRORED: u32 = 1 << 31;
 
-/// The lowest bit of a departure.
 const DEPARTURE: u32 = PATH_BITS + BATCH.trailing_zeros();
 
-/// The bit of a departure that marks rays into the object.
+/// Marks departures into the object.
 pub(super) const INWARD: u32 = 1 << 30;
 
 const _: () = assert!(MAX_OBJECTS < 1 << (30 - DEPARTURE));
 
-/// Returns the departures of rays that start on the surfaces of `objects` and go outward. Add [`INWARD`] for rays that go inside.
+/// Returns the departures of rays that leave `objects` outward. Add [`INWARD`] for rays that go inside.
 #[inline(always)]
 pub(super) fn departure<S: Isa>(objects: U<S>) -> U<S> {
     (objects + 1) << DEPARTURE
 }
 
-/// Returns the masks of rays that leave an object outward, and inward.
+/// Returns the rays that leave an object outward, and inward.
 #[inline(always)]
 pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> [M<S>; 2] {
     let departures = departures & !(MIRRORED | ((1 << DEPARTURE) - 1));
@@ -79,7 +75,6 @@ impl<S: Isa> Rays<S> {
         mirrored.to_vector().bitcast::<U<S>>() & MIRRORED
     }
 
-    /// Returns the rays with this mark.
     #[inline(always)]
     pub fn mirrored(&self, simd: S) -> M<S> {
         self.slot_path
@@ -88,14 +83,13 @@ impl<S: Isa> Rays<S> {
     }
 }
 
-/// Returns the directions, of length 1, from the eye to points of the picture.
 #[inline(always)]
 pub(super) fn primary_directions<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: F<S>) -> Vec3x<S> {
     let d = to_picture(simd, world, x, y);
     d.scaled(splat(simd, 1.0) / d.dot(d).sqrt())
 }
 
-/// Returns the vectors from the eye to points of the picture, which is at distance 1.
+/// Returns the vectors from the eye to points of the picture, at distance 1.
 #[inline(always)]
 pub(super) fn to_picture<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: F<S>) -> Vec3x<S> {
     let raster = &world.raster;

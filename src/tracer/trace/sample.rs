@@ -1,19 +1,16 @@
-//! The stored results of traced points.
+//! Samples: the results of traced points.
 
 use crate::lanes::*;
 use crate::prepare::ObjectId;
 use fearless_simd::{i16x8, i32x4, u64x2};
 
-/// The fractional bits of a sum of output steps.
-///
-/// In 1/16384 of a step, a colour half-way between two output steps stays exact, and the rounding errors of a ray tree add up to
-/// less than 1/100 of a step.
+/// The fractional bits of a sum of output steps: a colour half-way between two steps stays exact, and the rounding errors of a ray
+/// tree add up to less than 1/100 of a step.
 pub(super) const STEP_BITS: i32 = 14;
 
-/// Full brightness as a sum.
 pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 
-/// Blue, green and red, in the order of a pixel's bytes, and the key.
+/// Blue, green, red, and the key.
 pub(super) type Sum = [i32; 4];
 
 /// A traced point's colour and object. Blue, green and red have 16 bits each, from the low bits up, in 128ths of an output step.
@@ -22,17 +19,14 @@ pub(super) type Sum = [i32; 4];
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
-/// The fractional bits of a sample's channel.
 const SAMPLE_BITS: i32 = 7;
 
-/// One output step in a sample's unit.
+/// One output step.
 pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 
-/// The lowest bit of the object's number.
 const OBJECT: u32 = 48;
 
 impl Sample {
-    /// The bits of the colour.
     pub const COLOUR: u64 = (1 << OBJECT) - 1;
 
     /// The bit for a pattern that is finer than squares.
@@ -50,7 +44,6 @@ impl Sample {
         self.0 & Self::PATTERN != 0
     }
 
-    /// Returns the object, if it is known.
     pub fn object(self) -> Option<ObjectId> {
         self.label().checked_sub(1).map(ObjectId::new)
     }
@@ -89,7 +82,6 @@ pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum; 4]) -> [u64; 4] {
     [a, b, c, d]
 }
 
-/// Packs two samples, clamped to 0 to 255 steps.
 #[inline(always)]
 fn limited<S: Isa>(simd: S, first: i32x4<S>, second: i32x4<S>) -> [u64; 2] {
     let channels = first.saturating_narrow(second);

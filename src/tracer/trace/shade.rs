@@ -1,5 +1,3 @@
-//! Shading: the contribution of a hit to its point, and the secondary rays.
-
 use super::accumulator::Contribution;
 use super::air::{self, AirLanes};
 use super::intersect::Hit;
@@ -13,7 +11,7 @@ use super::{Batch, Tracer};
 use crate::lanes::*;
 use crate::prepare::Parameter;
 
-/// Shades the hits, pushes the secondary rays and returns the contributions.
+/// Pushes the secondary rays of hits, and returns the hits' contributions.
 #[inline(always)]
 pub(super) fn shade<S: Isa>(
     tracer: Tracer<'_, S>,

@@ -1,4 +1,4 @@
-//! Shadow rays, in scene coordinates.
+//! Shadow rays.
 
 use super::candidates::{CONES, Candidate, Occluders};
 use crate::lanes::*;
@@ -7,13 +7,12 @@ use crate::shapes::plane;
 
 #[derive(Clone, Copy)]
 pub(super) struct ShadowRays<S: Isa> {
-    /// The points.
     pub o: Vec3x<S>,
-    /// The directions to the light, of length 1.
+    /// To the light, of length 1.
     pub d: Vec3x<S>,
-    /// The distances to the light; 0 in inactive lanes.
+    /// To the light; 0 in inactive lanes.
     pub distance: F<S>,
-    /// The [departures](super::rays::departure).
+    /// See [`departure`](super::rays::departure).
     pub departure: U<S>,
 }
 
@@ -64,7 +63,6 @@ impl Occluders {
 }
 
 impl<S: Isa> ShadowRays<S> {
-    /// Returns the rays that start inside a shadow cone.
     #[inline(always)]
     fn start_inside(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let chord = self.d - Vec3x::splat(simd, cone.axis);

@@ -1,5 +1,3 @@
-//! The stack of secondary rays.
-
 use super::rays::Rays;
 use crate::lanes::*;
 
@@ -28,7 +26,6 @@ impl RayStack {
         self.len
     }
 
-    /// Pushes the rays in `mask`.
     #[inline(always)]
     pub fn push<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
         let Rays {

@@ -1,4 +1,4 @@
-//! The surfaces that a packet hits.
+//! The surfaces of a packet's hits.
 
 use crate::lanes::*;
 use crate::prepare::{
@@ -14,9 +14,7 @@ const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
 /// A thread's cache of surfaces spread over lanes. An object's surface is at its number modulo [`KEPT`].
 pub(super) struct SurfaceRows {
     kept: [SurfaceTable; KEPT],
-    /// The objects of the cached surfaces.
     objects: [Option<ObjectId>; KEPT],
-    /// The surfaces of a packet that hits several objects.
     mixed: SurfaceTable,
 }
 
@@ -32,7 +30,6 @@ impl SurfaceRows {
     }
 }
 
-/// The parameters of the surfaces that a packet hits.
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
     /// The parameters; those of any object in lanes that hit the background.
@@ -104,7 +101,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         load(self.simd, &self.table[parameter as usize])
     }
 
-    /// Returns a parameter of three components, undefined in lanes that hit the background.
+    /// Returns a vector parameter, undefined in lanes that hit the background.
     #[inline(always)]
     pub fn vector(&self, parameter: Parameter) -> Vec3x<S> {
         let [x, y, z] = [0, 1, 2].map(|i| load(self.simd, &self.table[parameter as usize + i]));
@@ -118,14 +115,12 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }
 
-    /// Returns the lanes that hit a visible light.
     #[inline(always)]
     pub fn is_light(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
         !self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }
 
-    /// Returns the emitted light, the background's included.
     #[inline(always)]
     pub fn emitted(&self) -> Vec3x<S> {
         let background = [0, 1, 2].map(|i| self.background[Parameter::Emitted as usize + i]);

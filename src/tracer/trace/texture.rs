@@ -10,7 +10,7 @@ use fearless_simd::f32x4;
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
-    /// Returns the texture points of an object. `out` is relative to its centre.
+    /// Returns the texture points of hits, `out` relative to the object's centre.
     #[inline(always)]
     pub fn on(simd: S, object: &Object<'_>, out: Vec3x<S>) -> Self {
         match object {
@@ -50,7 +50,6 @@ impl<S: Isa> TexturePoint<S> {
     }
 }
 
-/// The pattern of an object as pixels see it.
 pub(crate) struct SeenPattern<'a> {
     world: World<'a>,
     object: Object<'a>,
@@ -67,8 +66,8 @@ impl<'a> SeenPattern<'a> {
         }
     }
 
-    /// Returns the pattern's factor on the colour, 0 to 1, at four points (x, y) of the picture, in pixels. It is undefined at
-    /// points that do not show the object.
+    /// Returns the pattern's factor on the colour, 0 to 1, at four points (x, y) of the picture, in pixels; undefined at points
+    /// that show other objects.
     #[inline(always)]
     pub fn at(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let (simd, world) = (baseline(), self.world);
@@ -134,13 +133,12 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     flipped::<S>(share, sign & (1 << 31))
 }
 
-/// Returns the noise that shifts the pattern, in periods. It is constant along one oblique direction.
+/// Returns the noise along x, in periods. It is constant along one oblique direction.
 #[inline(always)]
 fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
     let mut u: F<S> = (p.z * 0.6 + p.x) * pattern.grain;
     let mut v: F<S> = (p.z * 0.8 + p.y) * pattern.grain;
     let mut sum = splat(simd, 0.0);
-    // Bounds the number of iterations for invalid scenes.
     let mut strength = pattern.warp.min(64.0);
     while strength > Pattern::LEAST_WARP {
         sum += noise::<S>(u, v) * strength;
@@ -151,7 +149,7 @@ fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
     sum
 }
 
-/// Returns value noise: random numbers from -1 to 1 at integer coordinates, interpolated smoothly.
+/// Returns smoothly interpolated random numbers from -1 to 1.
 #[inline(always)]
 fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     let (cell_u, s) = cell::<S>(u);
@@ -166,10 +164,10 @@ fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     upper + (lower - upper) * t
 }
 
-/// The addends to the hashed number for a step along each coordinate.
+/// The addends to the hash for a step along each coordinate.
 const ACROSS: u32 = 0x9e37_79b9;
 const ALONG: u32 = 0x85eb_ca6b;
-/// The addends for the corners of a cell, relative to its lower corner.
+/// The addends for the corners of a cell.
 const STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
 
 /// Returns the bits of a cell's lower corner, and the smooth step from there, 0 to 1.
@@ -180,14 +178,13 @@ fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     (cell.bitcast(), smooth_step::<S>(way))
 }
 
-/// Returns a hash of `h` as a number from -1 to 1.
 #[inline(always)]
 fn random<S: Isa>(h: U<S>) -> F<S> {
     let h = product::<S>(h ^ (h >> 15), 0x846c_a68b).bitcast::<I<S>>();
     h.to_float::<F<S>>() * (1.0 / (1u32 << 31) as f32)
 }
 
-/// Returns the lower halves of products, from full products: SSE2 has no other 32-bit multiplication.
+/// Returns the lower halves of full products: SSE2 has no other 32-bit multiplication.
 #[inline(always)]
 fn product<S: Isa>(a: U<S>, b: u32) -> U<S> {
     let (first, last) = a.widening_mul(b);

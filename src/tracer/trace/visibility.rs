@@ -1,4 +1,4 @@
-//! The part of a light that reaches points: spotlights' cones, shadows, penumbrae and coloured shadows.
+//! The part of a light that reaches points.
 
 use super::candidates::{Candidates, Occluders};
 use super::point::ShadingPoint;
@@ -11,15 +11,12 @@ use crate::scene::Sphere;
 use crate::shapes::{block, sphere};
 use glam::Vec3A;
 
-/// The light of one source at the points of a packet.
 pub(super) struct ArrivingLight<S: Isa> {
-    /// The directions to the light, of length 1.
+    /// To the light, of length 1.
     pub l: Vec3x<S>,
     /// The cosine of the angle between normal and `l`.
     pub nl: F<S>,
-    /// The points that the light reaches.
     pub lit: M<S>,
-    /// The light's colour there; undefined at other points.
     pub colour: Vec3x<S>,
 }
 
@@ -139,7 +136,6 @@ fn sphere_covers<S: Isa>(
     )
 }
 
-/// Returns a smooth step from 0 at 0 to 1 at 1.
 #[inline(always)]
 fn soft_edge<S: Isa>(simd: S, v: F<S>) -> F<S> {
     smooth_step::<S>(clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0)))

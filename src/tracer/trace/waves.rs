@@ -7,7 +7,6 @@ use crate::lanes::*;
 use crate::prepare::{PerLane, World};
 use crate::scene::Waves;
 
-/// The cosine and the sine of [`Waves::TURN`].
 const TURN: [f32; 2] = [-0.737_393_7, 0.675_463_2];
 
 impl<S: Isa> ShadingPoint<S> {
