@@ -26,7 +26,7 @@ use glam::Vec3A;
 ///
 /// In units of `u` the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5 for
 /// the ray's length, and 2.8 for the vector from the centre, its square and the discriminant when the next ray is tested against
-/// the sphere: 8.5 in total. The largest of hundreds of millions of rays was 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
+/// the sphere: 8.5 in total. The largest of hundreds of millions of rays was 5 (`sphere_is_not_hit_by_leaving_rays`).
 pub(crate) const HIT: f32 = 10.0 / (1 << 24) as f32;
 
 /// Returns the largest distance of a computed hit from its sphere, see [`HIT`].

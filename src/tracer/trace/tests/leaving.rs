@@ -1,14 +1,12 @@
-//! Surfaces of any size and position are hit where they are, and rays that leave them do not hit them again, wherever they came from
-//! (after `TestReintersectConvex` of pbrt).
+//! Rays that leave a surface of any size and position do not hit it again (after `TestReintersectConvex` of pbrt).
 
 use super::*;
 use crate::scene::{Block, Plane, Shape};
 use crate::trace::rays::INWARD;
 use glam::{Mat3, Quat, Vec3};
 
-/// The number of spheres or planes, each of which is hit once.
+/// The number of spheres or planes.
 const SHAPES: usize = 4000;
-/// The number of blocks.
 const BLOCKS: usize = 2000;
 /// The number of rays that leave each hit.
 const RAYS: usize = 1000;
@@ -18,7 +16,7 @@ struct Met {
     p: Vec3,
     /// The normal towards the ray.
     n: Vec3,
-    /// The distance from the surface within which rounding puts the point.
+    /// See [`ShadingPoint::hit_error`].
     error: f32,
     /// The departures of rays to the ray's side.
     departure: u32,
@@ -41,8 +39,7 @@ impl Met {
     }
 }
 
-/// Traces `count` rays with a departure from a point. Calls `check` with the direction of each, and with the distance if it hits the
-/// object.
+/// Traces `count` rays with a departure from a point, and calls `check` with each direction and the distance of its hit.
 #[inline(always)]
 fn each_ray<S: Isa>(
     simd: S,
@@ -64,7 +61,7 @@ fn each_ray<S: Isa>(
     }
 }
 
-/// A vector whose components are from -1 to 1.
+/// Returns a vector with components from -1 to 1.
 fn share(random: &mut Random) -> DVec3 {
     let mut part = || random.between(-1.0, 1.0);
     DVec3::new(part(), part(), part())
@@ -114,7 +111,7 @@ impl Property for Spheres {
                         assert!(t.is_none(), "{what}: {} is hit again along {way}", met.p);
                         left += 1;
                     } else if chord * chord > 64.0 * off * radius {
-                        // Not so near along the sphere that being off it matters as much as the chord.
+                        // Longer chords than rounding errors.
                         let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
                         let is_right = t.is_some_and(|t| (t - chord).abs() < most);
                         assert!(
@@ -133,7 +130,7 @@ impl Property for Spheres {
 }
 
 #[test]
-fn rays_that_leave_a_sphere_do_not_hit_it_again() {
+fn sphere_is_not_hit_by_leaving_rays() {
     for centre in [None, Some(4.0)] {
         on_every_instruction_set(&Spheres { centre });
     }
@@ -182,11 +179,10 @@ impl Property for Planes {
 }
 
 #[test]
-fn rays_that_leave_a_plane_do_not_hit_it_again() {
+fn plane_is_not_hit_by_leaving_rays() {
     on_every_instruction_set(&Planes);
 }
 
-/// A block's extent that fits its shape.
 fn fitting(shape: Shape, half: DVec3) -> Vec3 {
     let Vec3 { x, y, .. } = half.as_vec3();
     match shape {
@@ -196,7 +192,7 @@ fn fitting(shape: Shape, half: DVec3) -> Vec3 {
     }
 }
 
-/// The distance of a point from the nearest side; negative inside.
+/// Returns the distance of a point from the nearest side, negative inside.
 fn outside(block: &Block, p: Vec3) -> f64 {
     let axes = block.axes.as_dmat3();
     let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());
@@ -213,7 +209,7 @@ fn outside(block: &Block, p: Vec3) -> f64 {
     }
 }
 
-/// Blocks of sizes near each other at any place, hit from nearby; or of any sizes at the origin, hit from any distance.
+/// Compact blocks anywhere, hit from nearby; or blocks of any proportions at the origin, hit from any distance.
 struct Blocks {
     is_far: bool,
 }
@@ -226,7 +222,7 @@ impl Property for Blocks {
         let (mut left, mut crossed) = ([0; 4], 0);
         for i in 0..BLOCKS {
             let kind = i % 4;
-            // Not so thin or so far away that rounding moves a point from one side to another.
+            // Rounding must not move a point from one side to another.
             let scale = 10_f64.powf(random.between(-3.0, 3.0));
             let (decades, scale) = if self.is_far {
                 (4.0, 1.0)
@@ -288,7 +284,7 @@ impl Property for Blocks {
             let off = outside(&block, p) / f64::from(error);
             assert!((off - 1.0).abs() < 0.5, "{what}: {p} is {off} errors off");
             assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
-            // Rays that go on inside.
+            // Rays that continue inside.
             let direction = || random.direction_from(-n);
             let from = (p - 2.0 * error * n, departure | INWARD);
             each_ray(simd, world, from, RAYS / 16, direction, |way, t| {
@@ -306,37 +302,8 @@ impl Property for Blocks {
 }
 
 #[test]
-fn rays_that_leave_a_block_do_not_hit_it_again_and_none_leaks() {
+fn block_is_not_hit_by_leaving_rays_and_never_leaks() {
     for is_far in [false, true] {
         on_every_instruction_set(&Blocks { is_far });
-    }
-}
-
-#[test]
-fn round_blocks_are_their_ends_along_the_axis() {
-    struct End<'a>(World<'a>, [(f32, f32); 4]);
-    impl Property for End<'_> {
-        #[inline(always)]
-        fn hold<S: Isa>(&self, simd: S, isa: &str) {
-            for (x, t) in self.1 {
-                let rays = packet(simd, Vec3::new(x, 0.0, -3.0), &[Vec3::Z]);
-                let hit = hits(simd, self.0, &rays);
-                assert!((hit.t.as_slice()[0] - t).abs() <= 1e-5 * t, "{isa}: {x}");
-            }
-        }
-    }
-    let cylinder = [(0.0, 1.0), (0.9, 1.0), (-0.999, 1.0), (1.001, 1e30)];
-    let capsule = [(0.0, 1.0), (0.6, 1.2), (-0.8, 1.4), (1.001, 1e30)];
-    for (shape, ends) in [(Shape::Cylinder, cylinder), (Shape::Capsule, capsule)] {
-        let scene = prepared(&Scene {
-            blocks: List::of(&[Block {
-                half: Vec3::new(1.0, 2.0, 1.0),
-                axes: Mat3::from_cols(Vec3::X, Vec3::Z, Vec3::NEG_Y),
-                shape,
-                ..Block::default()
-            }]),
-            ..Scene::default()
-        });
-        on_every_instruction_set(&End(scene.world(), ends));
     }
 }

@@ -1,5 +1,4 @@
-//! Properties of the kernels, checked with many rays on every instruction set of the machine. [`crate::limits`] lists their
-//! figures.
+//! Properties of the kernels, checked with many rays on every instruction set. [`crate::limits`] has their figures.
 
 mod leaving;
 mod neighbours;
@@ -11,56 +10,42 @@ mod shadows;
 
 extern crate std;
 
-use super::candidates;
+use super::accumulator::Contribution;
 use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
 use super::rays::{Rays, primary_directions};
+use super::shade::shade;
 use super::surface::{SurfaceLanes, SurfaceRows};
+use super::{Batch, Tracer, candidates};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared, World};
+use crate::quality::Quality;
 use crate::scene::{List, Material, Scene, Sphere};
-use core::cell::RefCell;
-#[cfg(target_arch = "x86_64")]
 use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
-use std::vec::Vec;
 
-/// A property that holds on every instruction set.
+/// A property that holds on every instruction set. Implementations have to be inlined, as kernels are.
 trait Property {
-    /// Asserts the property. Implementations have to be inlined, as kernels are.
     fn hold<S: Isa>(&self, simd: S, isa: &str);
 }
 
 fn on_every_instruction_set(property: &impl Property) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        let level = Level::new();
-        if let Some(simd) = level.as_avx512() {
-            simd.vectorize(
-                #[inline(always)]
-                || property.hold(simd, "avx512"),
-            );
-        }
-        if let Some(simd) = level.as_avx2() {
-            simd.vectorize(
-                #[inline(always)]
-                || property.hold(simd, "avx2"),
-            );
-        }
+    let (level, simd) = (Level::new(), baseline());
+    by_isa!(simd: property.hold(simd, "baseline"));
+    if let Some(simd) = avx2(level) {
+        by_isa!(simd: property.hold(simd, "avx2"));
     }
-    let simd = baseline();
-    simd.vectorize(
-        #[inline(always)]
-        || property.hold(simd, "the least"),
-    );
+    if let Some(simd) = avx512(level) {
+        by_isa!(simd: property.hold(simd, "avx512"));
+    }
 }
 
-/// A generator of pseudorandom numbers with its state (Steele, Lea and Flood's SplitMix).
+/// A generator of pseudorandom numbers: SplitMix (Steele, Lea and Flood).
 struct Random(u64);
 
 impl Random {
-    /// A generator for a seed. `RAY_SEED=1 cargo test -p eightfold-tracer trace` changes all seeds; the tests have to pass with any.
+    /// Seeds a generator. The tests must pass with any `RAY_SEED`.
     fn new(seed: u64) -> Self {
         let other = std::env::var("RAY_SEED").map_or(0, |seed| seed.parse().unwrap());
         Self(seed ^ other << 32)
@@ -78,7 +63,7 @@ impl Random {
         low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A number of random sign whose logarithm to base 10 is uniformly distributed.
+    /// Returns a number of random sign whose decimal logarithm is uniform between `low` and `high`.
     fn of_magnitude(&mut self, low: f64, high: f64) -> f64 {
         let number = 10_f64.powf(self.between(low, high));
         if self.bits() & 1 == 0 {
@@ -88,13 +73,11 @@ impl Random {
         }
     }
 
-    /// A vector of such numbers.
     fn vector(&mut self, low: f64, high: f64) -> DVec3 {
         let mut number = || self.of_magnitude(low, high);
         DVec3::new(number(), number(), number())
     }
 
-    /// A uniformly distributed direction.
     fn direction(&mut self) -> DVec3 {
         loop {
             let mut number = || self.between(-1.0, 1.0);
@@ -106,19 +89,17 @@ impl Random {
         }
     }
 
-    /// A direction from a surface, on the side that its normal points to.
+    /// Returns a direction on the side of a normal.
     fn direction_from(&mut self, n: Vec3) -> Vec3 {
         let any = self.direction().as_vec3();
         if any.dot(n) < 0.0 { -any } else { any }
     }
 }
 
-/// A normalised direction in f32.
 fn unit(d: DVec3) -> Vec3 {
     d.normalize().as_vec3()
 }
 
-/// A scene with one sphere.
 fn one_sphere(centre: Vec3, radius: f32, material: Material) -> Scene {
     Scene {
         spheres: List::of(&[Sphere::new(centre, radius, material)]),
@@ -126,60 +107,52 @@ fn one_sphere(centre: Vec3, radius: f32, material: Material) -> Scene {
     }
 }
 
-std::thread_local! {
-    /// Prepared scenes that are no longer in use on this thread.
-    static UNUSED: RefCell<Vec<Box<Prepared>>> = const { RefCell::new(Vec::new()) };
-}
-
-/// A prepared scene. Its memory is reused for the next scene, as it is for the next frame.
 struct Ready {
     scene: Scene,
-    /// `None` once the memory has been handed on.
-    memory: Option<Box<Prepared>>,
+    memory: Box<Prepared>,
 }
 
 impl Ready {
     fn world(&self) -> World<'_> {
         World {
             scene: &self.scene,
-            prepared: self.memory.as_ref().expect("it is handed on last"),
+            prepared: &self.memory,
         }
     }
 }
 
-impl Drop for Ready {
-    fn drop(&mut self) {
-        UNUSED.with_borrow_mut(|unused| unused.extend(self.memory.take()));
-    }
-}
-
 fn prepared(scene: &Scene) -> Ready {
-    let unused = UNUSED.with_borrow_mut(Vec::pop);
-    let mut memory = unused.unwrap_or_else(|| Box::new(Prepared::new()));
-    memory.prepare(scene, [8, 8], Vec2::ZERO);
-    Ready {
-        scene: scene.clone(),
-        memory: Some(memory),
-    }
+    let scene = scene.clone();
+    let mut memory = Box::new(Prepared::new());
+    memory.prepare(&scene, [8, 8], Vec2::ZERO);
+    Ready { scene, memory }
 }
 
-/// A packet of rays with a common origin. Lanes beyond the slice repeat its last direction.
+/// A ray: origin, direction and weight.
+type Ray = (Vec3, Vec3, f32);
+
+/// Returns a packet of the rays of each lane.
 #[inline(always)]
-fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
-    let d = |i: usize| d[i.min(d.len() - 1)];
+fn gathered<S: Isa>(simd: S, ray: impl Fn(usize) -> Ray) -> Rays<S> {
+    let vectors = |v: fn(Ray) -> Vec3| Vec3x {
+        x: F::<S>::from_fn(simd, |i| v(ray(i)).x),
+        y: F::<S>::from_fn(simd, |i| v(ray(i)).y),
+        z: F::<S>::from_fn(simd, |i| v(ray(i)).z),
+    };
     Rays {
-        o: Vec3x::splat(simd, o),
-        d: Vec3x {
-            x: F::<S>::from_fn(simd, |i| d(i).x),
-            y: F::<S>::from_fn(simd, |i| d(i).y),
-            z: F::<S>::from_fn(simd, |i| d(i).z),
-        },
-        weight: splat(simd, 1.0),
+        o: vectors(|ray| ray.0),
+        d: vectors(|ray| ray.1),
+        weight: F::<S>::from_fn(simd, |i| ray(i).2),
         slot_path: Rays::slot_paths(simd, 0),
     }
 }
 
-/// The hits of a packet, as the tracer finds them.
+/// Returns a packet of rays with a common origin. Lanes beyond the slice repeat its last direction.
+#[inline(always)]
+fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
+    gathered(simd, |i| (o, d[i.min(d.len() - 1)], 1.0))
+}
+
 #[inline(always)]
 fn hits<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
     let mut blocks = candidates::NONE;
@@ -188,7 +161,37 @@ fn hits<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
     hit
 }
 
-/// The shading points of these hits.
+/// Returns the hits of a packet, their contributions, and the reflected and the transmitted ray of each lane.
+#[inline(always)]
+fn shaded<S: Isa>(
+    simd: S,
+    world: World<'_>,
+    quality: &Quality,
+    rays: &Rays<S>,
+    batch: &mut Batch,
+) -> (Hit<S>, Contribution<S>, [[Option<Ray>; MAX_LANES]; 2]) {
+    let hit = hits(simd, world, rays);
+    let active = first(simd, lanes::<S>());
+    let tracer = Tracer {
+        isa: simd,
+        world,
+        quality,
+    };
+    batch.begin();
+    let contribution = shade(tracer, rays, &hit, active, batch);
+    let mut secondary = [[None; MAX_LANES]; 2];
+    while batch.stack.len() > 0 {
+        let (rays, count) = batch.stack.pop(simd);
+        let (paths, slots) = (rays.paths(), rays.slots());
+        for i in 0..count {
+            let [path, slot] = [paths, slots].map(|numbers| numbers.as_slice()[i] as usize);
+            let weight = rays.weight.as_slice()[i];
+            secondary[path - 2][slot] = Some((lane(rays.o, i), lane(rays.d, i), weight));
+        }
+    }
+    (hit, contribution, secondary)
+}
+
 #[inline(always)]
 fn shading_point<S: Isa>(
     simd: S,
@@ -202,7 +205,6 @@ fn shading_point<S: Isa>(
     ShadingPoint::new(simd, world, rays, hit, &surface, active)
 }
 
-/// The vector in a lane.
 #[inline(always)]
 fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3 {
     Vec3::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])

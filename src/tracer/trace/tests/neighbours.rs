@@ -1,79 +1,37 @@
-//! The result for a ray depends neither on its lane nor on the rays in the other lanes.
+//! The result of a ray depends neither on its lane nor on the other rays of its packet.
 
 use super::scenes::{model, rich, rows};
 use super::*;
-use crate::quality::Quality;
 use crate::scene::Spot;
-use crate::trace::shade::shade;
-use crate::trace::{Batch, Tracer};
+use crate::trace::sample::Sum;
+use core::array;
 
-/// The number of packets.
 const PACKETS: usize = 20_000;
 
-/// The bits of a ray's result: distance, object, contribution to its point, and secondary rays by path.
-type Outcome = [u32; 2 + 4 + 2 * 7];
+/// The bits of a ray's result: distance, object, contribution to its point, and secondary rays.
+type Outcome = (u32, u32, Sum, [Option<[u32; 7]>; 2]);
 
-/// A ray: origin, direction and weight.
-type Ray = (Vec3, Vec3, f32);
-
-/// The results for the rays of a packet.
 #[inline(always)]
 fn outcomes<S: Isa>(
     simd: S,
     world: World<'_>,
-    packet: &[Ray],
+    packet: &[Ray; MAX_LANES],
     batch: &mut Batch,
 ) -> [Outcome; MAX_LANES] {
-    let row = |number: fn(&Ray) -> f32| F::<S>::from_fn(simd, |i| number(&packet[i]));
-    let rays = Rays {
-        o: Vec3x {
-            x: row(|ray| ray.0.x),
-            y: row(|ray| ray.0.y),
-            z: row(|ray| ray.0.z),
-        },
-        d: Vec3x {
-            x: row(|ray| ray.1.x),
-            y: row(|ray| ray.1.y),
-            z: row(|ray| ray.1.z),
-        },
-        weight: row(|ray| ray.2),
-        slot_path: Rays::slot_paths(simd, 0),
-    };
-    let n = lanes::<S>();
-    let hit = hits(simd, world, &rays);
-    let tracer = Tracer {
-        isa: simd,
-        world,
-        quality: &Quality::THESIS,
-    };
-    let node = shade(tracer, &rays, &hit, first(simd, n), batch);
+    let rays = gathered(simd, |i| packet[i]);
+    let (hit, node, secondary) = shaded(simd, world, &Quality::THESIS, &rays, batch);
     let mut sums = [[0; 4]; MAX_LANES];
-    node.store(simd, &mut sums.as_flattened_mut()[..4 * n]);
-    let mut all = [[0; 20]; MAX_LANES];
-    for i in 0..n {
-        all[i][0] = hit.t.as_slice()[i].to_bits();
-        all[i][1] = hit.object.as_slice()[i];
-        for (to, from) in all[i][2..6].iter_mut().zip(sums[i]) {
-            *to = from as u32;
-        }
-    }
-    while batch.stack.len() > 0 {
-        let (rays, count) = batch.stack.pop(simd);
-        let (paths, slots) = (rays.paths(), rays.slots());
-        for i in 0..count {
-            let start = 6 + 7 * (paths.as_slice()[i] as usize - 2);
-            let (o, d) = (lane(rays.o, i), lane(rays.d, i));
-            let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, rays.weight.as_slice()[i]];
-            let slot = slots.as_slice()[i] as usize;
-            for (to, from) in all[slot][start..start + 7].iter_mut().zip(numbers) {
-                *to = from.to_bits();
-            }
-        }
-    }
-    all
+    node.store(simd, &mut sums.as_flattened_mut()[..4 * lanes::<S>()]);
+    let bits = |(o, d, weight): Ray| [o.x, o.y, o.z, d.x, d.y, d.z, weight].map(f32::to_bits);
+    array::from_fn(|i| {
+        let lane = i % lanes::<S>();
+        let (t, object) = (hit.t.as_slice()[lane], hit.object.as_slice()[lane]);
+        let secondary = [0, 1].map(|path| secondary[path][lane].map(bits));
+        (t.to_bits(), object, sums[lane], secondary)
+    })
 }
 
-/// A random ray from around the scene towards a point in it.
+/// Returns a random ray from around the scene towards a point in it.
 fn ray(random: &mut Random) -> Ray {
     let mut place = |side: f64| {
         let mut number = || random.between(-side, side);
@@ -87,7 +45,7 @@ fn ray(random: &mut Random) -> Ray {
     )
 }
 
-/// A random ray with invalid components.
+/// Returns a random ray with invalid components.
 fn nonsense(random: &mut Random) -> Ray {
     let mut bad = ray(random);
     let number = [
@@ -123,21 +81,21 @@ impl Property for Neighbours {
         let mut batch = Box::new(Batch::new());
         for _ in 0..self.packets / lanes::<S>() {
             let rays = [(); MAX_LANES].map(|()| ray(&mut random));
-            let together = outcomes(simd, scene.world(), &rays[..lanes::<S>()], &mut batch);
+            let together = outcomes(simd, scene.world(), &rays, &mut batch);
             for (i, &one) in rays.iter().enumerate().take(lanes::<S>()) {
                 let at = random.bits() as usize % lanes::<S>();
-                let mut beside = [one; MAX_LANES];
-                for other in &mut beside {
+                let mut others = [one; MAX_LANES];
+                for other in &mut others {
                     *other = match random.bits() % 3 {
                         0 => nonsense(&mut random),
                         1 => ray(&mut random),
                         _ => one,
                     };
                 }
-                beside[at] = one;
-                let beside = outcomes(simd, scene.world(), &beside[..lanes::<S>()], &mut batch);
+                others[at] = one;
+                let others = outcomes(simd, scene.world(), &others, &mut batch);
                 assert_eq!(
-                    together[i], beside[at],
+                    together[i], others[at],
                     "{isa}: {one:?} in lane {i} and in lane {at}"
                 );
             }
@@ -146,7 +104,7 @@ impl Property for Neighbours {
 }
 
 #[test]
-fn ray_depends_on_no_neighbour() {
+fn ray_is_independent_of_its_packet() {
     for scene in [model(), rows(300), rich()] {
         on_every_instruction_set(&Neighbours {
             scene,
@@ -156,7 +114,7 @@ fn ray_depends_on_no_neighbour() {
 }
 
 #[test]
-fn ray_depends_on_no_neighbour_in_an_invalid_scene() {
+fn ray_is_independent_in_invalid_scenes() {
     fn spot(scene: &mut Scene) -> &mut Spot {
         scene.lights[1].spot.get_or_insert_default()
     }

@@ -1,4 +1,4 @@
-//! Patterns are the same in filled squares, where the object of a pixel is known, as at traced points.
+//! Patterns agree between the pixels of filled squares and traced points.
 
 use super::scenes::rich;
 use super::*;
@@ -7,10 +7,8 @@ use crate::scene::Pattern;
 use crate::trace::SeenPattern;
 use glam::vec3;
 
-/// The size of the picture in pixels.
 const SIZE: [usize; 2] = [320, 180];
 
-/// Checkers, fine ones far away.
 const CHECKERS: Pattern = Pattern {
     waves: Vec3::splat(2.0),
     depth: 0.7,
@@ -18,7 +16,6 @@ const CHECKERS: Pattern = Pattern {
     ..Pattern::NONE
 };
 
-/// Marble whose veins have edges.
 const MARBLE: Pattern = Pattern {
     waves: vec3(1.0, 0.0, 0.0),
     edge: 2.0,
@@ -28,7 +25,7 @@ const MARBLE: Pattern = Pattern {
     ..CHECKERS
 };
 
-/// A scene in which everything is patterned, seen from an angle in radians.
+/// Returns a scene in which everything is patterned, seen from an angle in radians.
 fn patterned(angle: f32) -> Scene {
     let mut scene = rich();
     for sphere in scene.spheres.iter_mut() {
@@ -74,7 +71,7 @@ impl Property for Patterns {
                             continue;
                         }
                         let left = -left;
-                        // Wherever it stands among the four.
+                        // At any of the four positions.
                         let start = (x + lane).saturating_sub((x + y) % 4);
                         let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);
                         let four: [f32; 4] = SeenPattern::new(world, object)
@@ -97,6 +94,6 @@ impl Property for Patterns {
 }
 
 #[test]
-fn patterns_are_the_same_for_pixels_as_for_points() {
+fn patterns_agree_between_pixels_and_points() {
     on_every_instruction_set(&Patterns);
 }

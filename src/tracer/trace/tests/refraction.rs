@@ -1,9 +1,6 @@
-//! Refracted and reflected directions have length 1, also at the critical angle.
+//! Refracted and reflected directions have length 1, and lose no light at the critical angle.
 
 use super::*;
-use crate::quality::Quality;
-use crate::trace::shade::shade;
-use crate::trace::{Batch, Tracer};
 
 /// The number of angles around the critical one, one rounding step apart.
 const ULPS: i32 = 256;
@@ -20,36 +17,6 @@ const fn glass(index: f32) -> Material {
     }
 }
 
-/// The secondary rays of a packet by path, 2 for reflected and 3 for transmitted, and by lane.
-#[inline(always)]
-fn scattered<S: Isa>(
-    simd: S,
-    world: World<'_>,
-    rays: &Rays<S>,
-    batch: &mut Batch,
-) -> [[Option<(Vec3, f32)>; MAX_LANES]; 2] {
-    let hit = hits(simd, world, rays);
-    let active = first(simd, lanes::<S>());
-    batch.begin();
-    let tracer = Tracer {
-        isa: simd,
-        world,
-        quality: &Quality::EXHAUSTIVE,
-    };
-    let _ = shade(tracer, rays, &hit, active, batch);
-    let mut all = [[None; MAX_LANES]; 2];
-    while batch.stack.len() > 0 {
-        let (rays, count) = batch.stack.pop(simd);
-        let (paths, slots) = (rays.paths(), rays.slots());
-        for i in 0..count {
-            let path = paths.as_slice()[i] as usize;
-            let ray = (lane(rays.d, i), rays.weight.as_slice()[i]);
-            all[path - 2][slots.as_slice()[i] as usize] = Some(ray);
-        }
-    }
-    all
-}
-
 struct CriticalAngle;
 
 impl Property for CriticalAngle {
@@ -60,27 +27,24 @@ impl Property for CriticalAngle {
         for index in [1.0001, 1.1, 1.33, 1.5, 2.4, 10.0_f32] {
             let scene = prepared(&one_sphere(Vec3::ZERO, 1.0, glass(index)));
             let sine = 1.0 / f64::from(index);
-            // From a place where the angle at the sphere is that for rays along z.
+            // Rays along z from here meet the sphere at the critical angle.
             for from in -ULPS..=ULPS {
                 let x = f32::from_bits(((sine as f32).to_bits() as i32 + from) as u32);
                 let rays = packet(simd, Vec3::new(x, 0.0, 0.0), &[Vec3::Z]);
-                let [reflected, transmitted] = scattered(simd, scene.world(), &rays, &mut batch);
-                let Some((d, weight)) = reflected[0] else {
-                    panic!("{isa}: {index}, {from} roundings: nothing is reflected");
-                };
+                let (.., [reflected, transmitted]) =
+                    shaded(simd, scene.world(), &Quality::EXHAUSTIVE, &rays, &mut batch);
                 let what = std::format!("{isa}: index {index}, {from} roundings off");
+                let (_, d, weight) = reflected[0].expect(&what);
                 assert_unit(d, &what);
-                // Where the roundings of the place, the normal and the cosine decide.
+                // The rounding of the position, the normal and the cosine.
                 let unsure = 1e-6 + 3e-7 * f64::from(index).powi(2);
                 let beyond = f64::from(x) / sine - 1.0;
-                // Light that is not transmitted is reflected.
-                let sent = transmitted[0].map_or(0.0, |(_, weight)| weight);
+                let sent = transmitted[0].map_or(0.0, |ray| ray.2);
                 assert_eq!(weight + sent, 0.1 + 0.85, "{what}");
-                if let Some((d, _)) = transmitted[0] {
+                if let Some((_, d, _)) = transmitted[0] {
                     assert_unit(d, &what);
                     through += 1;
                     assert!(beyond < unsure, "{what} transmits");
-                    // Out, along the surface.
                     let n = DVec3::new(f64::from(x), 0.0, (1.0 - f64::from(x).powi(2)).sqrt());
                     let cosine = d.as_dvec3().dot(n);
                     let exact = (1.0 - (f64::from(x) / sine).powi(2)).max(0.0).sqrt();
@@ -105,7 +69,7 @@ fn assert_unit(d: Vec3, what: &str) {
 }
 
 #[test]
-fn rays_at_the_critical_angle_are_of_length_one_and_lose_nothing() {
+fn critical_angle_conserves_light() {
     on_every_instruction_set(&CriticalAngle);
 }
 
@@ -121,19 +85,16 @@ impl Property for Lengths {
             let radius = 10_f64.powf(random.between(-4.0, 6.0));
             let index = 10_f64.powf(random.between(-1.0, 1.0)) as f32;
             let scene = prepared(&one_sphere(Vec3::ZERO, radius as f32, glass(index)));
-            // In the middle, on the surface, or far out.
             let at = [0.0, 0.5, 1.0, 2.0, 1e3][random.bits() as usize % 5];
             let o = (random.direction() * (radius * at)).as_vec3();
             let mut ways =
                 [(); MAX_LANES].map(|()| unit(random.direction() * radius - o.as_dvec3()));
-            // Straight at the middle: a cosine of 1, or by rounding above.
+            // Towards the centre: rounding may make the cosine exceed 1.
             ways[0] = unit(if at == 0.0 { DVec3::ONE } else { -o.as_dvec3() });
             let rays = packet(simd, o, &ways);
-            for (d, weight) in scattered(simd, scene.world(), &rays, &mut batch)
-                .into_iter()
-                .flatten()
-                .flatten()
-            {
+            let (.., secondary) =
+                shaded(simd, scene.world(), &Quality::EXHAUSTIVE, &rays, &mut batch);
+            for (_, d, weight) in secondary.into_iter().flatten().flatten() {
                 assert_unit(d, isa);
                 assert!(weight > 0.0 && weight < 1.0, "{isa}: {weight}");
                 count += 1;
@@ -144,6 +105,6 @@ impl Property for Lengths {
 }
 
 #[test]
-fn rays_that_leave_a_sphere_of_any_size_are_of_length_one() {
+fn secondary_rays_have_length_one() {
     on_every_instruction_set(&Lengths);
 }

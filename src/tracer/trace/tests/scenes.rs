@@ -1,4 +1,4 @@
-//! Scenes with all kinds of surfaces.
+//! Scenes for the tests.
 
 use super::*;
 use crate::scene::{Block, Camera, Light, Plane, Shape, Spot, Waves};
@@ -15,8 +15,7 @@ const PLASTIC: Material = Material {
 const MIRROR: Material = Material { kr: 0.7, ..PLASTIC };
 const GLASS: Material = Material::glass(1.5);
 
-/// The model scene of the repository's measurements at rest: four spheres of plastic, of glass and that mirror, over a floor, with
-/// two lights.
+/// Returns the model scene of the measurements at rest.
 pub fn model() -> Scene {
     let sphere = |x, y, z, material| Sphere::new(vec3(x, y, z), y, material);
     let light = |x, y, z, brightness| Light {
@@ -43,7 +42,7 @@ pub fn model() -> Scene {
     }
 }
 
-/// The same with so many small spheres instead, in rows on the floor.
+/// Returns the model scene with `count` small spheres in rows on the floor.
 pub fn rows(count: usize) -> Scene {
     let mut scene = model();
     scene.spheres.clear();
@@ -59,7 +58,7 @@ pub fn rows(count: usize) -> Scene {
     scene
 }
 
-/// A scene with a box, a cylinder, haze, a pattern, waves, a light with a size and a spotlight.
+/// Returns a scene with blocks, haze, a pattern, waves, a soft light and a spotlight.
 pub fn rich() -> Scene {
     let mut scene = model();
     for (x, shape) in [(-1.0, Shape::Box), (1.2, Shape::Cylinder)] {

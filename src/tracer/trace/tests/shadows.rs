@@ -1,10 +1,7 @@
-//! A sphere is lit exactly where it faces the light: rounding does not make it shadow itself.
+//! Rounding does not make a sphere cast a shadow on itself. Lights wholly inside illuminate its inside, others its outside.
 
 use super::*;
-use crate::quality::Quality;
 use crate::scene::{Block, Light};
-use crate::trace::shade::shade;
-use crate::trace::{Batch, Tracer};
 
 const SPHERES: usize = 20_000;
 
@@ -24,7 +21,7 @@ impl Property for OwnShadow {
         for number in 0..SPHERES {
             let r = 10_f64.powf(random.between(-4.0, 4.0));
             let centre = random.vector(-4.0, 4.0);
-            // Where rounding leaves something of it.
+            // Rounding keeps a sphere of this size.
             let centre = centre * (1e3 * r / centre.length()).min(1.0);
             let from = |way: DVec3, distance: f64| (centre + way * (distance * r)).as_vec3();
             let eye_at = 10_f64.powf(random.between(0.1, 3.0));
@@ -39,7 +36,7 @@ impl Property for OwnShadow {
             let mut scene = one_sphere(centre.as_vec3(), r as f32, PAPER);
             scene.lights = List::of(&[Light::new(light, Vec3::ONE)]);
             if self.is_inside && number % 2 == 0 {
-                // Neither a box beyond the sphere makes a difference, nor a light's size, if all of it is within.
+                // A box beyond the sphere and the diameter of a light wholly inside make no difference.
                 scene.blocks = List::of(&[Block {
                     centre: from(random.direction(), 3.0),
                     half: Vec3::splat(r as f32),
@@ -51,15 +48,8 @@ impl Property for OwnShadow {
             let ways = [(); MAX_LANES]
                 .map(|()| unit(from(random.direction(), 0.99).as_dvec3() - eye.as_dvec3()));
             let rays = packet(simd, eye, &ways);
-            let hit = hits(simd, scene.world(), &rays);
-            let active = first(simd, lanes::<S>());
-            let tracer = Tracer {
-                isa: simd,
-                world: scene.world(),
-                quality: &Quality::EXHAUSTIVE,
-            };
-            batch.begin();
-            let node = shade(tracer, &rays, &hit, active, &mut batch);
+            let (hit, node, _) =
+                shaded(simd, scene.world(), &Quality::EXHAUSTIVE, &rays, &mut batch);
             for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                 if hit.object.as_slice()[i] != 0 {
                     continue;
@@ -71,7 +61,7 @@ impl Property for OwnShadow {
                 let to_light = (light.as_dvec3() - p).normalize();
                 let n = if self.is_inside { -out } else { out };
                 let cosine = n.dot(to_light);
-                // Rounding of places against the radius, and of the way from the eye.
+                // The rounding of positions, and of the distance from the eye.
                 let unsure = 3e-6 * (1e3 + eye_at);
                 if cosine.abs() < unsure {
                     continue;
@@ -92,11 +82,8 @@ impl Property for OwnShadow {
 }
 
 #[test]
-fn a_sphere_throws_no_shadow_on_its_side_towards_the_light() {
-    on_every_instruction_set(&OwnShadow { is_inside: false });
-}
-
-#[test]
-fn a_sphere_is_lit_from_within_by_lights_within_alone() {
-    on_every_instruction_set(&OwnShadow { is_inside: true });
+fn sphere_casts_no_shadow_on_its_lit_side() {
+    for is_inside in [false, true] {
+        on_every_instruction_set(&OwnShadow { is_inside });
+    }
 }
