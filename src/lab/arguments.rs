@@ -1,31 +1,54 @@
-//! Arguments that several commands share: sizes, qualities, threads, instruction sets, times.
+//! Arguments that several commands share.
 
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
-use std::fmt;
+use std::ffi::OsStr;
+use std::fmt::{self, Display};
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::thread::available_parallelism;
 
-/// The largest number of threads: more than a frame has bands for them.
-const MAX_THREADS: usize = 256;
-/// The largest number of frames, so that what is kept of each fits in memory.
-const MAX_FRAMES: usize = 100_000;
+/// The help of `--quality`.
+pub const QUALITY: &str = "exhaustive, thesis, or a preset, from finest to fastest";
 
-/// An error in the command line that the parser cannot find, such as flags that contradict each other. It holds the message: the
-/// flag and what it takes.
+/// More threads than a frame has bands.
+pub const THREADS: RangeInclusive<usize> = 1..=256;
+/// The results of more frames would not fit in memory.
+pub const FRAMES: RangeInclusive<usize> = 1..=100_000;
+/// Seconds from the start of a scene.
+pub const SECONDS: RangeInclusive<f32> = -1e6..=1e6;
+
+/// The exit code for an invalid command line, as in most programs.
+pub const BAD_INPUT: u8 = 2;
+
+/// An error with an exit code.
 #[derive(Debug)]
-pub struct BadInput(pub String);
+pub struct Exit {
+    pub code: u8,
+    pub message: String,
+}
 
-impl fmt::Display for BadInput {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+impl Exit {
+    pub fn new(code: u8, message: impl Into<String>) -> Self {
+        let message = message.into();
+        Self { code, message }
+    }
+
+    pub fn bad_input(message: impl Into<String>) -> Self {
+        Self::new(BAD_INPUT, message)
     }
 }
 
-impl std::error::Error for BadInput {}
+impl Display for Exit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
 
-/// Width and height in pixels.
+impl std::error::Error for Exit {}
+
+/// A width and a height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     pub width: usize,
@@ -37,9 +60,14 @@ impl Size {
         Self { width, height }
     }
 
-    /// The number of pixels.
     pub fn area(self) -> usize {
         self.width * self.height
+    }
+
+    /// Returns the size with sides multiplied by `scale`, at least 1.
+    pub fn scaled(self, scale: f64) -> Self {
+        let scaled = |side: usize| ((side as f64 * scale).round() as usize).max(1);
+        Self::new(scaled(self.width), scaled(self.height))
     }
 }
 
@@ -47,19 +75,16 @@ impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let side = |text: &str, most| text.parse().ok().filter(|n| (1..=most).contains(n));
-        text.split_once('x')
-            .and_then(|(width, height)| {
-                Some(Self {
-                    width: side(width, MAX_WIDTH)?,
-                    height: side(height, MAX_HEIGHT)?,
-                })
-            })
-            .ok_or_else(|| format!("takes WIDTHxHEIGHT in pixels, 1x1 to {MAX_WIDTH}x{MAX_HEIGHT}"))
+        let size = text.split_once('x').and_then(|(width, height)| {
+            let (width, height) = (width.parse().ok()?, height.parse().ok()?);
+            let fits = (1..=MAX_WIDTH).contains(&width) && (1..=MAX_HEIGHT).contains(&height);
+            fits.then_some(Self { width, height })
+        });
+        size.ok_or_else(|| format!("must be WIDTHxHEIGHT, 1x1 to {MAX_WIDTH}x{MAX_HEIGHT}"))
     }
 }
 
-impl fmt::Display for Size {
+impl Display for Size {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}x{}", self.width, self.height)
     }
@@ -82,7 +107,7 @@ impl NamedQuality {
         quality: Quality::THESIS,
     };
 
-    /// All named qualities: the two that serve for comparison, then the ladder from the finest to the fastest preset.
+    /// Returns the exhaustive quality, the thesis, and the presets from finest to fastest.
     pub fn all() -> impl Iterator<Item = Self> {
         let ladder = Quality::NAMES.into_iter().zip(Quality::LADDER);
         let ladder = ladder.map(|(name, &quality)| Self { name, quality });
@@ -98,84 +123,51 @@ impl FromStr for NamedQuality {
             .find(|quality| quality.name == name)
             .ok_or_else(|| {
                 let names: Vec<&str> = Self::all().map(|quality| quality.name).collect();
-                format!("takes one of {}", names.join(", "))
+                format!("must be {}", names.join(", "))
             })
     }
 }
 
-impl fmt::Display for NamedQuality {
+impl Display for NamedQuality {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)
     }
 }
 
-/// Parses the name of an instruction set that this machine has.
+/// Parses the name of an instruction set of this machine.
 pub fn instruction_set(name: &str) -> Result<Isa, String> {
     let mut known = cpu::instruction_sets();
     known.find(|set| set.name == name).ok_or_else(|| {
         let names: Vec<&str> = cpu::instruction_sets().map(|set| set.name).collect();
-        format!("this machine has {}", names.join(", "))
+        format!("must be {} on this machine", names.join(", "))
     })
 }
 
-/// The number of processors.
 pub fn processors() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
-/// Parses a number of threads.
-pub fn threads(text: &str) -> Result<usize, String> {
-    number(text, MAX_THREADS)
-}
-
-/// Parses a number of frames.
-pub fn frames(text: &str) -> Result<usize, String> {
-    number(text, MAX_FRAMES)
-}
-
-/// Parses the number of a frame, counted from 0.
-pub fn frame(text: &str) -> Result<usize, String> {
-    let takes = format!("the number of a frame, 0 to {MAX_FRAMES}");
-    parsed(text, |&number| number <= MAX_FRAMES, &takes)
-}
-
-/// Parses a number from 1 to `most`.
-pub fn number(text: &str, most: usize) -> Result<usize, String> {
-    let takes = format!("a number from 1 to {most}");
-    parsed(text, |number| (1..=most).contains(number), &takes)
-}
-
-/// Parses a time in seconds.
-pub fn seconds(text: &str) -> Result<f32, String> {
-    parsed(text, |time: &f32| time.is_finite(), "seconds, such as 2.5")
-}
-
-/// Parses a value that is valid.
-///
-/// # Errors
-/// A line with what the flag takes.
-pub fn parsed<T: FromStr>(
-    text: &str,
-    is_valid: impl Fn(&T) -> bool,
-    takes: &str,
-) -> Result<T, String> {
-    let value = text.parse().ok().filter(is_valid);
-    value.ok_or_else(|| format!("takes {takes}"))
-}
-
-/// Parses the name of a PNG file. Another extension than `.png` is an error, since nothing else is written.
-pub fn png_file(name: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(name);
-    match path.extension() {
-        Some(suffix) if !suffix.eq_ignore_ascii_case("png") => {
-            Err("takes a file's name in .png, which is what is written, or -".to_owned())
-        }
-        _ if name.is_empty() => Err("takes a file's name".to_owned()),
-        _ => Ok(path),
+/// Returns a parser of numbers in a range.
+pub fn within<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: FromStr + PartialOrd + Display + Clone,
+{
+    move |text| {
+        let number = text.parse().ok().filter(|number| range.contains(number));
+        number.ok_or_else(|| format!("must be {} to {}", range.start(), range.end()))
     }
 }
 
-/// Each item the first time that it comes.
+/// Parses the name of a PNG file.
+pub fn png_file(name: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
+    let is_png = |end: &OsStr| end.eq_ignore_ascii_case("png");
+    let is_valid = !name.is_empty() && path.extension().is_none_or(is_png);
+    let path = Some(path).filter(|_| is_valid);
+    path.ok_or_else(|| "must be the name of a .png file, or -".to_owned())
+}
+
+/// Returns the items without repeats.
 pub fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut distinct = Vec::new();
     for item in items {

@@ -1,52 +1,43 @@
-//! `lab bench`: measures the speed of frames, and their error against frames with every pixel traced.
+//! `lab bench`: measures the speed and the error of frames.
 
-use crate::arguments::{self, NamedQuality, Size, distinct};
-use crate::interrupt::{self, Stopped};
-use crate::measure::{Plan, Shot, Technique};
+use crate::arguments::{self, NamedQuality, Size, distinct, within};
+use crate::interrupt;
+use crate::measure::{Measurement, Shot, ShotArguments, Technique};
 use crate::output;
 use crate::row::{self, Row};
-use crate::scenes::{self, SceneName};
+use crate::scenes::SceneName;
 use crate::timing::machine;
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use clap::Args;
-use eightfold_window::cpu::{self, Isa};
+use eightfold_window::cpu;
 use std::path::{Path, PathBuf};
 
 /// Measures the speed and the error of frames
 ///
-/// Prints a Markdown table. Exhaustive frames, every pixel traced, are always measured: the others are compared with them. Settings
-/// take turns, frame by frame. By one thread a frame's time is the thread's on a processor. Ctrl-C prints and writes the figures so
-/// far. The show has rows for each of its scenes.
+/// Prints a Markdown table, with a row for each scene of the show. Exhaustive frames are always measured, for comparison. Settings
+/// take turns, frame by frame. With one thread, times are processor time. Ctrl-C prints the figures so far.
 #[derive(Args)]
 pub struct Arguments {
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
-    scene: SceneName,
-    /// Width and height in pixels; may be given several times
+    #[command(flatten)]
+    shot: ShotArguments,
+    /// Width and height in pixels; repeatable
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Vec<Size>,
-    /// Threads that share the work; may be given several times [default: the number of processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
+    /// Threads; repeatable [default: the number of processors]
+    #[arg(long, value_name = "N", value_parser = within(arguments::THREADS))]
     threads: Vec<usize>,
-    /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest; may be given several times
-    #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"])]
+    #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"], help = format!("{}; repeatable", arguments::QUALITY))]
     quality: Vec<NamedQuality>,
-    /// Leaves edges jagged; otherwise all frames are antialiased, the exhaustive ones too
+    /// Leaves the edges of all frames jagged
     #[arg(long)]
     jagged: bool,
-    /// Measures what people do instead, too, and prints a table of what a quality is ahead by in the same time: exhaustive frames of
-    /// 0.4 to 0.9 of the sides, enlarged; a checkerboard, every second pixel traced; and the default quality without its guard
+    /// Also measures exhaustive frames of 0.4 to 0.9 of the side, enlarged; a checkerboard, which traces every second pixel; and
+    /// `default` without its guard. Prints the dB to 64 samples that a quality gains at equal time
     #[arg(long)]
     rivals: bool,
-    /// Frames of each quality and scene, at times spread evenly
-    #[arg(long, value_name = "N", default_value = "101", value_parser = arguments::frames)]
+    /// Frames of each setting, at even intervals
+    #[arg(long, value_name = "N", default_value = "101", value_parser = within(arguments::FRAMES))]
     frames: usize,
-    /// Views, spread evenly, at which FLIP, missed objects and the distance to 64 samples per pixel are measured; pops are counted in
-    /// the ten frames after each, 60 per second
-    #[arg(long, value_name = "N", default_value = "9", value_parser = arguments::frames)]
-    views: usize,
-    /// Instruction set [default: the best of this machine]
-    #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
-    isa: Option<Isa>,
     /// File for the figures as JSON, or - for standard output; the table then goes to standard error
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -58,28 +49,26 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(file) = &arguments.json {
         output::check(file)?;
     }
-    let plan = plan(arguments);
-    let settings = plan.measure();
-    let rows = settings.iter().flat_map(|setting| Row::of(&plan, setting));
+    let scene = arguments.shot.scene;
+    let measurement = measurement(arguments);
+    let settings = measurement.run();
+    let rows = settings.iter().flat_map(|it| Row::of(&measurement, it));
     let rows: Vec<Row> = rows.collect();
-    let titles = if arguments.scene == SceneName::Show {
+    let titles = if scene == SceneName::Show {
         "size, threads, scene, quality, fps median, worst second, ms median, ms p99, speed-up, traced"
     } else {
         "size, threads, quality, fps median, ms median, ms p99, speed-up, traced, rays, shadow rays"
     };
-    let races = if arguments.rivals {
-        format!("\n{}", row::races(&rows))
-    } else {
-        String::new()
-    };
-    let table = format!(
-        "{}, {}; {}, {} frames per scene\n\n{}{races}",
+    let mut table = format!(
+        "{}, {}; {scene}, {} frames per scene\n\n{}",
         machine(),
-        plan.isa.name,
-        arguments.scene,
+        measurement.isa.name,
         rows.iter().map(|row| row.frames).max().unwrap_or(0),
         row::table(titles, &rows)
     );
+    if arguments.rivals {
+        table += &format!("\n{}", row::races(&rows));
+    }
     match arguments.json.as_deref() {
         Some(file) if file == Path::new("-") => eprint!("{table}"),
         _ => output::write(Path::new("-"), table.as_bytes())?,
@@ -87,12 +76,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(file) = &arguments.json {
         output::write_json(file, &rows)?;
     }
-    let stopped = Stopped("the table has the figures so far".to_owned());
-    ensure!(!interrupt::is_stopped(), stopped);
-    Ok(())
+    Ok(interrupt::check("the table has the figures so far")?)
 }
 
-fn plan(arguments: &Arguments) -> Plan {
+fn measurement(arguments: &Arguments) -> Measurement {
     let mut threads = arguments.threads.clone();
     if threads.is_empty() {
         threads.push(arguments::processors());
@@ -102,10 +89,11 @@ fn plan(arguments: &Arguments) -> Plan {
     let antialias = !arguments.jagged;
     let techniques = qualities.map(|quality| Technique::named(quality, antialias));
     let rivals = Technique::rivals(antialias).filter(|_| arguments.rivals);
-    let shot = |scene| Shot::new(scene, arguments.frames, arguments.views);
-    Plan {
-        shots: arguments.scene.split().into_iter().map(shot).collect(),
-        isa: arguments.isa.unwrap_or_else(cpu::best),
+    let ShotArguments { scene, views, isa } = arguments.shot;
+    let shot = |scene| Shot::new(scene, arguments.frames, views);
+    Measurement {
+        shots: scene.split().into_iter().map(shot).collect(),
+        isa: isa.unwrap_or_else(cpu::best),
         sizes: distinct(arguments.size.iter().copied()),
         threads: distinct(threads),
         techniques: distinct(techniques.chain(rivals)),

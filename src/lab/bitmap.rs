@@ -1,4 +1,4 @@
-//! Draws words and shapes on bitmaps. The font comes with the program, so that the system needs none.
+//! Draws text on bitmaps, by a font in the program.
 
 use anyhow::Result;
 use plotters::coord::Shift;
@@ -6,13 +6,13 @@ use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use std::sync::Once;
 
-/// The colour of words.
+/// The colour of text.
 pub const INK: RGBColor = RGBColor(34, 34, 34);
 
-/// A picture to draw on. Coordinates are pixels of the bitmap.
+/// A bitmap to draw on, in pixels.
 pub type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 
-/// The `0x00RRGGBB` pixels of a bitmap that has the colour `paper` where nothing is drawn on it.
+/// Draws on a background of the colour `paper`. Returns `0x00RRGGBB` pixels.
 pub fn bitmap(
     [width, height]: [usize; 2],
     paper: u32,
@@ -32,23 +32,17 @@ pub fn bitmap(
         .collect())
 }
 
-/// A pixel of the bitmap on its [`Area`].
+/// Converts the coordinates of a pixel.
 pub fn at([x, y]: [usize; 2]) -> (i32, i32) {
     (x as i32, y as i32)
 }
 
-/// The colour of a pixel.
-pub fn colour(pixel: u32) -> RGBColor {
-    let [_, r, g, b] = pixel.to_be_bytes();
-    RGBColor(r, g, b)
-}
-
-/// A text style of a size in pixels.
+/// Returns a text style of a size in pixels.
 pub fn text(size: u32, style: FontStyle) -> TextStyle<'static> {
     FontDesc::new(FontFamily::SansSerif, f64::from(size), style).color(&INK)
 }
 
-/// Registers the font. This has to be called before any text is drawn or measured.
+/// Registers the font. Call it before text is drawn or measured.
 pub fn register_fonts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

@@ -1,4 +1,4 @@
-//! Builds packages in release mode, and finds the files that cargo has made.
+//! Builds packages in release mode, and finds the files that cargo built.
 
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
@@ -6,44 +6,43 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// A finished build of a package, as cargo reports it.
+/// A finished build.
 pub struct Build {
-    /// The lines of cargo's output in JSON.
+    /// The lines of cargo's JSON output.
     messages: Vec<Value>,
 }
 
 impl Build {
-    /// Builds a package of this workspace with everything it depends on.
+    /// Builds a package of this workspace.
     pub fn release(package: &str) -> Result<Self> {
         Self::release_with(package, &[])
     }
 
-    /// The same with environment variables.
+    /// Builds a package with environment variables.
     pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
         Self::of(&["build", "--release", "--package", package], variables)
     }
 
-    /// Builds the intro for Windows, by an alias in `.cargo/config.toml`.
+    /// Builds the intro for Windows by an alias in `.cargo/config.toml`.
     pub fn windows() -> Result<Self> {
         Self::of(&["exe"], &[])
     }
 
-    /// Builds what is asked for.
-    fn of(what: &[&str], variables: &[(&str, &str)]) -> Result<Self> {
+    fn of(arguments: &[&str], variables: &[(&str, &str)]) -> Result<Self> {
         let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
         let mut command = Command::new(cargo);
         command
-            .args(what)
+            .args(arguments)
             .args(["--message-format", "json-render-diagnostics"])
             .envs(variables.iter().copied())
             .stderr(Stdio::inherit());
-        // Under `cargo run` this is the lab's own package; without cargo, the current directory has to be in the workspace.
+        // Set by `cargo run`; otherwise the current folder has to be in the workspace.
         if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
             command.current_dir(folder);
         }
         let output = command.output().context("cannot start cargo")?;
         if !output.status.success() {
-            bail!("cargo cannot {}", what.join(" "));
+            bail!("cargo cannot {}", arguments.join(" "));
         }
         let text = String::from_utf8_lossy(&output.stdout);
         let messages = text.lines().map(serde_json::from_str);
@@ -51,18 +50,18 @@ impl Build {
         Ok(Self { messages })
     }
 
-    /// The path of a program.
+    /// Returns the path of a program.
     pub fn program(&self, name: &str) -> Result<PathBuf> {
         let path = self
             .artifact("bin", name)
             .and_then(|artifact| artifact["executable"].as_str());
         path.map(PathBuf::from)
-            .with_context(|| format!("cargo does not say where it has built {name}"))
+            .with_context(|| format!("cargo did not report the path of {name}"))
     }
 
-    /// The path of a program as it was linked, see `src/pack/build/mod.rs`. (One for Windows is built with the name of one for Linux.)
+    /// Returns the path of an unpacked program (see `src/pack/build/mod.rs`). The one for Windows has the same name.
     ///
-    /// Cargo tells where its copy of a program is, which has the bytes of one in `deps`.
+    /// The program that cargo reports is a copy of the one in `deps`, which has the name of the unpacked one.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
         let bytes = fs::read(&copy)?;
@@ -76,10 +75,10 @@ impl Build {
                 return Ok(path);
             }
         }
-        bail!("{program} was not linked by this build")
+        bail!("this build has not linked {program}")
     }
 
-    /// The output folder of the build script in the package of a program.
+    /// Returns the output folder of the build script in the package of a program.
     fn script_folder(&self, program: &str) -> Result<PathBuf> {
         let package = self
             .artifact("bin", program)
@@ -89,7 +88,7 @@ impl Build {
             .find(|message| Some(&message["package_id"]) == package)
             .and_then(|message| message["out_dir"].as_str())
             .map(PathBuf::from)
-            .with_context(|| format!("cargo does not say what the build script of {program} did"))
+            .with_context(|| format!("cargo did not report the build script of {program}"))
     }
 
     fn artifact(&self, kind: &str, name: &str) -> Option<&Value> {
@@ -106,12 +105,12 @@ impl Build {
     }
 }
 
-/// The intro's program, as `cargo run --release` plays it.
+/// Builds the intro.
 pub fn intro() -> Result<PathBuf> {
     Build::release("eightfold")?.program("eightfold")
 }
 
-/// The intro's program for Windows, as `cargo exe` builds it.
+/// Builds the intro for Windows.
 pub fn intro_for_windows() -> Result<PathBuf> {
     Build::windows()?.program("eightfold")
 }

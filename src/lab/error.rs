@@ -1,28 +1,27 @@
-//! The error of a picture against a reference.
+//! The difference between pictures.
 
-/// The difference between two pictures of the same size. Differences of channels are in steps of 1/255.
+/// The difference between two pictures of the same size, in 255ths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
-    /// The mean over all channels of all pixels.
+    /// The mean over all channels.
     pub mean: f64,
     /// The largest in any channel.
     pub largest: u32,
     /// The number of pixels that differ by more than 8 in a channel.
     pub over_8: usize,
-    /// The mean of the squares over all channels of all pixels.
+    /// The mean square over all channels.
     pub square: f64,
-    /// The peak signal-to-noise ratio in dB; infinite if nothing differs.
+    /// The peak signal-to-noise ratio in dB, infinite for equal pictures.
     pub psnr: f64,
 }
 
 impl Difference {
-    /// The difference between two pictures of `0x00RRGGBB` pixels.
+    /// Compares two pictures of `0x00RRGGBB` pixels.
     pub fn between(a: &[u32], b: &[u32]) -> Self {
         assert_eq!(a.len(), b.len(), "pictures of different sizes");
         let (mut sum, mut squares, mut largest, mut over_8) = (0_u64, 0_u64, 0, 0);
         for (&a, &b) in a.iter().zip(b) {
-            let differences = channels(a, b);
-            for d in differences {
+            for d in channels(a, b) {
                 sum += u64::from(d);
                 squares += u64::from(d * d);
             }
@@ -41,25 +40,22 @@ impl Difference {
         }
     }
 
-    /// The PSNR of pictures of one size together, in dB. It is their squares that are averaged: a mean of decibels would rate
-    /// pictures that are all alike as good as the best of them.
+    /// Returns the PSNR of the mean square of several pictures, in dB.
     pub fn pooled_psnr(differences: &[Self]) -> f64 {
         let sum: f64 = differences.iter().map(|each| each.square).sum();
         decibels(sum / differences.len() as f64)
     }
 }
 
-/// The PSNR of a mean square.
 fn decibels(square: f64) -> f64 {
     10.0 * (255.0 * 255.0 / square).log10()
 }
 
-/// The largest difference between two pixels in any channel.
+/// Returns the largest difference in a channel of two pixels.
 pub fn worst_channel(a: u32, b: u32) -> u32 {
     channels(a, b).into_iter().fold(0, u32::max)
 }
 
-/// The differences between two pixels in red, green and blue.
 fn channels(a: u32, b: u32) -> [u32; 3] {
     [16, 8, 0].map(|shift| (a >> shift & 0xff).abs_diff(b >> shift & 0xff))
 }

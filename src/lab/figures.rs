@@ -1,4 +1,4 @@
-//! `lab figures`: shows on one sheet how a frame comes about.
+//! `lab figures`: draws the stages of a frame on one sheet.
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;
@@ -14,23 +14,22 @@ use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 use std::path::PathBuf;
 
-/// Draws how a frame comes about: its points, squares, rays and errors, on one sheet
+/// Draws the points, squares, rays and errors of a frame on one sheet
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
     frame: FrameArguments,
-    /// How the frame is refined: exhaustive, thesis, or one of the ladder, from finest to fastest
-    #[arg(long, value_name = "NAME", default_value = "default")]
+    #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: NamedQuality,
     /// PNG file to write, or - for standard output
     #[arg(long, value_name = "FILE", default_value = "target/figures.png", value_parser = arguments::png_file)]
     out: PathBuf,
 }
 
-/// The number of pictures per row.
+/// Pictures per row.
 const COLUMNS: usize = 2;
 
-/// The FLIP error that is shown in white: more than the 99th percentile of the coarsest named quality.
+/// The FLIP error that is shown in white: above the 99th percentile of `fastest`.
 const FLIP_SHOWN: f32 = 0.25;
 
 /// Runs the command.
@@ -40,81 +39,53 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(&arguments.out, &sheet)
 }
 
-/// Draws a frame with every pixel traced, and as the quality has it. Returns the pictures of both.
 fn figures(arguments: &Arguments) -> Vec<Tile> {
-    let Size { width, height } = arguments.frame.size;
+    let FrameArguments { scene, time, size } = arguments.frame;
+    let Size { width, height } = size;
     let mut renderer = ThreadedRenderer::new(arguments::processors());
-    let scene = arguments.frame.scene.without_overlay(arguments.frame.time);
+    let frame = scene.without_overlay(time);
     let mut draw = |quality: &Quality| {
         let trace = FrameTrace::new(width, height);
-        let mut pixels = vec![0; width * height];
-        let level = cpu::best().level;
-        renderer.draw_observed(level, &scene, quality, width, &mut pixels, &trace);
+        let (level, mut pixels) = (cpu::best().level, vec![0; size.area()]);
+        renderer.draw_observed(level, &frame, quality, width, &mut pixels, &trace);
         (pixels, trace)
     };
     let quality = arguments.quality.quality;
     let (exhaustive, all) = draw(&quality.reference());
     let (picture, trace) = draw(&quality);
     let flip = Flip::between(width, &exhaustive, &picture);
+    let psnr = Difference::between(&exhaustive, &picture).psnr;
 
     let tile = |caption: String, mark: &dyn Fn(&mut [u32])| {
         let mut pixels = picture.clone();
         mark(&mut pixels);
         Tile { pixels, caption }
     };
-    let area = picture.len() as f64;
-    let traced = trace.rays().filter(|&rays| rays > 0).count() as f64;
+    let area = size.area() as f64;
+    let traced = trace.rays().filter(|&rays| rays > 0).count() as f64 / area;
     let rays = |trace: &FrameTrace| trace.rays().map(f64::from).sum::<f64>();
+    let (share, per_pixel) = (1e2 * rays(&trace) / rays(&all), rays(&all) / area);
+    let count = trace.squares().count();
     let most = all.rays().max().unwrap_or(1);
+    let points = format!("Traced points, white\n{:.1} % of all pixels", 1e2 * traced);
+    let frame = format!(
+        "{scene} at {time} s, {}\n{psnr:.1} dB to exhaustive",
+        arguments.quality
+    );
+    let squares = format!("Squares: the smaller, the brighter\n{count} squares");
+    let own = format!("Rays per point, white for {most}\n{share:.1} % of exhaustive");
+    let every = format!("Exhaustive: rays, white for {most}\n{per_pixel:.1} per pixel");
+    let error = format!("FLIP, white for {FLIP_SHOWN}\nmean {:.4}", flip.mean());
     vec![
-        tile(
-            format!(
-                "The points traced, white\n{:.1} % of all pixels",
-                100.0 * traced / area
-            ),
-            &|pixels| trace.draw_points(pixels),
-        ),
-        tile(
-            format!(
-                "{} at {} s, {} quality\nPSNR {:.1} dB against every pixel traced",
-                arguments.frame.scene,
-                arguments.frame.time,
-                arguments.quality,
-                Difference::between(&exhaustive, &picture).psnr
-            ),
-            &|_| {},
-        ),
-        tile(
-            format!(
-                "The squares: the smaller, the brighter\n{} squares",
-                trace.squares().count()
-            ),
-            &|pixels| trace.draw_squares(pixels),
-        ),
-        tile(
-            format!(
-                "Rays of each point, white for {most}\n{:.1} % of all rays",
-                100.0 * rays(&trace) / rays(&all)
-            ),
-            &|pixels| trace.draw_heat(pixels, most),
-        ),
-        tile(
-            format!(
-                "Rays of each pixel, every pixel traced, white for {most}\n{:.1} rays per pixel",
-                rays(&all) / area
-            ),
-            &|pixels| all.draw_heat(pixels, most),
-        ),
-        tile(
-            format!(
-                "The error by FLIP, white for {FLIP_SHOWN}\nmean {:.4}",
-                flip.mean()
-            ),
-            &|pixels| {
-                for (pixel, error) in pixels.iter_mut().zip(&flip.errors) {
-                    *pixel = heat(error / FLIP_SHOWN);
-                }
-            },
-        ),
+        tile(points, &|pixels| trace.draw_points(pixels)),
+        tile(frame, &|_| {}),
+        tile(squares, &|pixels| trace.draw_squares(pixels)),
+        tile(own, &|pixels| trace.draw_heat(pixels, most)),
+        tile(every, &|pixels| all.draw_heat(pixels, most)),
+        tile(error, &|pixels| {
+            for (pixel, error) in pixels.iter_mut().zip(&flip.errors) {
+                *pixel = heat(error / FLIP_SHOWN);
+            }
+        }),
     ]
 }

@@ -1,18 +1,18 @@
 //! Ends a command early on Ctrl-C, with its results so far.
 
+use crate::arguments::Exit;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
-use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::sync::{Arc, LazyLock};
 
-/// Whether a signal asked for the end.
+/// Whether a signal has arrived.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// The exit code of a command that ended early: by the convention of shells, 128 and the number of Ctrl-C's signal.
-pub const EXIT_CODE: u8 = 128 + SIGINT as u8;
+/// The exit code of shells after Ctrl-C.
+const EXIT_CODE: u8 = 128 + SIGINT as u8;
 
-/// From here on the first signal that asks for the end sets a flag, see [`is_stopped`]; the second one ends the program.
+/// Makes the first signal set a flag, and the second one end the program.
 ///
 /// # Panics
 /// If the system refuses.
@@ -24,19 +24,14 @@ pub fn listen() {
     }
 }
 
-/// Whether the command has to end.
 pub fn is_stopped() -> bool {
     STOPPED.load(SeqCst)
 }
 
-/// The error of a command that ended early. It says where the results so far are.
-#[derive(Debug)]
-pub struct Stopped(pub String);
-
-impl fmt::Display for Stopped {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "stopped early; {}", self.0)
+/// Returns an error after a signal.
+pub fn check(results: &str) -> Result<(), Exit> {
+    match is_stopped() {
+        true => Err(Exit::new(EXIT_CODE, format!("stopped early; {results}"))),
+        false => Ok(()),
     }
 }
-
-impl std::error::Error for Stopped {}

@@ -1,7 +1,6 @@
-//! The lab draws frames, and measures what speed costs in accuracy.
+//! Draws frames, and measures the cost of speed in accuracy.
 //!
-//! This library has a module for each command of `cargo lab`, and the measures and file formats that these and the tests share.
-//! The program itself only parses the command line.
+//! Each command of `cargo lab` is a module; the other modules are shared by commands and tests.
 
 pub mod arguments;
 pub mod bench;
@@ -22,12 +21,12 @@ pub mod plot;
 pub mod progress;
 pub mod render;
 pub mod report;
-pub mod rivals;
 pub mod row;
 pub mod scenes;
 pub mod seen;
 pub mod sheet;
 pub mod size;
+pub mod technique;
 pub mod threaded_renderer;
 pub mod timing;
 pub mod trade;

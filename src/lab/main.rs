@@ -1,10 +1,8 @@
-//! The lab's program: parses the command line and runs one command.
+//! Parses the command line and runs a command.
 
 use clap::{Parser, Subcommand, error::ErrorKind};
-use eightfold_lab::{
-    arguments, bench, capture, figures, interrupt, missed, render, report, scenes, size, trade,
-    truth, view,
-};
+use eightfold_lab::arguments::{BAD_INPUT, Exit};
+use eightfold_lab::{bench, capture, figures, missed, render, report, size, trade, truth, view};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -30,9 +28,6 @@ enum Command {
     View(view::Arguments),
 }
 
-/// The exit code for an invalid command line, the same as in most programs.
-const BAD_INPUT: u8 = 2;
-
 fn main() -> ExitCode {
     let lab = match Lab::try_parse() {
         Ok(lab) => lab,
@@ -54,33 +49,27 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     };
     eprintln!("error: {error:#}");
-    if error.is::<interrupt::Stopped>() {
-        interrupt::EXIT_CODE.into()
-    } else if error.is::<arguments::BadInput>() {
-        BAD_INPUT.into()
-    } else {
-        ExitCode::FAILURE
-    }
+    error
+        .downcast_ref::<Exit>()
+        .map_or(ExitCode::FAILURE, |exit| exit.code.into())
 }
 
-/// Prints the help, or the error in one line.
+/// Prints the help, or an error in one line.
 fn explain(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         error.exit();
     }
-    // Editors find a mistake by the place that its line begins with.
-    let mistake = error
-        .source()
-        .and_then(|source| source.downcast_ref::<scenes::Mistake>());
-    if let Some(mistake) = mistake {
-        eprintln!("{mistake}");
-        return BAD_INPUT.into();
+    // A mistake in a scene file begins with its place, where editors look for it.
+    let mistake = error.source().and_then(|source| source.downcast_ref());
+    if let Some(Exit { message, code }) = mistake {
+        eprintln!("{message}");
+        return (*code).into();
     }
     let text = error.to_string();
-    // The usage and a pointer to the help follow.
-    let wrong = text.split("\n\nUsage:").next().unwrap_or(&text);
-    let wrong = wrong.split("\n\nFor more").next().unwrap_or(wrong);
-    let words: Vec<&str> = wrong.split_whitespace().collect();
+    // Omit the usage and the pointer to the help.
+    let line = text.split("\n\nUsage:").next().unwrap_or(&text);
+    let line = line.split("\n\nFor more").next().unwrap_or(line);
+    let words: Vec<&str> = line.split_whitespace().collect();
     eprintln!("{}", words.join(" "));
     BAD_INPUT.into()
 }

@@ -1,33 +1,21 @@
-//! Cells of Markdown tables.
+//! Markdown tables.
 
-/// A fraction in percent.
 pub fn percent(fraction: f64) -> String {
     format!("{:.1} %", 100.0 * fraction)
 }
 
-/// A PSNR in decibels, or a dash if it is infinite since nothing differs.
-pub fn decibels(psnr: f64) -> String {
-    if psnr.is_finite() {
-        format!("{psnr:.1} dB")
-    } else {
-        dash()
+/// Formats a number with `digits` decimals, or a dash if it is unknown or infinite: the PSNR of equal pictures.
+pub fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
+    match number.into().filter(|number| number.is_finite()) {
+        Some(number) => format!("{number:.digits$}"),
+        None => "-".to_owned(),
     }
 }
 
-/// A number with so many digits, or a dash if it was not measured.
-pub fn known(number: Option<f64>, digits: usize) -> String {
-    number.map_or_else(dash, |number| format!("{number:.digits$}"))
-}
-
-/// The dash that stands for no number.
-pub fn dash() -> String {
-    "-".to_owned()
-}
-
-/// A column of a table: its title, and what a row says in it.
+/// The title of a column, and its cell in a row.
 pub type Column<R> = (&'static str, fn(&R) -> String);
 
-/// A table with a line for each row, in columns that line up as plain text too.
+/// Returns a table whose columns are aligned in plain text, too.
 pub fn table<'a, R: 'a>(
     columns: &[Column<R>],
     rows: impl IntoIterator<Item = &'a R> + Clone,

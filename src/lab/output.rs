@@ -1,4 +1,4 @@
-//! Writes results: a file appears whole, or not at all.
+//! Writes files, which appear whole or not at all.
 
 use anyhow::{Context, Result, ensure};
 use serde::Serialize;
@@ -8,10 +8,8 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use tempfile::NamedTempFile;
 
-/// Writes `bytes` to a file, or to standard output if the name is `-`.
-///
-/// The file gets its name once it is complete. Until then, and if anything fails, a file of that name stays as it was. Devices and
-/// pipes are written to directly.
+/// Writes a file, or standard output if the name is `-`. Replaces a regular file when the new one is complete; writes to devices
+/// and pipes directly.
 pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     let is_special = fs::metadata(name).is_ok_and(|there| !there.is_file());
     if name != Path::new("-") && !is_special {
@@ -30,14 +28,13 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     written.with_context(|| cannot_write(name))
 }
 
-/// Writes a value as lines of JSON.
 pub fn write_json(name: &Path, value: &impl Serialize) -> Result<()> {
     let mut json = serde_json::to_vec_pretty(value)?;
     json.push(b'\n');
     write(name, &json)
 }
 
-/// Checks that a file can be written, before much work is done for it.
+/// Checks that a file can be written, before a long measurement.
 pub fn check(name: &Path) -> Result<()> {
     ensure!(!name.is_dir(), "{}: it is a folder", cannot_write(name));
     if name == Path::new("-") || name.exists() {
@@ -46,29 +43,28 @@ pub fn check(name: &Path) -> Result<()> {
     part(name).map(drop)
 }
 
-/// Starts a temporary file in the folder of `name` and with its extension. It is deleted if it is dropped.
+/// Creates a temporary file in the folder of `name` with its extension. Deletes it on drop.
 pub fn part(name: &Path) -> Result<NamedTempFile> {
     let folder = name.parent().filter(|folder| *folder != Path::new(""));
     let suffix = format!(".{}", name.extension().unwrap_or_default().display());
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lab-").suffix(&suffix);
-    // As of any new file, before the user's mask.
+    // The usual permissions, before the user's mask.
     builder.permissions(Permissions::from_mode(0o666));
     let part = builder.tempfile_in(folder.unwrap_or(Path::new(".")));
-    // Without the temporary name.
+    // Omit the temporary name from the message.
     let part = part.map_err(|error| io::Error::from(error.kind()));
     part.with_context(|| cannot_write(name))
 }
 
-/// Gives a complete temporary file its name.
+/// Renames a complete temporary file.
 pub fn persist(part: NamedTempFile, name: &Path) -> Result<()> {
-    // A symbolic link stays: the file that it points to is replaced.
+    // Replace the target of a symbolic link.
     let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
     let persisted = part.persist(path).map_err(|error| error.error);
     persisted.map(drop).with_context(|| cannot_write(name))
 }
 
-/// The message in front of the reason.
 fn cannot_write(name: &Path) -> String {
     if name == Path::new("-") {
         "cannot write to standard output".to_owned()

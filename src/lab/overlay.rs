@@ -1,5 +1,4 @@
-//! Pictures of how a frame was drawn: its points, its squares, the rays of each point, its error. Coordinates are pixels of the
-//! picture.
+//! Pictures of the points, squares, rays and errors of a frame.
 
 use crate::error::worst_channel;
 use eightfold_tracer::observe::{Fill, Observer};
@@ -7,17 +6,17 @@ use eightfold_tracer::{Counts, Quality};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-/// Records the points and squares of a frame.
+/// Records the points and the squares of a frame.
 pub struct FrameTrace {
     width: usize,
     height: usize,
-    /// For each pixel, the number of rays, shadow rays included, of the point traced there; 0 if none was.
+    /// For each pixel, the rays of its point, shadow rays included; 0 without a point.
     rays: Vec<AtomicU32>,
-    /// For each pixel, the square with its upper left corner there, as `w << 16 | h << 8 | fill`; 0 if there is none.
+    /// For each pixel, the square whose upper left corner it is, as `w << 16 | h << 8 | fill`, or 0.
     squares: Vec<AtomicU32>,
 }
 
-/// A square of the frame, clipped to the picture.
+/// A square, clipped to the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drawn {
     pub x: usize,
@@ -29,11 +28,10 @@ pub struct Drawn {
     pub fill: Fill,
 }
 
-/// The kinds of fill, numbered from 1.
+/// Numbered from 1.
 const FILLS: [Fill; 4] = [Fill::Flat, Fill::Bilinear, Fill::Patterned, Fill::Points];
 
 impl FrameTrace {
-    /// An empty record for a frame of this size.
     pub fn new(width: usize, height: usize) -> Self {
         let zeros = || (0..width * height).map(|_| AtomicU32::new(0)).collect();
         Self {
@@ -44,52 +42,44 @@ impl FrameTrace {
         }
     }
 
-    /// For each pixel, the number of rays, shadow rays included, of the point traced there; 0 if none was.
+    /// Returns the rays of each pixel's point, shadow rays included; 0 without a point.
     pub fn rays(&self) -> impl Iterator<Item = u32> {
         self.rays.iter().map(|rays| rays.load(Relaxed))
     }
 
-    /// The squares of the picture, in the order of their upper left corners.
+    /// Returns the squares in the order of their upper left corners.
     pub fn squares(&self) -> impl Iterator<Item = Drawn> {
         let words = self.squares.iter().map(|word| word.load(Relaxed));
-        words
-            .enumerate()
-            .filter(|&(_, word)| word != 0)
-            .map(|(i, word)| {
-                let (x, y) = (i % self.width, i / self.width);
-                let [_, w, h, fill] = word.to_be_bytes().map(usize::from);
-                Drawn {
-                    x,
-                    y,
-                    w: w.min(self.width - x),
-                    h: h.min(self.height - y),
-                    side: w.max(h),
-                    fill: FILLS[fill - 1],
-                }
-            })
+        let squares = words.enumerate().filter(|&(_, word)| word != 0);
+        squares.map(|(i, word)| {
+            let (x, y) = (i % self.width, i / self.width);
+            let [_, w, h, fill] = word.to_be_bytes().map(usize::from);
+            Drawn {
+                x,
+                y,
+                w: w.min(self.width - x),
+                h: h.min(self.height - y),
+                side: w.max(h),
+                fill: FILLS[fill - 1],
+            }
+        })
     }
 
-    /// Darkens the frame and makes traced points white.
+    /// Darkens the picture, and draws traced points white.
     pub fn draw_points(&self, pixels: &mut [u32]) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
-            *pixel = if rays > 0 {
-                WHITE
-            } else {
-                (*pixel >> 2) & 0x003f_3f3f
-            };
+            let dark = (*pixel >> 2) & 0x003f_3f3f;
+            *pixel = if rays > 0 { 0x00ff_ffff } else { dark };
         }
     }
 
-    /// Replaces the frame by its squares, coloured by size, with dark left and upper edges.
+    /// Draws the squares coloured by size, with dark left and upper edges.
     pub fn draw_squares(&self, pixels: &mut [u32]) {
         for square in self.squares() {
             let colour = square_colour(square.side);
+            let dark = (colour >> 1) & 0x007f_7f7f;
             // A smaller square would be all edge.
-            let edge = if square.side > 2 {
-                (colour >> 1) & 0x007f_7f7f
-            } else {
-                colour
-            };
+            let edge = if square.side > 2 { dark } else { colour };
             for y in square.y..square.y + square.h {
                 let row = &mut pixels[y * self.width + square.x..][..square.w];
                 row.fill(if y == square.y { edge } else { colour });
@@ -98,7 +88,7 @@ impl FrameTrace {
         }
     }
 
-    /// Replaces the frame by the number of rays of each point, from black for none to white for `most` and more.
+    /// Draws the rays of each point, from black for 0 to white for `most`.
     pub fn draw_heat(&self, pixels: &mut [u32], most: u32) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
             *pixel = heat(rays as f32 / most as f32);
@@ -123,30 +113,27 @@ impl Observer for &FrameTrace {
     }
 }
 
-const WHITE: u32 = 0x00ff_ffff;
-
-/// The colour of a square with this side: small squares, which cost more, are brighter.
+/// Returns the colour of a square: small squares, which cost more, are brighter.
 pub fn square_colour(side: usize) -> u32 {
     let halvings = (Quality::MAX_SQUARE / side.max(1)).max(1).ilog2();
     heat(0.12 + 0.83 * halvings as f32 / Quality::MAX_SQUARE.ilog2() as f32)
 }
 
-/// Replaces a frame by its error against the exhaustive frame, from black for none to white for `most` steps of 1/255 and more in
-/// a channel.
+/// Replaces a picture by its error, from black for 0 to white for `most` of 255 in a channel.
 pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
     for (pixel, &exhaustive) in pixels.iter_mut().zip(exhaustive) {
         *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / most as f32);
     }
 }
 
-/// The colour for a number from 0, darkest, to 1, brightest: the perceptually uniform colour map "magma".
+/// Returns a colour of the perceptually uniform map "magma", from 0, dark, to 1.
 pub fn heat(share: f32) -> u32 {
     static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
         let bytes = nv_flip::magma_lut().to_vec();
-        let colours = bytes
-            .chunks_exact(3)
-            .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]));
-        colours.collect()
+        let colours = bytes.as_chunks().0.iter();
+        colours
+            .map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b]))
+            .collect()
     });
     SCALE[(share.clamp(0.0, 1.0) * 255.0).round() as usize]
 }

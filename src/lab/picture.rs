@@ -1,23 +1,23 @@
-//! Pictures of `0x00RRGGBB` pixels, row by row: their bytes, the mean of several, and PNG files.
+//! Pictures of `0x00RRGGBB` pixels: bytes, means, PNG files.
 
 use png::{BitDepth, ColorType, Encoder, EncodingError};
 
-/// The bytes of red, green and blue of all pixels.
+/// Returns the bytes of red, green and blue.
 pub fn rgb(pixels: &[u32]) -> Vec<u8> {
     let bytes = pixels.iter().map(|pixel| pixel.to_be_bytes());
     bytes.flat_map(|[_, rgb @ ..]| rgb).collect()
 }
 
-/// The mean of pictures that come one by one.
+/// The mean of several pictures.
 #[derive(Default)]
 pub struct Mean {
     count: u32,
-    /// Of red, green and blue of all pixels.
+    /// Red, green and blue.
     sums: Vec<[u32; 3]>,
 }
 
 impl Mean {
-    /// Adds a picture of the same size as the others.
+    /// Adds a picture. All must have the same size.
     pub fn add(&mut self, pixels: &[u32]) {
         self.count += 1;
         self.sums.resize(pixels.len(), [0; 3]);
@@ -29,7 +29,7 @@ impl Mean {
         }
     }
 
-    /// Gives a picture the mean, rounded.
+    /// Writes the rounded mean into a picture.
     pub fn write(&self, pixels: &mut [u32]) {
         let mean = |sum: u32| ((sum + self.count / 2) / self.count) as u8;
         for (pixel, sum) in pixels.iter_mut().zip(&self.sums) {
@@ -39,7 +39,7 @@ impl Mean {
     }
 }
 
-/// Encodes a picture as a PNG file.
+/// Encodes a PNG file.
 pub fn png(width: usize, pixels: &[u32]) -> Result<Vec<u8>, EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width as u32, (pixels.len() / width) as u32);

@@ -5,9 +5,9 @@ use anyhow::Result;
 use plotters::coord::combinators::{BindKeyPoints, IntoLogRange};
 use plotters::prelude::*;
 
-/// The width and height of a chart, in units of the SVG.
+/// The width and height in units of the SVG.
 const SIZE: (u32, u32) = (960, 600);
-/// Colours that people with colour blindness can distinguish, too (Okabe and Ito).
+/// Distinguishable in colour blindness, too (Okabe and Ito).
 const COLOURS: [RGBColor; 4] = [
     RGBColor(150, 150, 150),
     RGBColor(0, 114, 178),
@@ -19,23 +19,22 @@ const COLOURS: [RGBColor; 4] = [
 pub struct Chart {
     pub x: &'static str,
     pub y: &'static str,
-    /// Where no points are.
     pub legend: SeriesLabelPosition,
     pub series: Vec<Series>,
 }
 
 /// Points in one colour.
 pub struct Series {
-    /// The name in the legend.
+    /// For the legend.
     pub name: String,
     pub points: Vec<(f64, f64)>,
-    /// The text beside each point, or none.
+    /// The text at each point; can be empty.
     pub labels: Vec<String>,
     pub has_line: bool,
 }
 
 impl Chart {
-    /// Returns the chart as an SVG file, with a title.
+    /// Returns an SVG file.
     pub fn svg(&self, title: &str) -> Result<String> {
         register_fonts();
         let mut svg = String::new();
@@ -94,7 +93,7 @@ impl Chart {
     }
 }
 
-/// Returns the least and the largest value.
+/// Returns the smallest and the largest value.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let all = values.fold((f64::INFINITY, 0.0), |all: (f64, f64), x| {
         (all.0.min(x), all.1.max(x))

@@ -3,8 +3,7 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, stderr};
 
-/// A progress bar if standard error is a terminal, otherwise a hidden one. It has no thread of its own, which would disturb
-/// measurements.
+/// Returns a progress bar, hidden unless standard error is a terminal. It has no thread, which would disturb measurements.
 pub fn bar(steps: usize) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();

@@ -1,6 +1,6 @@
-//! `lab render`: draws one frame into a PNG file.
+//! `lab render`: draws a frame to a PNG file.
 
-use crate::arguments::{self, NamedQuality};
+use crate::arguments::{self, NamedQuality, within};
 use crate::scenes::FrameArguments;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::{output, picture};
@@ -9,42 +9,37 @@ use clap::Args;
 use eightfold_window::cpu::{self, Isa};
 use std::path::PathBuf;
 
-/// Draws one frame into a PNG file
+/// Draws a frame to a PNG file
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
     frame: FrameArguments,
-    /// How it is refined: exhaustive, thesis, or one of the ladder, from finest to fastest
-    #[arg(long, value_name = "NAME", default_value = "default")]
+    #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: NamedQuality,
-    /// Leaves edges jagged, whatever the quality says
+    /// Leaves edges jagged
     #[arg(long)]
     jagged: bool,
-    /// Threads that share the work
-    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    /// Threads
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = within(arguments::THREADS))]
     threads: usize,
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
-    /// File to write as PNG, or - for standard output
+    /// PNG file to write, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     out: PathBuf,
 }
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let size = arguments.frame.size;
-    let scene = arguments.frame.scene.at(arguments.frame.time);
+    let FrameArguments { scene, time, size } = arguments.frame;
+    let scene = scene.at(time);
     scene.validate()?;
     let mut pixels = vec![0; size.area()];
     let mut quality = arguments.quality.quality;
     quality.antialias &= !arguments.jagged;
-    ThreadedRenderer::new(arguments.threads).draw(
-        arguments.isa.unwrap_or_else(cpu::best).level,
-        &scene,
-        &quality,
-        size.width,
-        &mut pixels,
-    );
+    let level = arguments.isa.unwrap_or_else(cpu::best).level;
+    let mut renderer = ThreadedRenderer::new(arguments.threads);
+    renderer.draw(level, &scene, &quality, size.width, &mut pixels);
     output::write(&arguments.out, &picture::png(size.width, &pixels)?)
 }

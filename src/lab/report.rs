@@ -1,4 +1,4 @@
-//! `lab report`: runs the commands in README.md and the pages in `docs`, and replaces their output.
+//! `lab report`: updates the marked parts of pages.
 
 use crate::output;
 use anyhow::{Context, Result, ensure};
@@ -7,21 +7,20 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// Runs the commands in the marked parts of README.md and docs/*.md again, and replaces their output
+/// Runs the commands in the marked parts of README.md and docs/*.md, and replaces their output
 ///
 /// A part begins with a line <!-- lab report NAME --> and ends with <!-- lab report end -->. Its indented lines are commands for sh.
-/// Where a part has pictures, the commands draw them, and its text stays. All pages are written at the end.
+/// A part with pictures keeps its text: its commands draw the pictures. Pages are written at the end.
 #[derive(Args)]
 pub struct Arguments {
-    /// Parts to measure [default: all]
+    /// Parts to update [default: all]
     #[arg(value_name = "NAME")]
     names: Vec<String>,
-    /// Folder with README.md and docs, in which the commands run
+    /// Folder of README.md and docs, in which the commands run
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     folder: PathBuf,
 }
 
-/// The beginning of a mark, which is a line.
 const BEGIN: &str = "\n<!-- lab report ";
 const END: &str = "\n<!-- lab report end -->";
 
@@ -43,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Returns the paths of README.md and of the pages in `docs`.
+/// Returns the paths of README.md and docs/*.md.
 fn paths(folder: &Path) -> Vec<PathBuf> {
     let docs = fs::read_dir(folder.join("docs")).into_iter().flatten();
     let docs = docs.flatten().map(|file| file.path());
@@ -55,12 +54,12 @@ fn paths(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
-/// Returns the text of a page with its parts measured again.
+/// Returns the text of a page with updated parts.
 fn rewritten(text: &str, arguments: &Arguments) -> Result<String> {
     let mut parts = text.split(BEGIN);
     let mut new = parts.next().unwrap_or_default().to_owned();
     while let Some(part) = parts.next() {
-        let (name, body) = part.split_once(" -->").context("a mark has no end")?;
+        let (name, body) = part.split_once(" -->").context("a mark has no -->")?;
         let after = parts.next().and_then(|after| after.strip_prefix("end -->"));
         let after = after.with_context(|| format!("the part {name} has no {}", END.trim()))?;
         let is_asked_for =
@@ -75,13 +74,10 @@ fn rewritten(text: &str, arguments: &Arguments) -> Result<String> {
     Ok(new)
 }
 
-/// Runs the commands of a part. Returns its new text.
+/// Runs the commands of a part, and returns its new text.
 fn measured(body: &str, folder: &Path) -> Result<String> {
-    let commands: Vec<&str> = body
-        .lines()
-        .filter(|line| line.starts_with("    "))
-        .collect();
-    let commands = commands.join("\n");
+    let commands = body.lines().filter(|line| line.starts_with("    "));
+    let commands = commands.collect::<Vec<_>>().join("\n");
     eprintln!("{commands}");
     let lab = env::current_exe().context("cannot find the lab")?;
     let output = Command::new("sh")

@@ -1,17 +1,15 @@
 //! The figures of a technique in a setting, and tables of them.
 
 use crate::error::Difference;
-use crate::markdown::{self, Column, dash, decibels, known, percent};
-use crate::measure::{Plan, Run, Setting, Shot, Technique};
-use crate::rivals::Way;
+use crate::markdown::{self, Column, known, percent};
+use crate::measure::{Measurement, Run, Sampling, Setting, Shot, Technique};
 use crate::timing::{median, percentile};
 use eightfold_tracer::Quality;
 use serde::Serialize;
 
 /// The figures of a technique in a setting.
 ///
-/// Times are in milliseconds, counts are means of a frame, shares are of 1. `null` in JSON is a PSNR without any error, or a figure
-/// that was not measured.
+/// Times are in milliseconds, counts are means per frame. `null` in JSON is the PSNR of equal pictures, or an unknown figure.
 #[derive(Clone, Serialize)]
 pub struct Row {
     pub scene: String,
@@ -24,24 +22,24 @@ pub struct Row {
     #[serde(skip)]
     pub quality: Quality,
     #[serde(skip)]
-    pub way: Way,
+    pub sampling: Sampling,
     pub frames: usize,
     pub fps_median: f64,
-    /// In the second of the scene, or of the show, whose frames took longest.
+    /// In the slowest second of the scene or of the show.
     pub fps_worst_second: f64,
     pub ms_median: f64,
     /// 99 of 100 frames took no longer.
     pub ms_p99: f64,
-    /// The first quartile of the reference's times over this one's: others at work on the machine lengthen the slower frames.
+    /// The first quartile of the reference's times, divided by this one: other programs lengthen the slower frames.
     pub speedup: f64,
     /// Points traced per pixel.
     pub traced_fraction: f64,
     /// Primary and secondary rays.
     pub rays: f64,
     pub shadow_rays: f64,
-    /// Primary and secondary rays for each lane that could have carried one.
+    /// Primary and secondary rays per lane of their packets.
     pub lane_occupancy: f64,
-    /// The PSNR of all frames together against the reference.
+    /// The PSNR of all frames together to exhaustive frames, in dB.
     pub psnr_db: f64,
     pub psnr_worst_db: f64,
     /// Pixels with a channel more than 8 of 255 off.
@@ -52,16 +50,16 @@ pub struct Row {
     pub missed_objects: Option<f64>,
     pub psnr_to_64_db: Option<f64>,
     pub flip_to_64: Option<f64>,
-    /// Whether it is on the Pareto front, see [`crate::trade`].
+    /// Whether it is on the Pareto front of [`crate::trade`].
     pub on_front: bool,
 }
 
 impl Row {
-    /// Returns the rows of a setting, one for each technique.
-    pub fn of(plan: &Plan, setting: &Setting) -> Vec<Self> {
-        let runs = setting.runs.iter().zip(&plan.techniques);
+    /// Returns a row for each technique of a setting.
+    pub fn of(measurement: &Measurement, setting: &Setting) -> Vec<Self> {
+        let runs = setting.runs.iter().zip(&measurement.techniques);
         let reference = quartile(&setting.runs[0]);
-        let shot = &plan.shots[setting.shot];
+        let shot = &measurement.shots[setting.shot];
         let row = |(run, technique): (&Run, &Technique)| {
             let frames = run.times.len();
             let per_frame = |count: u64| count as f64 / frames as f64;
@@ -73,10 +71,10 @@ impl Row {
                 width: setting.size.width,
                 height: setting.size.height,
                 threads: setting.threads,
-                isa: plan.isa.name,
+                isa: measurement.isa.name,
                 name: technique.name.clone(),
                 quality: technique.quality,
-                way: technique.way,
+                sampling: technique.sampling,
                 frames,
                 fps_median: 1e3 / ms,
                 fps_worst_second: 1e3 / worst_second(shot, &run.times),
@@ -101,18 +99,17 @@ impl Row {
         runs.map(row).collect()
     }
 
-    /// Whether all frames equal the reference's.
+    /// Returns true if all frames equal the reference.
     pub fn is_exact(&self) -> bool {
         self.psnr_db.is_infinite()
     }
 }
 
-/// Returns the first quartile of the times of a run.
 pub fn quartile(run: &Run) -> f64 {
     percentile(&run.times, 25)
 }
 
-/// Returns the mean time of the frames in the second that took longest, of the show or of a scene that stands alone.
+/// Returns the mean time of the frames in the slowest second of the show or the scene.
 fn worst_second(shot: &Shot, times: &[f64]) -> f64 {
     let start = shot.scene.start().unwrap_or(0.0);
     let seconds = shot.times.iter().map(|time| (start + time).floor());
@@ -138,35 +135,32 @@ const COLUMNS: [Column<Row>; 20] = [
     ("traced", |row| percent(row.traced_fraction)),
     ("rays", |row| format!("{:.0}", row.rays)),
     ("shadow rays", |row| format!("{:.0}", row.shadow_rays)),
-    ("PSNR", |row| decibels(row.psnr_db)),
-    ("PSNR worst", |row| decibels(row.psnr_worst_db)),
+    ("dB to exhaustive", |row| known(row.psnr_db, 1)),
+    ("worst frame", |row| known(row.psnr_worst_db, 1)),
     ("over 8/255", |row| format!("{:.1}", row.pixels_over_8)),
     ("pops", |row| known(row.pops, 1)),
     ("FLIP", |row| known(row.flip_mean, 4)),
     ("missed", |row| known(row.missed_objects, 2)),
-    ("PSNR to 64", |row| {
-        row.psnr_to_64_db.map_or_else(dash, decibels)
-    }),
+    ("dB to 64 samples", |row| known(row.psnr_to_64_db, 1)),
     ("FLIP to 64", |row| known(row.flip_to_64, 4)),
 ];
 
-/// The titles of the columns of errors.
-const ERRORS: &str = "PSNR, PSNR worst, over 8/255, pops, FLIP, PSNR to 64, FLIP to 64";
+/// The titles of the error columns.
+const ERRORS: &str =
+    "dB to exhaustive, worst frame, over 8/255, pops, FLIP, dB to 64 samples, FLIP to 64";
 
-/// Returns a Markdown table with columns of these titles and the columns of errors.
+/// Returns a Markdown table of the columns with these titles and the error columns.
 pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) -> String {
     let titles = titles.split(", ").chain(ERRORS.split(", "));
     let column = |title| COLUMNS.into_iter().find(|column| column.0 == title);
-    let columns: Vec<Column<Row>> = titles
-        .map(|title| column(title).expect("a column"))
-        .collect();
-    markdown::table(&columns, rows)
+    let columns = titles.map(|title| column(title).expect("a column"));
+    markdown::table(&columns.collect::<Vec<_>>(), rows)
 }
 
-/// A quality against what people do in the same time.
+/// A quality against its rivals.
 struct Race {
     own: Row,
-    /// The enlarged frame that takes as long: its scale and its PSNR to 64 samples.
+    /// The scale and the dB to 64 samples of the enlarged frame that takes as long.
     enlarged: [f64; 2],
     checkerboard: Option<Row>,
 }
@@ -174,17 +168,17 @@ struct Race {
 const RACES: [Column<Race>; 8] = [
     ("scene", |race| race.own.scene.clone()),
     ("quality", |race| race.own.name.clone()),
-    ("speed-up", |race| format!("{:.2}", race.own.speedup)),
-    ("PSNR to 64", |race| decibels(psnr_to_64(&race.own))),
-    ("resolution", |race| format!("{:.2}", race.enlarged[0])),
-    ("its PSNR", |race| decibels(race.enlarged[1])),
+    ("speed-up", |race| known(race.own.speedup, 2)),
+    ("dB to 64 samples", |race| known(psnr_to_64(&race.own), 1)),
+    ("resolution", |race| known(race.enlarged[0], 2)),
+    ("its dB to 64", |race| known(race.enlarged[1], 1)),
     ("ahead by", |race| {
-        decibels(psnr_to_64(&race.own) - race.enlarged[1])
+        known(psnr_to_64(&race.own) - race.enlarged[1], 1)
     }),
     ("checkerboard", |race| {
-        race.checkerboard.as_ref().map_or_else(dash, |row| {
-            format!("{:.2}, {}", row.speedup, decibels(psnr_to_64(row)))
-        })
+        let row = race.checkerboard.as_ref();
+        let [speedup, psnr] = [row.map(|row| row.speedup), row.map(psnr_to_64)];
+        format!("{}, {}", known(speedup, 2), known(psnr, 1))
     }),
 ];
 
@@ -192,44 +186,39 @@ fn psnr_to_64(row: &Row) -> f64 {
     row.psnr_to_64_db.unwrap_or(f64::NAN)
 }
 
-/// Returns a Markdown table that compares qualities with enlarged frames that take the same time, and with the checkerboard. An
-/// enlarged frame between two that were measured is interpolated; where the smallest is slower, it is taken.
+/// Returns a Markdown table of qualities against enlarged frames of equal time, interpolated between those that were measured, and
+/// against the checkerboard. If even the smallest frame is slower, it counts.
 pub fn races(rows: &[Row]) -> String {
     let setting = |row: &Row| (row.scene.clone(), row.width, row.height, row.threads);
     let settings = rows.chunk_by(|a, b| setting(a) == setting(b));
-    let mut races = Vec::new();
-    for rows in settings {
+    let races = settings.flat_map(|rows| {
         let frame = |row: &Row| {
-            let scale = match row.way {
-                Way::Enlarged(scale) => Some(scale),
+            let scale = match row.sampling {
+                Sampling::Enlarged(scale) => Some(scale),
                 _ => row.is_exact().then_some(1.0),
             };
             scale.map(|scale| [row.speedup, scale, psnr_to_64(row)])
         };
         let mut frames: Vec<[f64; 3]> = rows.iter().filter_map(frame).collect();
         frames.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let checkerboard = rows.iter().find(|row| row.way == Way::Checkerboard);
-        let qualities = rows.iter();
-        let qualities = qualities.filter(|row| row.way == Way::Drawn && !row.is_exact());
-        races.extend(qualities.map(|own| Race {
+        let is_checkerboard = |row: &&Row| row.sampling == Sampling::Checkerboard;
+        let checkerboard = rows.iter().find(is_checkerboard);
+        let is_quality = |row: &&Row| row.sampling == Sampling::Full && !row.is_exact();
+        rows.iter().filter(is_quality).map(move |own| Race {
             own: own.clone(),
             enlarged: at_speed(&frames, own.speedup),
             checkerboard: checkerboard.cloned(),
-        }));
-    }
-    markdown::table(&RACES, &races)
+        })
+    });
+    markdown::table(&RACES, &races.collect::<Vec<_>>())
 }
 
-/// Interpolates points in the order of their speed-ups, each of which has two figures; beyond the ends they stay.
+/// Interpolates the two figures of points sorted by speed-up, clamped to the ends.
 fn at_speed(points: &[[f64; 3]], speedup: f64) -> [f64; 2] {
-    let last = points.len() - 1;
     let next = points.iter().position(|point| point[0] >= speedup);
-    let next = next.unwrap_or(last);
+    let next = next.unwrap_or(points.len() - 1);
     let (a, b) = (points[next.saturating_sub(1)], points[next]);
-    let share = if next == 0 {
-        1.0
-    } else {
-        ((speedup - a[0]) / (b[0] - a[0])).min(1.0)
-    };
+    let share = ((speedup - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0);
+    let share = if next == 0 { 1.0 } else { share };
     [1, 2].map(|i| a[i] + share * (b[i] - a[i]))
 }

@@ -1,6 +1,6 @@
-//! Scenes by name: the show, its scenes, the scenes that serve measurements, and scene files.
+//! Scenes by name.
 
-use crate::arguments::{self, Size};
+use crate::arguments::{self, Exit, Size, within};
 use clap::Args;
 use eightfold::show::{self, grid};
 use eightfold_scene_file::SceneFile;
@@ -14,51 +14,42 @@ use std::{fmt, fs};
 const SUFFIX: &str = ".ron";
 
 /// Reads the text of a scene file.
-///
-/// # Errors
-/// One line: the file, and why it can't be read.
 pub fn text(path: &Path) -> Result<String, String> {
-    let cannot = |why: &str| format!("cannot read {}: {why}", path.display());
+    let error = |why: &str| format!("cannot read {}: {why}", path.display());
     let bytes = match fs::metadata(path) {
-        // A pipe or a device may have no end, and can't be read again.
-        Ok(there) if !there.is_file() => return Err(cannot("it is not a regular file")),
-        _ => fs::read(path).map_err(|error| cannot(&error.to_string()))?,
+        // A pipe or a device can be endless, and cannot be read again.
+        Ok(there) if !there.is_file() => return Err(error("it is not a regular file")),
+        _ => fs::read(path).map_err(|why| error(&why.to_string()))?,
     };
-    String::from_utf8(bytes).map_err(|_| cannot("it is not UTF-8"))
+    String::from_utf8(bytes).map_err(|_| error("it is not UTF-8"))
 }
 
-/// The ways to name a scene, for `--help` and for errors.
-pub fn takes() -> String {
+/// Returns the names of scenes, for `--help` and errors.
+pub fn names() -> String {
     let parts = show::NAMES.map(|part| format!("show:{part}")).join(", ");
-    format!(
-        "model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, one of its scenes: {parts}, or a scene file, FILE{SUFFIX}"
-    )
+    format!("model, field:N (1 to {MAX_SPHERES} spheres), show, {parts}, or FILE{SUFFIX}")
 }
 
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SceneName {
-    /// The whole show.
     Show,
-    /// A scene of the show, as an index in [`show::NAMES`].
+    /// An index in [`show::NAMES`].
     ShowScene(usize),
-    /// The model scene.
     Model,
-    /// A field with a number of small spheres.
+    /// A number of small spheres.
     Field(usize),
-    /// A scene file, which is read once and kept as long as the program runs.
     File(&'static SceneFile),
 }
 
 impl SceneName {
-    /// The scene `time` seconds after its start.
+    /// Returns the scene `time` seconds after its start.
     pub fn at(self, time: f32) -> Scene {
         match self {
             Self::Model => show::model_scene(time),
             Self::Field(count) => show::field(count, time),
             Self::File(file) => file.at(time),
             Self::Show | Self::ShowScene(_) => {
-                // Before the show and after it, its first and its last moment are drawn.
                 let time = self.start().unwrap_or(0.0) + time;
                 let mut scene = Scene::default();
                 show::at(time.clamp(0.0, show::LENGTH), &mut scene);
@@ -67,32 +58,27 @@ impl SceneName {
         }
     }
 
-    /// The same without what explains the method, the overlay and captions that count points: since these differ between qualities,
-    /// they would count as errors.
+    /// Returns the scene without overlays that differ between qualities, which would count as errors: the explanation of the method,
+    /// and captions that count points.
     pub fn without_overlay(self, time: f32) -> Scene {
         let mut scene = self.at(time);
         scene.method = Method::default();
-        let captions = scene.captions;
-        scene.captions.clear();
-        for caption in captions
-            .iter()
-            .filter(|caption| !caption.letters.contains(&b'#'))
-        {
-            scene.captions.push(*caption);
-        }
+        let captions = scene.captions.iter().copied();
+        let captions = captions.filter(|caption| !caption.letters.contains(&b'#'));
+        scene.captions = captions.collect();
         scene
     }
 
-    /// The time at which it starts in the show, in seconds; `None` if it is not part of the show.
+    /// Returns its start in the show in seconds; `None` for other scenes.
     pub fn start(self) -> Option<f32> {
         match self {
             Self::Show => Some(0.0),
             Self::ShowScene(part) => Some(show::CUTS[part] as f32 * grid::BAR),
-            Self::Model | Self::Field(_) | Self::File(_) => None,
+            _ => None,
         }
     }
 
-    /// Its length in seconds.
+    /// Returns its length in seconds.
     pub fn length(self) -> f32 {
         match self {
             Self::Show => show::LENGTH,
@@ -105,7 +91,7 @@ impl SceneName {
         }
     }
 
-    /// For the show, all its scenes in order; otherwise this scene alone.
+    /// Returns the scenes of the show, or just this scene.
     pub fn split(self) -> Vec<Self> {
         match self {
             Self::Show => (0..show::NAMES.len()).map(Self::ShowScene).collect(),
@@ -119,8 +105,8 @@ impl FromStr for SceneName {
 
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         if name.ends_with(SUFFIX) {
-            let text = text(Path::new(name)).map_err(Mistake)?;
-            let file = SceneFile::parse(name, &text).map_err(Mistake)?;
+            let file = text(Path::new(name)).and_then(|text| SceneFile::parse(name, &text));
+            let file = file.map_err(Exit::bad_input)?;
             return Ok(Self::File(Box::leak(Box::new(file))));
         }
         let part = name
@@ -132,20 +118,8 @@ impl FromStr for SceneName {
             ("model", ..) => Ok(Self::Model),
             (_, Some(part), _) => Ok(Self::ShowScene(part)),
             (_, _, Some(Ok(count))) if (1..=MAX_SPHERES).contains(&count) => Ok(Self::Field(count)),
-            _ => Err(format!("takes {}", takes()).into()),
+            _ => Err(format!("must be {}", names()).into()),
         }
-    }
-}
-
-/// The mistake in a scene file: one line that begins with its place, `FILE:LINE:COLUMN: `.
-#[derive(Debug)]
-pub struct Mistake(String);
-
-impl Error for Mistake {}
-
-impl fmt::Display for Mistake {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
     }
 }
 
@@ -161,15 +135,15 @@ impl fmt::Display for SceneName {
     }
 }
 
-/// The frame that a command draws.
+/// The frame to draw.
 #[derive(Args)]
 pub struct FrameArguments {
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = takes())]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = names())]
     pub scene: SceneName,
-    /// Seconds since the scene's start
-    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    /// Seconds from the scene's start
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = within(arguments::SECONDS), allow_negative_numbers = true)]
     pub time: f32,
-    /// Width and height of a picture in pixels
+    /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "640x480")]
     pub size: Size,
 }

@@ -1,68 +1,66 @@
-//! Errors as a viewer sees them: FLIP, pixels that pop, missed objects, and the distance to 64 samples per pixel.
+//! Errors that a viewer sees: FLIP, pops, missed objects, and the difference to 64 samples per pixel.
 
 use crate::arguments::{Size, processors};
 use crate::error::{Difference, worst_channel};
 use crate::flip::{Flip, Flips};
 use crate::interrupt;
-use crate::measure::Technique;
+
 use crate::missed::Visible;
 use crate::picture::Mean;
+use crate::technique::Technique;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;
 
-/// The samples of a pixel along each axis in the most accurate picture.
+/// Samples per pixel along each axis.
 const GRID: usize = 8;
-/// A pixel pops if it changes by more than this from a frame to the next, in a channel and steps of 1/255 ...
+/// A pixel pops if a channel changes by more than this in one frame, in 255ths,
 const POP: u32 = 16;
-/// ... while its reference changes by no more than this.
+/// while the reference changes by at most this.
 const STILL: u32 = 4;
 
-/// The errors of a technique at all views together.
+/// The errors of a technique in all views together.
 #[derive(Clone, Default)]
 pub struct Seen {
-    /// FLIP against the reference.
+    /// To the reference.
     pub flips: Flips,
-    /// Pixels that popped, in the number of pairs of frames.
     pops: usize,
+    /// Pairs of consecutive frames.
     pairs: usize,
-    /// Missed objects.
     missed: usize,
-    /// Against 64 samples per pixel, one for each view.
+    /// One for each view.
     differences_to_64: Vec<Difference>,
     pub flips_to_64: Flips,
 }
 
 impl Seen {
-    /// Returns the mean number of pixels that pop from a frame to the next.
+    /// Returns the mean number of pops per frame.
     pub fn pops(&self) -> Option<f64> {
         (self.pairs > 0).then(|| self.pops as f64 / self.pairs as f64)
     }
 
-    /// Returns the mean number of missed objects.
+    /// Returns the mean number of missed objects per frame.
     pub fn missed(&self) -> Option<f64> {
         let views = self.differences_to_64.len();
         (views > 0).then(|| self.missed as f64 / views as f64)
     }
 
-    /// Returns the PSNR against 64 samples per pixel, in dB.
+    /// Returns the PSNR to 64 samples per pixel, in dB.
     pub fn psnr_to_64_db(&self) -> Option<f64> {
         let differences = &self.differences_to_64;
         (!differences.is_empty()).then(|| Difference::pooled_psnr(differences))
     }
 }
 
-/// Returns the number of pixels that change from a frame to the next while the reference's stay.
+/// Returns the number of pixels that pop between two frames.
 pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
     let change = |[before, after]: [&[u32]; 2], i: usize| worst_channel(before[i], after[i]);
-    let pixels = 0..frames[0].len();
-    pixels
-        .filter(|&i| change(frames, i) > POP && change(references, i) <= STILL)
-        .count()
+    let pops = |&i: &usize| change(frames, i) > POP && change(references, i) <= STILL;
+    (0..frames[0].len()).filter(pops).count()
 }
 
-/// Adds the errors of a view, whose frames in a row show `scenes`. The first technique is the reference.
+/// Adds the errors of a view, whose consecutive frames show `scenes`. The first technique is the reference.
 pub fn look(
     techniques: &[Technique],
     level: Level,
@@ -100,8 +98,8 @@ pub fn look(
                     seen.missed += visible.missed(&references[0], &now);
                     seen.flips.add(&Flip::between(width, &references[0], &now));
                     seen.flips_to_64.add(&Flip::between(width, &samples, &now));
-                    seen.differences_to_64
-                        .push(Difference::between(&samples, &now));
+                    let difference = Difference::between(&samples, &now);
+                    seen.differences_to_64.push(difference);
                 }
                 before = now;
             }

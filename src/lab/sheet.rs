@@ -1,4 +1,4 @@
-//! Lays pictures of one size out on a sheet, each above its caption.
+//! Arranges captioned pictures of one size on a sheet.
 
 use crate::arguments::Size;
 use crate::bitmap::{at, bitmap, text};
@@ -6,20 +6,20 @@ use crate::picture;
 use anyhow::Result;
 use plotters::style::FontStyle;
 
-/// A picture and its caption of one line or several.
 pub struct Tile {
     pub pixels: Vec<u32>,
+    /// One line or more.
     pub caption: String,
 }
 
-/// Pixels between pictures and around them.
+/// The gap between pictures in pixels.
 const GAP: usize = 12;
-/// The height of a line of text in pixels.
+/// The height of a line in pixels.
 const LINE: usize = 18;
-/// The background.
+/// The background colour.
 const PAPER: u32 = 0x00ff_ffff;
 
-/// Returns a PNG file of all pictures, row by row.
+/// Returns a PNG file.
 pub fn sheet(size: Size, columns: usize, tiles: &[Tile]) -> Result<Vec<u8>> {
     let lines = tiles.iter().map(|tile| tile.caption.lines().count()).max();
     let below = LINE * lines.unwrap_or(0) + 4;

@@ -1,4 +1,4 @@
-//! Where frames are drawn: the tracer's memory, and threads that share the work.
+//! A renderer with its memory and threads.
 
 use crate::arguments::Size;
 use eightfold_tracer::observe::Observer;
@@ -9,16 +9,16 @@ use eightfold_tracer::{
 use eightfold_window::cpu;
 use eightfold_window::pool::Pool;
 
-/// Memory for one frame at a time, and threads that start once.
+/// Draws one frame at a time.
 pub struct ThreadedRenderer {
     renderer: Renderer,
     pub threads: PoolThreads,
-    /// Of the next frames.
+    /// For the next frames.
     offset: [f32; 2],
     probing: Probing,
 }
 
-/// A pool of threads, each with its working memory.
+/// Threads with their working memory.
 pub struct PoolThreads {
     pub pool: Pool,
     workers: Vec<Worker>,
@@ -31,14 +31,10 @@ impl Threads for PoolThreads {
 }
 
 impl ThreadedRenderer {
-    /// A renderer of so many threads, at least 1, with the caller's.
+    /// Starts threads. The caller's counts, too.
     pub fn new(threads: usize) -> Self {
         let pool = Pool::new(threads);
-        assert_eq!(
-            pool.threads(),
-            threads,
-            "the system has no threads to spare"
-        );
+        assert_eq!(pool.threads(), threads, "the system starts no more threads");
         Self {
             renderer: Renderer::new(Level::baseline()),
             threads: PoolThreads {
@@ -50,8 +46,7 @@ impl ThreadedRenderer {
         }
     }
 
-    /// Draws a frame `width` pixels wide that fills `pixels`, and says how much work it was. It takes a scene that is not valid,
-    /// too.
+    /// Draws a frame, also of an invalid scene. Returns its work.
     pub fn draw(
         &mut self,
         level: Level,
@@ -66,7 +61,7 @@ impl ThreadedRenderer {
             .render_valid(scene, quality, frame, &mut self.threads)
     }
 
-    /// Draws a frame of a valid scene like [`ThreadedRenderer::draw`], and tells an observer how.
+    /// Draws a frame of a valid scene with an observer.
     pub fn draw_observed(
         &mut self,
         level: Level,
@@ -83,17 +78,16 @@ impl ThreadedRenderer {
             .expect("a valid scene")
     }
 
-    /// Has some pixels of the next frames probed.
+    /// Sets the number of probed pixels of the next frames.
     pub fn set_probes(&mut self, count: u16, seed: u32) {
         self.probing = Probing { count, seed };
     }
 
-    /// Moves the samples of the next frames by so many pixels.
+    /// Offsets the samples of the next frames, in pixels.
     pub fn set_offset(&mut self, x: f32, y: f32) {
         self.offset = [x, y];
     }
 
-    /// A frame `width` pixels wide that fills `pixels`.
     fn whole<'a>(&self, width: usize, pixels: &'a mut [u32]) -> Frame<'a> {
         let ([x, y], Probing { count, seed }) = (self.offset, self.probing);
         whole(width, pixels)
@@ -102,7 +96,7 @@ impl ThreadedRenderer {
     }
 }
 
-/// Draws one frame by the best instruction set of this machine, on so many threads.
+/// Draws a frame by the best instruction set of this machine.
 pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Vec<u32> {
     let mut pixels = vec![0; size.area()];
     let level = cpu::best().level;
@@ -110,8 +104,8 @@ pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Ve
     pixels
 }
 
-/// A frame `width` pixels wide that fills `pixels`.
+/// Returns a frame `width` pixels wide that fills `pixels`.
 pub fn whole(width: usize, pixels: &mut [u32]) -> Frame<'_> {
-    assert_eq!(pixels.len() % width, 0, "the last row is not whole");
+    assert_eq!(pixels.len() % width, 0, "the last row is incomplete");
     Frame::new(width, pixels.len() / width, pixels)
 }

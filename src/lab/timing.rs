@@ -3,7 +3,7 @@
 use crate::arguments::processors;
 use std::fs;
 
-/// Returns the median: the middle one of some times, or the mean of the two in the middle.
+/// Returns the median; for an even number of times the mean of the middle two.
 pub fn median(times: &[f64]) -> f64 {
     let times = sorted(times);
     let middle = times.len() / 2;
@@ -14,7 +14,7 @@ pub fn median(times: &[f64]) -> f64 {
     }
 }
 
-/// Returns a percentile: the smallest of some times that `percent` in a hundred do not exceed.
+/// Returns the smallest time that `percent` of 100 do not exceed.
 pub fn percentile(times: &[f64], percent: usize) -> f64 {
     sorted(times)[(times.len() * percent).div_ceil(100) - 1]
 }
@@ -25,7 +25,7 @@ fn sorted(times: &[f64]) -> Vec<f64> {
     times
 }
 
-/// Returns the processor's name, if the system has it, and the number of processors.
+/// Returns the name and the number of processors.
 pub fn machine() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let models = info.lines().filter(|line| line.starts_with("model name"));

@@ -3,10 +3,10 @@
 use eightfold::sound::{RATE, Synthesizer};
 use std::ops::Range;
 
-/// The bytes of a sample of both channels.
+/// Bytes per stereo sample.
 const FRAME: u32 = 8;
 
-/// Synthesizes a range of the song, given in samples.
+/// Synthesizes a range of samples of the song.
 pub fn record(range: Range<u32>) -> Vec<[f32; 2]> {
     let mut synthesizer = Box::<Synthesizer>::default();
     let mut samples = vec![[0.0; 2]; range.len()];
@@ -18,7 +18,7 @@ pub fn record(range: Range<u32>) -> Vec<[f32; 2]> {
 /// Encodes stereo samples as a WAV file: 48 kHz, 32-bit floating point.
 pub fn wav(samples: &[[f32; 2]]) -> Vec<u8> {
     let size = samples.len() as u32 * FRAME;
-    // Format 3 is floating point; its header has 16 bytes.
+    // Format 3 is floating point.
     let (format, channels) = (3, 2);
     let header = [
         u32::from_le_bytes(*b"RIFF"),

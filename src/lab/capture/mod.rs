@@ -1,151 +1,140 @@
 //! `lab capture`: draws frames as PNG files, a video or a contact sheet, and writes their sound.
 
-mod film;
+mod recorder;
 mod video;
 
-use crate::arguments::{self, BadInput, NamedQuality, Size};
+use crate::arguments::{self, Exit, NamedQuality, Size, within};
 use crate::scenes::{self, SceneName};
 use crate::sheet::{Tile, sheet};
 use crate::{interrupt, output, picture, wav};
 use anyhow::{Context, Result, ensure};
 use clap::{ArgGroup, Args};
 use eightfold_tracer::scene::MAX_LENGTH;
-use film::Film;
+use recorder::Recorder;
 use std::fs;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 
-/// Draws frames of the show as PNG files, a video or a contact sheet, and writes their sound
+/// Draws frames as PNG files, a video or a contact sheet, and writes their sound
 ///
-/// The bytes of a frame depend on its number and the flags, and neither on the number of threads nor on the range; AVX2 and AVX-512
-/// draw the same. Several machines can therefore draw ranges of a long capture.
+/// A frame has the same bytes for any number of threads and any range, and by AVX2 and AVX-512: several machines can share a capture.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),
     group(ArgGroup::new("output").required(true).multiple(true).args(["png", "video", "sheet", "audio"]))
 )]
 pub struct Arguments {
-    /// Folder for one PNG file per frame: frame-000000.png and so on
+    /// Folder for a PNG file per frame, frame-000000.png and so on
     #[arg(long, value_name = "FOLDER")]
     png: Option<PathBuf>,
-    /// File for a video with sound, by ffmpeg: .mp4 or .mkv; or for an animated picture: .webp
+    /// File for a video with sound, .mp4 or .mkv, or for an animated picture, .webp, by ffmpeg
     #[arg(long, value_name = "FILE")]
     video: Option<PathBuf>,
-    /// File for a contact sheet, or - for standard output: a PNG file of frames at even intervals, with their times
+    /// PNG file for a contact sheet of frames at even intervals with their times, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     sheet: Option<PathBuf>,
-    /// File for the sound of the same frames, or - for standard output: WAV, 48 kHz, 32-bit floating point
+    /// WAV file for the sound of the frames, 48 kHz, 32-bit floating point, or - for standard output
     #[arg(long, value_name = "FILE")]
     audio: Option<PathBuf>,
     /// Frames on the contact sheet
-    #[arg(long, value_name = "N", default_value = "24", value_parser = arguments::frames, conflicts_with_all = ["png", "video"])]
+    #[arg(long, value_name = "N", default_value = "24", value_parser = within(arguments::FRAMES), conflicts_with_all = ["png", "video"])]
     frames: usize,
-    /// The first frame; the scene begins with frame 0
-    #[arg(long, value_name = "FRAME", default_value = "0", value_parser = arguments::frame)]
+    /// The first frame
+    #[arg(long, value_name = "FRAME", default_value = "0", value_parser = within(FRAME))]
     from: usize,
-    /// The frame after the last [default: the scene's end]
-    #[arg(long, value_name = "FRAME", value_parser = arguments::frame)]
+    /// The frame after the last one [default: the scene's end]
+    #[arg(long, value_name = "FRAME", value_parser = within(FRAME))]
     to: Option<usize>,
     /// Frames per second
-    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "60", value_parser = within(1..=1000_u32))]
     fps: u32,
-    /// Width and height of a frame in pixels [default: 1024x768, and 320x240 on a contact sheet]
+    /// Width and height of a frame in pixels [default: 1024x768, or 320x240 on a contact sheet]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show, help = scenes::takes())]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show, help = scenes::names())]
     scene: SceneName,
-    /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest
-    #[arg(long, value_name = "NAME", default_value = "default")]
+    #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: NamedQuality,
-    /// A frame is the mean of N by N pictures, with samples in other places of the pixels [default: 1; 4 with a flag below]
-    #[arg(long, value_name = "N", value_parser = supersample)]
+    /// Averages N by N pictures per frame, with samples spread over the pixel [default: 1; 4 with a flag below]
+    #[arg(long, value_name = "N", value_parser = within(1..=MAX_SUPERSAMPLE))]
     supersample: Option<usize>,
-    /// The share of the time between two frames that the shutter is open, 0 to 1: the pictures of a frame show different times
-    #[arg(long, value_name = "SHARE", default_value = "0", value_parser = share)]
+    /// Motion blur: the fraction of a frame's time that the shutter is open, 0 to 1
+    #[arg(long, value_name = "FRACTION", default_value = "0", value_parser = within(0.0..=1.0_f32))]
     shutter: f32,
-    /// The diameter of the lens in scene units: the pictures of a frame are seen from different points of it. The point that the
-    /// camera looks at is in focus
-    #[arg(long, value_name = "LENGTH", default_value = "0", value_parser = length)]
+    /// Depth of field: the diameter of the lens in scene units. The point that the camera looks at is in focus
+    #[arg(long, value_name = "LENGTH", default_value = "0", value_parser = within(0.0..=MAX_LENGTH))]
     aperture: f32,
 }
+
+/// The index of a frame.
+const FRAME: RangeInclusive<usize> = 0..=*arguments::FRAMES.end();
+/// 256 pictures show every step of an edge in 8 bits.
+const MAX_SUPERSAMPLE: usize = 16;
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let frames = range(arguments)?;
-    let mut film = Film::new(arguments);
+    let mut recorder = Recorder::new(arguments);
     interrupt::listen();
     if let Some(name) = &arguments.audio {
-        let sound = film.sound(&frames);
+        let sound = recorder.sound(&frames);
         let scene = arguments.scene;
-        let sound = sound.ok_or_else(|| BadInput(format!("--audio: {scene} has no sound")))?;
-        output::write(name, &wav::wav(&sound))?;
+        let error = || Exit::bad_input(format!("--audio: {scene} has no sound"));
+        output::write(name, &wav::wav(&sound.ok_or_else(error)?))?;
     }
     if let Some(folder) = &arguments.png {
-        write_files(&mut film, frames, folder)
+        write_files(&mut recorder, frames, folder)
     } else if let Some(name) = &arguments.video {
-        video::write(&mut film, frames, name)
+        video::write(&mut recorder, frames, name)
     } else if let Some(name) = &arguments.sheet {
-        write_sheet(&mut film, &frames, arguments.frames, name)
+        write_sheet(&mut recorder, &frames, arguments.frames, name)
     } else {
         Ok(())
     }
 }
 
-/// Returns the range of frames to draw, which is not empty. It ends with the scene.
+/// Returns the frames to draw, clipped to the scene.
 fn range(arguments: &Arguments) -> Result<Range<usize>> {
     let length = (arguments.scene.length() * arguments.fps as f32).ceil() as usize;
     let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));
-    let what =
-        format!("--from {from} --to {to} is an empty range; the scene has frames 0 to {length}");
-    ensure!(from < to, BadInput(what));
+    let range = format!("--from {from} --to {to} is empty; the scene has frames 0 to {length}");
+    ensure!(from < to, Exit::bad_input(range));
     Ok(from..to)
 }
 
-/// Writes one PNG file per frame. Numbers have six digits: sorting by name sorts by number.
-fn write_files(film: &mut Film, frames: Range<usize>, folder: &Path) -> Result<()> {
+/// Writes a PNG file per frame, with six digits so that names sort by number.
+fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-    let width = film.size.width;
-    film.draw_each(frames, |frame, pixels| {
+    let width = recorder.size.width;
+    recorder.draw_each(frames, |frame, pixels| {
         let path = folder.join(format!("frame-{frame:06}.png"));
         output::write(&path, &picture::png(width, pixels)?)
     })
 }
 
-/// Writes a sheet of `count` frames, each from the middle of an equal part of the range.
-fn write_sheet(film: &mut Film, range: &Range<usize>, count: usize, name: &Path) -> Result<()> {
+/// Writes a sheet of `count` frames from the middle of equal parts of the range.
+fn write_sheet(
+    recorder: &mut Recorder,
+    range: &Range<usize>,
+    count: usize,
+    name: &Path,
+) -> Result<()> {
     output::check(name)?;
     let frames = (0..count).map(|i| range.start + (2 * i + 1) * range.len() / (2 * count));
-    let (fps, mut tiles) = (film.fps, Vec::new());
-    film.draw_each(frames, |frame, pixels| {
+    let (fps, mut tiles) = (recorder.fps, Vec::new());
+    recorder.draw_each(frames, |frame, pixels| {
         tiles.push(Tile {
             pixels: pixels.to_vec(),
             caption: format!("{:.2} s", frame as f64 / f64::from(fps)),
         });
         Ok(())
     })?;
-    output::write(name, &sheet(film.size, columns(count), &tiles)?)
+    output::write(name, &sheet(recorder.size, columns(count), &tiles)?)
 }
 
-/// Returns the number of columns for `count` tiles: from as many columns as rows to twice that, with the fewest empty places.
+/// Returns the number of columns with the fewest empty places, from the square root of `count` to twice that.
 fn columns(count: usize) -> usize {
     let least = (count as f64).sqrt().ceil() as usize;
     let empty = |&columns: &usize| count.next_multiple_of(columns) - count;
     (least..=2 * least).min_by_key(empty).unwrap_or(1)
-}
-
-/// Parses the number of pictures per frame along each axis: 256 in all show every step of an edge in 8 bits.
-fn supersample(text: &str) -> Result<usize, String> {
-    arguments::number(text, 16)
-}
-
-/// Parses a share.
-fn share(text: &str) -> Result<f32, String> {
-    let is_share = |share: &f32| (0.0..=1.0).contains(share);
-    arguments::parsed(text, is_share, "a share from 0 to 1, such as 0.5")
-}
-
-/// Parses a length.
-fn length(text: &str) -> Result<f32, String> {
-    let is_length = |length: &f32| (0.0..=MAX_LENGTH).contains(length);
-    arguments::parsed(text, is_length, "a length in scene units, from 0")
 }

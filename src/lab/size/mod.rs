@@ -3,8 +3,9 @@
 mod packed;
 pub mod program;
 
+use crate::arguments::{self, within};
 use crate::cargo::Build;
-use crate::{arguments, output};
+use crate::output;
 use anyhow::Result;
 use clap::Args;
 use packed::Packed;
@@ -16,26 +17,24 @@ use std::path::Path;
 
 /// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown tables
 ///
-/// `bytes` is the size in the linked program, `packed` the size in the file that ships: the sum of the packer's costs. A generic
-/// function counts for the crate that it was compiled with, if the linker has recorded it; all its instances in a crate are one row.
-/// Inlined code counts for the function around it.
+/// `bytes` is the size in the linked program, `packed` in the packed file: the sum of the packer's costs. A generic function counts for
+/// the crate that instantiates it, if the linker recorded it, with one row for all instances. Inlined code counts for its caller.
 #[derive(Args)]
 pub struct Arguments {
-    /// Of the intro for Windows
+    /// Measures the intro for Windows
     #[arg(long)]
     windows: bool,
     /// Functions to list
-    #[arg(long, value_name = "N", default_value = "30", value_parser = arguments::frames, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "30", value_parser = within(arguments::FRAMES), allow_negative_numbers = true)]
     functions: usize,
 }
 
-/// The smallest share of the file with which a section is listed by itself.
+/// Smaller shares of the file are listed as one.
 const LISTED: f64 = 0.005;
 
-/// The size of some parts of the program.
+/// The size of parts of the program.
 #[derive(Clone, Copy, Default)]
 struct Bytes {
-    /// The number of parts.
     parts: usize,
     linked: u64,
     packed: f64,
@@ -118,7 +117,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(Path::new("-"), text.as_bytes())
 }
 
-/// Sums up the sizes of parts by a key. Returns the largest first.
+/// Sums the sizes of parts by key. Returns the largest first.
 fn sums<'a, K: Ord>(
     parts: &'a [Part],
     packed: &Packed,

@@ -1,4 +1,4 @@
-//! The cost of each byte of the linked program in the packed file.
+//! The packed size of each byte of the linked program.
 
 use super::Bytes;
 use anyhow::{Context, Result, anyhow};
@@ -6,19 +6,19 @@ use eightfold_pack::{costs, strip};
 use object::{Object, ObjectSegment};
 use std::ops::Range;
 
-/// The packed image: those parts of the linked program that are loaded.
+/// The loaded part of the linked program.
 pub struct Packed {
-    /// The addresses of each segment, and the offset of its first byte in the image.
+    /// The addresses of each segment, and its offset in the image.
     segments: Vec<(Range<u64>, usize)>,
-    /// For each offset in the image, and for its end, the packed bytes before it.
+    /// The packed bytes before each offset, and before the end.
     before: Vec<f64>,
 }
 
 impl Packed {
-    /// Packs a linked program and records the cost of each byte.
+    /// Packs a linked program.
     pub fn new(linked: &[u8]) -> Result<Self> {
         let image = strip(linked).map_err(|error| anyhow!("{error}"))?;
-        let file = object::File::parse(&*image).context("what is packed is no program")?;
+        let file = object::File::parse(&*image).context("not an ELF file")?;
         let segments = file.segments().map(|segment| {
             let (offset, size) = segment.file_range();
             (segment.address()..segment.address() + size, offset as usize)
@@ -35,7 +35,6 @@ impl Packed {
         })
     }
 
-    /// Returns the size of the part at these addresses.
     pub fn of(&self, addresses: &Range<u64>) -> Bytes {
         let mut bytes = Bytes {
             parts: 1,
@@ -53,7 +52,6 @@ impl Packed {
         bytes
     }
 
-    /// Returns the size of the whole image.
     pub fn all(&self) -> Bytes {
         Bytes {
             parts: 1,

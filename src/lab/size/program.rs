@@ -1,4 +1,4 @@
-//! Reads the sections and symbols of the linked program, an ELF file.
+//! The sections and symbols of an ELF file.
 
 use anyhow::{Result, ensure};
 use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
@@ -8,9 +8,9 @@ use std::ops::Range;
 /// A part of the program: a section, a function or a constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// The name, demangled and without a hash.
+    /// Demangled, without a hash.
     pub name: String,
-    /// The crate in which it was compiled; empty for sections, and for code that is not Rust.
+    /// The crate that it was compiled in; empty for sections and foreign code.
     pub of: String,
     pub addresses: Range<u64>,
 }
@@ -22,7 +22,6 @@ pub struct Program {
 }
 
 impl Program {
-    /// Parses an ELF file.
     pub fn parse(elf: &[u8]) -> Result<Self> {
         let file = object::File::parse(elf)?;
         let mut sections: Vec<Part> = file
@@ -41,7 +40,7 @@ impl Program {
     }
 }
 
-/// Whether a section is loaded from the file. Sections that are not loaded have no address.
+/// Returns true if a section is loaded from the file: only then it has an address.
 fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
     let is_zero = matches!(
         section.kind(),
@@ -50,7 +49,7 @@ fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
     section.address() != 0 && section.size() > 0 && !is_zero
 }
 
-/// The functions and constants. Each address appears once, though one function may have several symbols.
+/// Returns the functions and constants by address. A function with several symbols appears once.
 fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     let mut symbols: BTreeMap<u64, Part> = BTreeMap::new();
     let mut unit = None;
@@ -78,17 +77,17 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     symbols.into_values().collect()
 }
 
-/// The crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name in the
-/// symbol table; shared symbols follow a name that is no codegen unit or, for Windows, that of the last crate.
+/// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. In the symbol table, a unit's private symbols follow
+/// its name; shared symbols follow another name or, for Windows, the last crate's.
 pub fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     (file.contains("-cgu.") && name != LAST).then_some(name)
 }
 
-/// The crate that is linked last. Paths tell what is of it.
+/// The crate that is linked last. Its symbols are known by their paths.
 const LAST: &str = "compiler_builtins";
 
-/// The crate with which a demangled name begins, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
+/// Returns the first crate of a demangled name, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
 pub fn crate_of_path(name: &str) -> &str {
     let name = name.trim_start_matches(['<', '&', '*', '(', '[']);
     let name = name.strip_prefix("mut ").unwrap_or(name);

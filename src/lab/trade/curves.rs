@@ -1,57 +1,52 @@
-//! Measures how the speed-up depends on the size of the picture and on the number of objects.
+//! Measures the speed-up by the size of the picture and by the number of objects.
 
 use crate::arguments::{NamedQuality, Size};
 use crate::interrupt;
-use crate::measure::{Plan, Setting, Shot, Technique};
+use crate::measure::{Measurement, Setting, Shot, Technique};
 use crate::row::quartile;
 use crate::scenes::SceneName;
 use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use serde::Serialize;
 
-/// The frames of each point of a curve.
+/// Frames of each point.
 const FRAMES: usize = 7;
-/// The sides of the pictures, as multiples of `--size`.
+/// The sides of the pictures, relative to `--size`.
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 2.8];
-/// The numbers of small spheres.
 const SPHERES: [usize; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, MAX_SPHERES];
-/// The qualities with a curve, after the exhaustive one.
-const NAMES: [&str; 4] = ["thesis", "finest", "default", "fastest"];
+/// The qualities, the reference first.
+const NAMES: [&str; 5] = ["exhaustive", "thesis", "finest", "default", "fastest"];
 
 /// A curve of a plot.
 #[derive(Serialize)]
 pub struct Curve {
     /// The name of the quality.
     pub name: String,
-    /// The speed-up over exhaustive frames by a number.
+    /// Speed-ups by a number.
     pub points: Vec<(f64, f64)>,
 }
 
 /// Measures curves by the number of pixels.
-pub fn by_resolution(of: &Plan) -> Vec<Curve> {
-    let Size { width, height } = of.sizes[0];
-    let scaled = |by: f64| Size {
-        width: ((width as f64 * by) as usize).max(1),
-        height: ((height as f64 * by) as usize).max(1),
-    };
+pub fn by_resolution(of: &Measurement) -> Vec<Curve> {
+    let sizes = SCALES.into_iter().map(|scale| of.sizes[0].scaled(scale));
     let fits = |size: &Size| size.width <= MAX_WIDTH && size.height <= MAX_HEIGHT;
-    let sizes = SCALES.into_iter().map(scaled).filter(fits).collect();
+    let sizes = sizes.filter(fits).collect();
     curves(of, &[of.shots[0].scene], sizes, |setting| {
         setting.size.area()
     })
 }
 
 /// Measures curves by the number of spheres.
-pub fn by_spheres(of: &Plan) -> Vec<Curve> {
+pub fn by_spheres(of: &Measurement) -> Vec<Curve> {
     let fields = SPHERES.map(SceneName::Field);
     curves(of, &fields, of.sizes.clone(), |setting| {
         SPHERES[setting.shot]
     })
 }
 
-/// Measures frames of some scenes at their beginning, in some sizes. Returns curves with a point for each setting; none after Ctrl-C.
+/// Measures the first frames of scenes. Returns curves with a point for each setting, or no curves after Ctrl-C.
 fn curves(
-    of: &Plan,
+    of: &Measurement,
     scenes: &[SceneName],
     sizes: Vec<Size>,
     x: impl Fn(&Setting) -> usize,
@@ -66,26 +61,22 @@ fn curves(
     });
     let antialias = of.techniques[0].quality.antialias;
     let named = NamedQuality::all().filter(|named| NAMES.contains(&named.name));
-    let all = [NamedQuality::EXHAUSTIVE].into_iter().chain(named);
-    let plan = Plan {
+    let techniques = named.map(|named| Technique::named(named, antialias));
+    let measurement = Measurement {
         shots: shots.collect(),
         isa: of.isa,
         sizes,
         threads: vec![1],
-        techniques: all
-            .map(|named| Technique::named(named, antialias))
-            .collect(),
+        techniques: techniques.collect(),
     };
-    let settings = plan.measure();
+    let settings = measurement.run();
     let curve = |i: usize| {
         let speed_up = |setting: &Setting| quartile(&setting.runs[0]) / quartile(&setting.runs[i]);
-        let points = settings
-            .iter()
-            .map(|setting| (x(setting) as f64, speed_up(setting)));
+        let point = |setting| (x(setting) as f64, speed_up(setting));
         Curve {
-            name: plan.techniques[i].name.clone(),
-            points: points.collect(),
+            name: NAMES[i].to_owned(),
+            points: settings.iter().map(point).collect(),
         }
     };
-    (1..plan.techniques.len()).map(curve).collect()
+    (1..NAMES.len()).map(curve).collect()
 }

@@ -1,68 +1,59 @@
-//! `lab trade`: measures the gain in speed and the cost in accuracy of each dial of the quality.
+//! `lab trade`: measures what each field of the quality gains in speed and costs in accuracy.
 
 mod curves;
 mod front;
 mod plots;
 mod sweep;
 
-use crate::arguments::{self, NamedQuality, Size};
-use crate::interrupt::{self, Stopped};
-use crate::measure::{Plan, Shot, Technique};
+use crate::arguments::{self, NamedQuality, Size, within};
+use crate::interrupt;
+use crate::measure::{Measurement, Shot, ShotArguments};
 use crate::output;
-use crate::rivals::Way;
 use crate::row::{self, Row};
-use crate::scenes::{self, SceneName};
+use crate::technique::{Sampling, Technique};
 use crate::timing::machine;
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use clap::Args;
 use curves::Curve;
-use eightfold_window::cpu::{self, Isa};
+use eightfold_window::cpu;
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Measures the gain in speed and the cost in accuracy of each dial of the quality
+/// Measures the gain in speed and the cost in accuracy of each field of the quality
 ///
-/// Writes trade.json and plots as SVG into a folder, and prints a Markdown table of the Pareto front. A setting is on the front if it
-/// compares colours, objects and lights, misses no object, and no other such setting is better in speed, FLIP and pops at once.
-/// Speed is a ratio to exhaustive frames, every pixel traced, by one thread; errors are against the same frames. Frames of fewer
-/// pixels are measured beside them: exhaustive ones enlarged, `resolution:0.4` to `0.9` of their sides, and a `checkerboard`, every
-/// second pixel traced. Ctrl-C writes the figures so far.
+/// Writes trade.json and SVG plots, and prints a Markdown table of the Pareto front: settings that compare colours, objects and lights,
+/// miss no object, and are beaten by no other such setting in speed, FLIP and pops at once. Speed is a ratio to exhaustive frames by one
+/// thread; errors are to the same frames. Exhaustive frames of 0.4 to 0.9 of the side, enlarged, and a checkerboard, which traces every
+/// second pixel, are measured, too. Ctrl-C writes the figures so far.
 ///
-/// The dials are fields of the library's `Quality`. `tolerance` is that within which colours fill a square, also of midpoints of
-/// sides; `keys` are the depths of objects and of lights' states that are compared; `contribution` is the least of a ray.
+/// `tolerance` is for the colours of squares and of midpoints of sides; `keys` are the depths of compared objects and of lights' states;
+/// `contribution` is the smallest weight of a ray.
 #[derive(Args)]
 pub struct Arguments {
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
-    scene: SceneName,
+    #[command(flatten)]
+    shot: ShotArguments,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Size,
-    /// Antialiases the edges of all frames, the exhaustive ones too; otherwise no frame is antialiased
+    /// Antialiases all frames
     #[arg(long)]
     antialias: bool,
-    /// Frames of each setting against the clock, at times spread evenly
-    #[arg(long, value_name = "N", default_value = "51", value_parser = arguments::frames)]
+    /// Timed frames of each setting, at even intervals
+    #[arg(long, value_name = "N", default_value = "51", value_parser = within(arguments::FRAMES))]
     frames: usize,
-    /// Views, spread evenly, at which FLIP, missed objects and the distance to 64 samples per pixel are measured; pops are counted in
-    /// the ten frames after each, 60 per second
-    #[arg(long, value_name = "N", default_value = "9", value_parser = arguments::frames)]
-    views: usize,
-    /// Instruction set [default: the best of this machine]
-    #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
-    isa: Option<Isa>,
-    /// Measures the named qualities alone, and writes no files
+    /// Measures the named qualities only, and writes no files
     #[arg(long)]
     ladder: bool,
-    /// Folder to write to; it is made where it is missing
+    /// Folder to write to
     #[arg(long, value_name = "FOLDER", default_value = "target/trade")]
     out: PathBuf,
 }
 
-/// All results, as they are written to JSON.
+/// The contents of trade.json.
 #[derive(Serialize)]
 struct Trade {
-    /// The machine, the scene and the settings in words.
+    /// The machine, the scene and the settings.
     heading: String,
     rows: Vec<Row>,
     by_resolution: Vec<Curve>,
@@ -77,20 +68,16 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
         output::check(&folder.join("trade.json"))?;
     }
-    let plan = plan(arguments);
-    let mut rows = Row::of(&plan, &plan.measure()[0]);
+    let measurement = measurement(arguments);
+    let mut rows = Row::of(&measurement, &measurement.run()[0]);
     front::mark(&mut rows);
     let heading = format!(
         "{}, {}; {}, {}, {} edges, {} frames",
         machine(),
-        plan.isa.name,
-        arguments.scene,
+        measurement.isa.name,
+        arguments.shot.scene,
         arguments.size,
-        if arguments.antialias {
-            "antialiased"
-        } else {
-            "jagged"
-        },
+        ["jagged", "antialiased"][usize::from(arguments.antialias)],
         rows[0].frames
     );
     const TITLES: &str = "quality, speed-up, traced, missed";
@@ -104,38 +91,34 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let trade = Trade {
             heading,
             rows,
-            by_resolution: curves::by_resolution(&plan),
-            by_spheres: curves::by_spheres(&plan),
+            by_resolution: curves::by_resolution(&measurement),
+            by_spheres: curves::by_spheres(&measurement),
         };
         output::write_json(&folder.join("trade.json"), &trade)?;
         plots::write(folder, &trade)?;
     }
-    let stopped = Stopped("the table has the figures so far".to_owned());
-    ensure!(!interrupt::is_stopped(), stopped);
-    Ok(())
+    Ok(interrupt::check("the table has the figures so far")?)
 }
 
-fn plan(arguments: &Arguments) -> Plan {
-    let named = NamedQuality::all();
-    let mut techniques: Vec<Technique> = if arguments.ladder {
-        named.map(|named| Technique::named(named, false)).collect()
+fn measurement(arguments: &Arguments) -> Measurement {
+    let antialias = arguments.antialias;
+    let techniques = if arguments.ladder {
+        let named = NamedQuality::all();
+        named
+            .map(|named| Technique::named(named, antialias))
+            .collect()
     } else {
-        sweep::techniques()
+        let rivals = Technique::rivals(antialias);
+        let rivals = rivals.filter(|rival| rival.sampling != Sampling::Full);
+        sweep::techniques(antialias)
+            .into_iter()
+            .chain(rivals)
+            .collect()
     };
-    for technique in &mut techniques {
-        technique.quality.antialias = arguments.antialias;
-    }
-    if !arguments.ladder {
-        let rivals = Technique::rivals(arguments.antialias);
-        techniques.extend(rivals.filter(|rival| rival.way != Way::Drawn));
-    }
-    Plan {
-        shots: vec![Shot::new(
-            arguments.scene,
-            arguments.frames,
-            arguments.views,
-        )],
-        isa: arguments.isa.unwrap_or_else(cpu::best),
+    let ShotArguments { scene, views, isa } = arguments.shot;
+    Measurement {
+        shots: vec![Shot::new(scene, arguments.frames, views)],
+        isa: isa.unwrap_or_else(cpu::best),
         sizes: vec![arguments.size],
         threads: vec![1],
         techniques,

@@ -6,17 +6,17 @@ use super::front::from_the_slowest;
 use crate::arguments::NamedQuality;
 use crate::output;
 use crate::plot::{Chart, Series};
-use crate::rivals::Way;
 use crate::row::Row;
+use crate::technique::Sampling;
 use anyhow::Result;
 use eightfold_tracer::Quality;
 use plotters::chart::SeriesLabelPosition::{self, *};
 use std::path::Path;
 
-const PSNR: &str = "PSNR against every pixel traced, dB";
+const PSNR: &str = "dB to exhaustive";
 const SPEED_UP: &str = "speed-up over exhaustive frames";
 
-/// Writes all plots for which there are results.
+/// Writes the plots that have results.
 pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
     for (name, chart) in [
         ("front", front(trade)),
@@ -38,64 +38,57 @@ pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
     Ok(())
 }
 
-/// The plot of all settings, the Pareto front, and the named qualities.
+/// Plots all settings, the Pareto front, and the named qualities.
 fn front(trade: &Trade) -> Chart {
     let is_named = |row: &&Row| NamedQuality::all().any(|named| named.name == row.name);
-    let dots = |name: &str, rows: Vec<&Row>, has_labels: bool| Series {
-        name: name.to_owned(),
-        points: rows.iter().map(|row| (row.speedup, row.psnr_db)).collect(),
-        labels: rows
-            .iter()
-            .filter(|_| has_labels)
-            .map(|row| row.name.clone())
-            .collect(),
-        has_line: false,
+    let dots = |name: &str, rows: Vec<&Row>, has_labels: bool| {
+        let labels = rows.iter().filter(|_| has_labels);
+        Series {
+            name: name.to_owned(),
+            points: rows.iter().map(|row| (row.speedup, row.psnr_db)).collect(),
+            labels: labels.map(|row| row.name.clone()).collect(),
+            has_line: false,
+        }
     };
-    let inexact = || trade.rows.iter().filter(|row| !row.is_exact());
-    let is_rival = |row: &&Row| row.way != Way::Drawn;
+    let is_rival = |row: &&Row| row.sampling != Sampling::Full;
+    let inexact = trade.rows.iter().filter(|row| !row.is_exact());
+    let (rivals, settings): (Vec<&Row>, Vec<&Row>) = inexact.partition(is_rival);
+    let named = settings.iter().copied().filter(is_named).collect();
     Chart {
         x: SPEED_UP,
         y: PSNR,
         legend: LowerLeft,
         series: vec![
-            dots(
-                "settings",
-                inexact().filter(|row| !is_rival(row)).collect(),
-                false,
-            ),
+            dots("settings", settings, false),
             dots("Pareto front", from_the_slowest(&trade.rows), false),
-            dots("named", inexact().filter(is_named).collect(), true),
-            dots("fewer pixels", inexact().filter(is_rival).collect(), true),
+            dots("named", named, true),
+            dots("fewer pixels", rivals, true),
         ],
     }
 }
 
-/// The plot of the error by the side of the squares, for the rules of 2008 and the default quality, with speed-ups.
+/// Plots the error by the side of the squares, labelled with speed-ups.
 fn squares(trade: &Trade) -> Chart {
     let series = |(name, base): (&str, Quality)| {
-        let is_turned = |row: &&Row| {
+        let is_varied = |row: &&Row| {
             let Quality {
                 square, antialias, ..
             } = row.quality;
-            let turned = Quality {
+            let varied = Quality {
                 square,
                 antialias,
                 ..base
             };
-            square > 1 && row.quality == turned
+            square > 1 && row.quality == varied
         };
-        let mut rows: Vec<&Row> = trade.rows.iter().filter(is_turned).collect();
+        let mut rows: Vec<&Row> = trade.rows.iter().filter(is_varied).collect();
         rows.sort_by_key(|row| row.quality.square);
-        let points = rows
-            .iter()
-            .map(|row| (row.quality.square as f64, row.psnr_db));
+        let point = |row: &&Row| (row.quality.square as f64, row.psnr_db);
+        let label = |row: &&Row| format!("{:.1}x", row.speedup);
         Series {
             name: name.to_owned(),
-            points: points.collect(),
-            labels: rows
-                .iter()
-                .map(|row| format!("{:.1}x", row.speedup))
-                .collect(),
+            points: rows.iter().map(point).collect(),
+            labels: rows.iter().map(label).collect(),
             has_line: true,
         }
     };
@@ -108,7 +101,6 @@ fn squares(trade: &Trade) -> Chart {
     }
 }
 
-/// The plot of some curves.
 fn curves(curves: &[Curve], x: &'static str, legend: SeriesLabelPosition) -> Chart {
     let series = curves.iter().map(|curve| Series {
         name: curve.name.clone(),

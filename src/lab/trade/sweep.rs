@@ -1,11 +1,10 @@
-//! The settings to measure: each dial by itself, then combinations of dials that save time.
+//! The settings to measure: each field of the quality by itself, then combinations.
 
 use crate::arguments::NamedQuality;
-use crate::measure::Technique;
-use crate::rivals::Way;
+use crate::technique::{Sampling, Technique};
 use eightfold_tracer::Quality;
 
-/// The names of two qualities whose dials are turned, and values of the dials.
+/// The qualities whose fields are varied.
 const BASES: [(&str, Quality); 2] = [("default", Quality::DEFAULT), ("thesis", Quality::THESIS)];
 const SQUARES: [usize; 5] = [2, 4, 8, 16, 32];
 const TOLERANCES: [f32; 12] = [
@@ -17,65 +16,53 @@ const SIDES: [f32; 4] = [0.0, 3.0, 5.0, 16.0];
 const KEYS: [(u32, u32); 6] = [(0, 0), (1, 0), (1, 1), (2, 2), (5, 1), (5, 5)];
 const HIGHLIGHTS: [f32; 4] = [1.0 / 1024.0, 1.0 / 64.0, 0.25, f32::INFINITY];
 const CONTRIBUTIONS: [f32; 6] = [0.0, 0.003, 0.02, 0.05, 0.1, 0.2];
-/// Depths and least contributions that go together.
+/// Combinations of depth and contribution.
 const FOLLOWED: [(u32, f32); 5] = [(5, 0.01), (5, 0.02), (4, 0.02), (3, 0.05), (2, 0.1)];
 
-/// Returns all settings, each once: the named ones, the exhaustive one first, then the others.
-pub fn techniques() -> Vec<Technique> {
-    let named = NamedQuality::all();
-    let mut all: Vec<Technique> = named.map(|named| Technique::named(named, false)).collect();
-    let mut add = |name: String, mut quality: Quality| {
-        quality.antialias = false;
-        if all.iter().all(|technique| technique.quality != quality) {
-            all.push(Technique {
-                name,
-                quality,
-                way: Way::Drawn,
-            });
+/// Returns distinct settings, the named ones first.
+pub fn techniques(antialias: bool) -> Vec<Technique> {
+    let named = NamedQuality::all().map(|named| Technique::named(named, antialias));
+    let mut all: Vec<Technique> = named.collect();
+    let mut add = |name: &str, quality: Quality| {
+        let technique = Technique::new(name, quality, antialias, Sampling::Full);
+        if all.iter().all(|known| known.quality != technique.quality) {
+            all.push(technique);
         }
     };
     for (base, quality) in BASES {
-        let mut turn = |dial: String, change: &dyn Fn(&mut Quality)| {
+        let mut vary = |field: &str, change: &dyn Fn(&mut Quality)| {
             let mut quality = quality;
             change(&mut quality);
-            add(format!("{base}, {dial}"), quality);
+            add(&format!("{base}, {field}"), quality);
         };
         for square in SQUARES {
-            turn(format!("square {square}"), &|it| it.square = square);
+            vary(&format!("square {square}"), &|it| it.square = square);
         }
-        for tolerance in TOLERANCES {
-            turn(format!("tolerance {tolerance}"), &|it| {
-                set_tolerance(it, tolerance)
+        for to in TOLERANCES {
+            vary(&format!("tolerance {to}"), &|it| set_tolerance(it, to));
+        }
+        for to in DIFFERING {
+            let field = format!("differing {to}");
+            vary(&field, &|it| it.tolerance_differing = to);
+        }
+        for to in SIDES {
+            vary(&format!("side {to}"), &|it| it.tolerance_side = to);
+        }
+        vary("unguarded", &|it| it.guarded = false);
+        for keys in KEYS {
+            vary(&format!("keys {}/{}", keys.0, keys.1), &|it| {
+                (it.key_depth, it.state_depth) = keys;
             });
         }
-        for tolerance in DIFFERING {
-            let dial = format!("differing {tolerance}");
-            turn(dial, &|it| it.tolerance_differing = tolerance);
-        }
-        for tolerance in SIDES {
-            turn(format!("side {tolerance}"), &|it| {
-                it.tolerance_side = tolerance
-            });
-        }
-        turn("unguarded".to_owned(), &|it| it.guarded = false);
-        for (objects, states) in KEYS {
-            let dial = format!("keys {objects}/{states}");
-            turn(dial, &|it| {
-                (it.key_depth, it.state_depth) = (objects, states)
-            });
-        }
-        for highlight in HIGHLIGHTS {
-            turn(format!("highlight {highlight:.3}"), &|it| {
-                it.highlight = highlight
-            });
+        for to in HIGHLIGHTS {
+            vary(&format!("highlight {to:.3}"), &|it| it.highlight = to);
         }
         for depth in 0..=Quality::MAX_DEPTH {
-            turn(format!("depth {depth}"), &|it| it.depth = depth);
+            vary(&format!("depth {depth}"), &|it| it.depth = depth);
         }
         for least in CONTRIBUTIONS {
-            turn(format!("contribution {least}"), &|it| {
-                it.least_contribution = least
-            });
+            let field = format!("contribution {least}");
+            vary(&field, &|it| it.least_contribution = least);
         }
     }
     for tolerance in TOLERANCES {
@@ -86,16 +73,15 @@ pub fn techniques() -> Vec<Technique> {
                 ..Quality::DEFAULT
             };
             set_tolerance(&mut quality, tolerance);
-            add(
-                format!("tolerance {tolerance}, depth {depth}, contribution {least_contribution}"),
-                quality,
-            );
+            let name =
+                format!("tolerance {tolerance}, depth {depth}, contribution {least_contribution}");
+            add(&name, quality);
         }
     }
     all
 }
 
-/// Sets the tolerance of squares, and of midpoints of sides.
+/// Sets the tolerance of squares and of midpoints of sides.
 fn set_tolerance(quality: &mut Quality, tolerance: f32) {
     (quality.tolerance_agreeing, quality.tolerance_side) = (tolerance, tolerance);
 }

@@ -1,8 +1,7 @@
-//! Lights as spheres that shine, or as points. Coordinates are the scene's.
+//! Lights as emitting spheres or points, in scene coordinates.
 //!
-//! A light of the colour c gives a surface that faces it the irradiance pi c at every distance, since a scene's lights have no
-//! falloff. A sphere of radius R at the distance D therefore has the radiance c (D / R)^2. D is measured along the light's path,
-//! across mirrors and glass.
+//! A light of colour c causes the irradiance pi c on a surface that faces it at any distance, since lights have no falloff. So a
+//! sphere of radius R at the distance D has the radiance c (D / R)^2. D is the length of the path across mirrors and glass.
 
 use eightfold_oracle::geometry::{Ray, sphere};
 use eightfold_oracle::light::{cone, reach};
@@ -10,21 +9,19 @@ use eightfold_tracer::glam::{DVec2, DVec3};
 use eightfold_tracer::scene::Light;
 use std::f64::consts::{PI, TAU};
 
-/// A light of a scene.
 pub struct SphereLight<'a> {
     light: &'a Light,
     position: DVec3,
-    /// The radius of the sphere that shines; 0 for a point.
+    /// The radius of the sphere; 0 for a point.
     radius: f64,
 }
 
-/// Light of a light that arrives at a point.
+/// A sample of a light at a point.
 pub struct Arriving {
-    /// The direction to the light, of length 1.
+    /// The unit direction to the light.
     pub d: DVec3,
-    /// The distance of the light in this direction.
     pub distance: f64,
-    /// The irradiance of a surface that faces the direction.
+    /// The irradiance on a surface that faces the direction.
     pub irradiance: DVec3,
 }
 
@@ -37,12 +34,12 @@ impl<'a> SphereLight<'a> {
         }
     }
 
-    /// Chooses a direction to the light from the origin of a ray, uniform over the solid angle.
+    /// Samples a direction from the origin of a ray to the light, uniform in solid angle.
     pub fn sample(&self, here: Ray, u: DVec2) -> Arriving {
         let to_light = self.position - here.o;
         let axis = to_light.normalize_or(DVec3::Y);
         let sine2 = (self.radius / to_light.length()).powi(2);
-        // One minus the cosine of the light's angular radius, and the radiance times the solid angle, relative to a point's light.
+        // One minus the cosine of the angular radius; radiance times solid angle, relative to a point light.
         let (width, gain) = if sine2 < 1.0 {
             let half = 1.0 / (1.0 + (1.0 - sine2).sqrt());
             (sine2 * half, 2.0 * half)
@@ -50,7 +47,7 @@ impl<'a> SphereLight<'a> {
             (2.0, 4.0)
         };
         let d = around(axis, 1.0 - u.x * width, u.y);
-        // A direction along the rim may miss the sphere by rounding.
+        // By rounding, a direction to the rim can miss the sphere.
         let distance = sphere(here.turned(d), self.position, self.radius);
         Arriving {
             d,
@@ -59,14 +56,14 @@ impl<'a> SphereLight<'a> {
         }
     }
 
-    /// Returns the radiance of the light where a ray meets it nearer than `limit`. The light has travelled `length` from the origin of
-    /// the ray to the surface that it lights.
+    /// Returns the radiance along a ray that hits the light nearer than `limit`. `length` is the path from the ray's origin to the lit
+    /// surface.
     pub fn radiance(&self, ray: Ray, length: f64, limit: f64) -> DVec3 {
         let met = sphere(ray, self.position, self.radius);
         if self.radius == 0.0 || met.is_none_or(|t| t >= limit) {
             return DVec3::ZERO;
         }
-        // The place of that surface, if the path were straight.
+        // From the lit surface, as if the path were straight.
         let to_surface = ray.at(-length) - self.position;
         let ratio = (to_surface.length() / self.radius).max(1.0);
         ratio
@@ -75,7 +72,7 @@ impl<'a> SphereLight<'a> {
             * self.light.colour.as_dvec3()
     }
 
-    /// Returns the distance at which the eye sees the light along a ray, and the light's colour.
+    /// Returns the distance and the colour of the visible light along a camera ray.
     pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
         let radius = f64::from(self.light.drawn_radius);
         let is_drawn = radius > 0.0 && !self.light.parallel;
@@ -84,7 +81,7 @@ impl<'a> SphereLight<'a> {
     }
 }
 
-/// Returns a direction about an axis of length 1, at an angle of the given cosine. `turn` is 0 to 1.
+/// Returns the unit direction at an angle, by its cosine, to a unit axis. `turn` is 0 to 1.
 pub fn around(axis: DVec3, cosine: f64, turn: f64) -> DVec3 {
     let (u, v) = axis.any_orthonormal_pair();
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();

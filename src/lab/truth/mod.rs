@@ -1,9 +1,9 @@
-//! `lab truth`: a scene by the rendering equation, and the error of the real-time picture against it.
+//! `lab truth`: path-traces a scene, and measures the error of the real-time picture.
 
 mod light;
 mod path;
 
-use crate::arguments::{self, Size, processors};
+use crate::arguments::{self, Size, processors, within};
 use crate::scenes::FrameArguments;
 use crate::threaded_renderer::drawn;
 use crate::{output, picture, progress};
@@ -18,43 +18,32 @@ use rayon::prelude::*;
 use std::fmt;
 use std::path::PathBuf;
 
-/// The most paths for a pixel.
+/// The most paths per pixel.
 const MAX_SAMPLES: u32 = 1 << 20;
 
-/// Draws a scene by a path tracer: area lights, light from surface to surface, caustics
+/// Draws a scene by a path tracer, with area lights, light between surfaces, and caustics
 ///
-/// Prints the error of the real-time picture against it, and its standard error.
+/// Prints the error of the `default` picture, and the standard error of the path tracer.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
     frame: FrameArguments,
-    /// Paths for each pixel: four times as many halve the noise
-    #[arg(long, value_name = "N", default_value = "64", value_parser = samples)]
+    /// Paths per pixel; four times the number halves the noise
+    #[arg(long, value_name = "N", default_value = "64", value_parser = within(2..=MAX_SAMPLES))]
     samples: u32,
-    /// Pictures with different seeds have independent noise
-    #[arg(
-        long,
-        value_name = "N",
-        default_value = "0",
-        allow_negative_numbers = true
-    )]
+    /// Seed of the noise
+    #[arg(long, value_name = "N", default_value = "0")]
     seed: u32,
-    /// File to write as PNG, or - for standard output
+    /// PNG file to write, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     out: PathBuf,
 }
 
-/// Parses a number of samples.
-fn samples(text: &str) -> Result<u32, String> {
-    let takes = format!("a number from 2 to {MAX_SAMPLES}");
-    arguments::parsed(text, |number| (2..=MAX_SAMPLES).contains(number), &takes)
-}
-
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let FrameArguments { scene, time, size } = &arguments.frame;
-    let (size, samples) = (*size, arguments.samples);
-    let scene = transported(scene.without_overlay(*time));
+    let FrameArguments { scene, time, size } = arguments.frame;
+    let samples = arguments.samples;
+    let scene = transported(scene.without_overlay(time));
     scene.validate()?;
     output::check(&arguments.out)?;
     let truth = draw(&scene, size, samples, arguments.seed);
@@ -62,11 +51,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(&arguments.out, &picture::png(size.width, &pixels)?)?;
     let real_time = drawn(processors(), &scene, &Quality::DEFAULT, size);
     let comparison = Comparison::new(&real_time, &truth);
-    eprintln!("the real-time picture against {samples} paths a pixel: {comparison}");
+    eprintln!("real-time picture to {samples} paths a pixel: {comparison}");
     Ok(())
 }
 
-/// Reduces a scene to the transport of light: removes captions, copper bars, the film and the glow around lights.
+/// Removes effects that are no light transport: captions, copper bars, film, glow.
 fn transported(mut scene: Scene) -> Scene {
     scene.captions.clear();
     scene.copper_bars.clear();
@@ -89,14 +78,14 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// The estimate by the radiances of two or more independent paths (Welford, 1962).
+    /// Averages the radiances of two or more independent paths (Welford, 1962).
     fn of(paths: impl Iterator<Item = DVec3>) -> Self {
         let (mut count, mut mean, mut squares) = (0.0, DVec3::ZERO, DVec3::ZERO);
-        for found in paths {
+        for radiance in paths {
             count += 1.0;
-            let off = found - mean;
+            let off = radiance - mean;
             mean += off / count;
-            squares += off * (found - mean);
+            squares += off * (radiance - mean);
         }
         Self {
             mean,
@@ -112,13 +101,13 @@ impl Estimate {
     }
 }
 
-/// Draws a scene. The estimates depend only on the arguments.
+/// Estimates every pixel. The result depends only on the arguments.
 pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate> {
     let tracer = PathTracer::new(scene, size);
     let bar = progress::bar(size.height);
     let pixel = |x: usize, y: usize| {
         let number = u64::from(seed) << 32 | (y * size.width + x) as u64;
-        // Mixed, as sequences of numbers in a row overlap.
+        // Hashed: the sequences of consecutive seeds overlap.
         let mut random = Random::new(Random::new(number).bits());
         Estimate::of((0..samples).map(|_| {
             let u = random.units() - 0.5;
@@ -135,24 +124,24 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
     rows.concat()
 }
 
-/// A picture against the truth, in steps of 1/255.
+/// The difference between a picture and the path tracer's, in 255ths.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// The root mean square of the differences. Without noise in the truth, it would differ by about `noise` at most.
+    /// The root mean square difference, noise included.
     pub error: f64,
-    /// The root mean square of the standard errors of the truth.
+    /// The root mean square of the standard errors.
     pub noise: f64,
 }
 
 impl Comparison {
-    /// Compares `0x00RRGGBB` pixels with the truth.
+    /// Compares `0x00RRGGBB` pixels.
     pub fn new(pixels: &[u32], truth: &[Estimate]) -> Self {
         let (mut squares, mut variance) = (0.0, 0.0);
         for (pixel, estimate) in pixels.iter().zip(truth) {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Noise above white is invisible, and a pixel is at most 1 off.
+            // Noise above white is invisible; the error of a pixel is at most 1.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();
@@ -171,7 +160,7 @@ impl fmt::Display for Comparison {
         let psnr = 20.0 * (255.0 / error).log10();
         write!(
             f,
-            "error {error:.2} of 255, PSNR {psnr:.1} dB, standard error of the truth {noise:.2} of 255"
+            "error {error:.2} of 255, {psnr:.1} dB to the truth, standard error of the truth {noise:.2}"
         )
     }
 }

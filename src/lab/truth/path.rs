@@ -1,7 +1,7 @@
-//! Paths of light, followed from the eye: an unbiased estimate of the rendering equation (Kajiya, 1986).
+//! Light paths from the eye: an unbiased estimate of the rendering equation (Kajiya, 1986).
 //!
-//! Each hit of a rough surface samples every light. A path that has been scattered counts a light that it meets only behind a mirror
-//! or glass, where no hit can sample it.
+//! Each hit of a rough surface samples every light. So a scattered path adds a light that it hits only after a mirror or glass, where a
+//! hit samples no lights.
 
 use super::light::{SphereLight, around};
 use crate::arguments::Size;
@@ -15,10 +15,10 @@ use std::f64::consts::{PI, TAU};
 
 /// The number of bounces before Russian roulette.
 const SURE_BOUNCES: u32 = 4;
-/// The largest probability of survival: paths between perfect mirrors end as well.
+/// The largest probability of survival, so that paths between perfect mirrors end.
 const MAX_SURVIVAL: f64 = 0.95;
 
-/// Follows paths through a scene.
+/// Traces paths through a scene.
 pub struct PathTracer<'a> {
     oracle: Oracle<'a>,
     lights: Vec<SphereLight<'a>>,
@@ -35,12 +35,12 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns the radiance that one path finds through a point of the picture, in pixels.
+    /// Returns the radiance of a path through a point of the picture, in pixels.
     pub fn follow(&self, x: f64, y: f64, random: &mut Random) -> DVec3 {
         let mut ray = self.oracle.ray(x, y);
         let mut found = DVec3::ZERO;
         let mut throughput = DVec3::splat(self.exposure);
-        // The length of the path since it was scattered; `None` before.
+        // The length since the last scattering; `None` before the first one.
         let mut length: Option<f64> = None;
         let mut bounces = 0;
         loop {
@@ -53,13 +53,10 @@ impl<'a> PathTracer<'a> {
                     }
                 }
                 Some(length) if length > 0.0 => {
-                    let lights = self
-                        .lights
-                        .iter()
-                        .map(|light| light.radiance(ray, length, t));
-                    found += throughput * lights.sum::<DVec3>();
+                    let light = self.lights.iter().map(|it| it.radiance(ray, length, t));
+                    found += throughput * light.sum::<DVec3>();
                 }
-                // The last hit has sampled the lights.
+                // The last hit sampled the lights.
                 Some(_) => {}
             }
             let behind = throughput * self.oracle.behind(ray.d);
@@ -93,16 +90,14 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns the colour of the light that the eye sees along a ray, nearer than `limit`.
+    /// Returns the colour of the visible light along a camera ray, nearer than `limit`.
     fn seen_light(&self, ray: Ray, limit: f64) -> Option<DVec3> {
         let seen = self.lights.iter().filter_map(|light| light.seen(ray));
-        let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0));
-        nearest
-            .filter(|&(t, _)| t < limit)
-            .map(|(_, colour)| colour)
+        let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (nearest.0 < limit).then_some(nearest.1)
     }
 
-    /// Returns the light of all lights that a surface sends back along the path.
+    /// Returns the direct light that a surface reflects along the path.
     fn direct(&self, surface: &Surface<'_>, random: &mut Random) -> DVec3 {
         let here = surface.hit.ray;
         let mut sum = DVec3::ZERO;
@@ -121,23 +116,22 @@ impl<'a> PathTracer<'a> {
     }
 }
 
-/// A hit as the path tracer sees it: the real-time model's coefficients, scaled down where they would add energy.
+/// A hit with the real-time model's coefficients, scaled down where they would add energy.
 struct Surface<'a> {
     hit: &'a Hit<'a>,
-    /// The share of the light that goes on.
     albedo: f64,
     scale: f64,
-    /// The probabilities of diffuse, glossy, mirrored and refracted light.
-    chances: [f64; 4],
+    /// Of diffuse, glossy, mirrored and refracted light.
+    probabilities: [f64; 4],
 }
 
-/// How a path goes on.
+/// The next segment of a path.
 struct Next {
-    /// The direction, of length 1.
+    /// The unit direction.
     d: DVec3,
     /// The factor on the throughput.
     weight: DVec3,
-    /// Whether a rough surface chose the direction.
+    /// Whether a rough surface scattered the path.
     is_scattered: bool,
 }
 
@@ -149,7 +143,7 @@ impl<'a> Surface<'a> {
             .bounces()
             .map(|it| it.map_or(0.0, |(_, share)| share.into()));
         let diffuse = kd * hit.painted.max_element();
-        // Grooves spread the lobe: its directions are chosen like diffuse ones.
+        // Grooves spread the lobe: sample it like diffuse light.
         let shares = if material.anisotropy > 0.0 {
             let band = ks * (TAU / (exponent + 0.75)).sqrt();
             [diffuse + band, 0.0, mirrored, refracted]
@@ -161,11 +155,11 @@ impl<'a> Surface<'a> {
             hit,
             albedo: sum.min(1.0),
             scale: 1.0 / sum.max(1.0),
-            chances: shares.map(|share| share / sum),
+            probabilities: shares.map(|share| share / sum),
         }
     }
 
-    /// Returns the radiance along the path per irradiance of a surface that faces the direction `d`.
+    /// Returns the reflected radiance per irradiance on a surface that faces the direction `d`.
     fn reflected(&self, d: DVec3) -> DVec3 {
         if self.hit.n.dot(d) <= 0.0 {
             return DVec3::ZERO;
@@ -173,13 +167,13 @@ impl<'a> Surface<'a> {
         self.scale / PI * self.hit.reflected(d).0
     }
 
-    /// Chooses how the path goes on; `None` if it ends.
+    /// Samples the next segment; `None` if the path ends.
     fn scatter(&self, random: &mut Random) -> Option<Next> {
         let (choice, u) = (random.unit(), random.units());
         if self.albedo == 0.0 {
             return None;
         }
-        let [diffuse, glossy, mirrored, _] = self.chances;
+        let [diffuse, glossy, mirrored, _] = self.probabilities;
         let [mirror, glass] = self.hit.bounces();
         let (mirror, _) = mirror?;
         let exponent = f64::from(self.hit.material.exponent);
@@ -208,7 +202,7 @@ impl<'a> Surface<'a> {
     }
 }
 
-/// Returns a direction of the hemisphere about an axis of length 1, with a density of cosine / pi.
+/// Samples the hemisphere about a unit axis, with the density cosine / pi.
 fn cosine_hemisphere(axis: DVec3, u: DVec2) -> DVec3 {
     (axis + around(axis, 1.0 - 2.0 * u.x, u.y)).normalize_or(axis)
 }

@@ -1,15 +1,15 @@
-//! Motions of a camera by the mouse.
+//! Mouse control of a camera.
 
 use eightfold_tracer::glam::{Quat, Vec2};
 use eightfold_tracer::scene::Camera;
 
-/// The largest cosine of the angle between the line of sight and `up`: at 1 there is no picture.
+/// The largest cosine of the angle between the viewing direction and `up`; at 1 the camera has no right vector.
 const STEEPEST: f32 = 0.998;
 
-/// The factor of the distance for a notch of the wheel.
+/// The factor of the distance per notch of the wheel.
 const NOTCH: f32 = 1.1;
 
-/// Rotates a camera about the point that it looks at, by angles in radians: to the left, and upwards.
+/// Rotates a camera about the point that it looks at, by angles in radians.
 pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     let up = camera.up.normalize();
     let around = Quat::from_axis_angle(up, -left) * (camera.eye - camera.look_at);
@@ -20,23 +20,22 @@ pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     camera.eye = camera.look_at + if is_too_steep { around } else { over };
 }
 
-/// Moves a camera sideways, by shares of the picture's height: the point that it looks at follows the pointer.
+/// Moves a camera sideways by fractions of the picture's height, so that the point that it looks at follows the pointer.
 pub fn pan(camera: &mut Camera, by: Vec2) {
-    // A picture of one pixel, whose sides are those of the pixel.
     let picture = camera.raster(1, 1);
     let distance = (camera.look_at - camera.eye).length();
-    let way = (picture.dx * by.x + picture.dy * by.y) * -distance;
-    camera.eye += way;
-    camera.look_at += way;
+    let offset = (picture.dx * by.x + picture.dy * by.y) * -distance;
+    camera.eye += offset;
+    camera.look_at += offset;
 }
 
-/// Moves a camera towards the point that it looks at, by notches of the wheel.
+/// Moves a camera towards the point that it looks at.
 pub fn zoom(camera: &mut Camera, notches: i32) {
     let away = camera.eye - camera.look_at;
     camera.eye = camera.look_at + away * NOTCH.powi(-notches);
 }
 
-/// Returns the field of a scene file that gives this camera, to the bit.
+/// Formats a camera as a field of a scene file, exact to the bit.
 pub fn ron(camera: &Camera) -> String {
     let [eye, look_at, up] = [camera.eye, camera.look_at, camera.up].map(|vector| {
         let [x, y, z] = vector.to_array();

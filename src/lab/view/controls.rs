@@ -1,42 +1,30 @@
-//! Keys of the viewer: time, quality and overlay.
+//! Keys for time, quality and overlay.
 
 use crate::arguments::NamedQuality;
 use eightfold_window::input::Press;
 
-/// Frames per second: the length of a step, and the most that are shown.
+/// Frames per second, at most; a step is one frame.
 pub const FPS: f64 = 60.0;
 
-/// The number of rays of a point that is shown in white: about the largest in the model scene, where glass and mirror meet.
+/// The rays per point that are shown in white: about the maximum of the model scene, where glass and mirror meet.
 pub const MOST_RAYS: u32 = 24;
-/// The error that is shown in white, in steps of 1/255: four times the error that the lab's tables count as large.
+/// The error that is shown in white, in 255ths: four times the threshold of the tables.
 pub const MOST_ERROR: u32 = 32;
 
-/// Keys and gestures with their effects.
+/// Keys and mouse gestures with their effects.
 pub const KEYS: [(&str, &str); 17] = [
-    ("Space", "pauses, plays on"),
+    ("Space", "pauses, resumes"),
     ("Left, Right", "a frame back or on, and pauses"),
-    ("Home", "back to the start"),
-    (
-        "1 to 9",
-        "quality: exhaustive, thesis, then the finest to the fastest",
-    ),
-    ("P", "points traced, in white"),
+    ("Home", "restarts"),
+    ("1 to 9", "exhaustive, thesis, then finest to fastest"),
+    ("P", "traced points, white"),
     ("S", "squares: the smaller, the brighter"),
-    ("H", "rays per point: black for none, white for 24 and more"),
-    (
-        "E",
-        "error against exhaustive: black for none, white for 32/255 and more",
-    ),
+    ("H", "rays per point: black for 0, white for 24 and more"),
+    ("E", "error to exhaustive: white for 32/255 and more"),
     ("P, S, H, E again", "the picture"),
-    (
-        "Left drag",
-        "turns the camera about the point that it looks at",
-    ),
-    (
-        "Right drag",
-        "moves the camera sideways; so does the middle button",
-    ),
-    ("Wheel", "nearer, farther"),
+    ("Left drag", "orbits the point that the camera looks at"),
+    ("Right drag", "pans; so does the middle button"),
+    ("Wheel", "zooms"),
     ("V", "the scene's own camera"),
     ("C", "prints the camera for a scene file"),
     ("F, W", "fullscreen, window"),
@@ -44,13 +32,13 @@ pub const KEYS: [(&str, &str); 17] = [
     ("Esc", "quits"),
 ];
 
-/// Returns the keys as lines for a terminal.
+/// Formats the keys for a terminal.
 pub fn help() -> String {
     let lines = KEYS.map(|(key, effect)| format!("{key:<18}{effect}"));
     lines.join("\n")
 }
 
-/// The overlay that is drawn over the frame, or instead of it.
+/// A picture over the frame or instead of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     None,
@@ -61,7 +49,7 @@ pub enum Overlay {
 }
 
 impl Overlay {
-    /// Returns the name in the window's title.
+    /// Returns the name for the window's title.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "picture",
@@ -72,7 +60,7 @@ impl Overlay {
         }
     }
 
-    /// Returns the overlay that a key selects.
+    /// Returns the overlay of a key.
     fn of(key: char) -> Option<Self> {
         match key {
             'p' => Some(Self::Points),
@@ -84,12 +72,12 @@ impl Overlay {
     }
 }
 
-/// The selection.
+/// The selected frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controls {
-    /// The position in the scene, in frames; while it plays it lies between frames.
+    /// The position in frames, fractional while the scene plays.
     pub frame: f64,
-    /// The length of the scene in frames. The scene repeats.
+    /// The length of the scene in frames; it repeats.
     pub length: f64,
     pub is_paused: bool,
     pub quality: NamedQuality,
@@ -97,12 +85,12 @@ pub struct Controls {
 }
 
 impl Controls {
-    /// Returns the position in seconds.
+    /// Returns the time in seconds.
     pub fn time(&self) -> f32 {
         (self.frame / FPS) as f32
     }
 
-    /// Advances by a number of frames, unless paused.
+    /// Advances unless paused.
     pub fn advance(&mut self, frames: f64) {
         if !self.is_paused {
             self.frame = (self.frame + frames) % self.length;
@@ -127,18 +115,15 @@ impl Controls {
         self.frame = frame;
     }
 
-    /// Selects a quality by its number, or an overlay. The key of the current overlay removes it.
+    /// Selects a quality, or an overlay; removes the current overlay.
     fn choose(&mut self, key: char) {
         let number = key.to_digit(10).map(|digit| digit as usize);
         if let Some(quality) = number.and_then(|number| NamedQuality::all().nth(number - 1)) {
             self.quality = quality;
         }
         if let Some(overlay) = Overlay::of(key) {
-            self.overlay = if self.overlay == overlay {
-                Overlay::None
-            } else {
-                overlay
-            };
+            let is_current = self.overlay == overlay;
+            self.overlay = if is_current { Overlay::None } else { overlay };
         }
     }
 }

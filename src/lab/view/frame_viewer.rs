@@ -1,4 +1,4 @@
-//! Draws the frame with an overlay, and measures it.
+//! Draws and measures the frame with its overlay.
 
 use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
 use super::subject::Subject;
@@ -11,17 +11,17 @@ use eightfold_tracer::{Frame, Probes};
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 
-/// The probes of 1.7 s at 60 frames per second: then each counts half.
+/// The probes of 1.7 s at 60 frames per second; then their weight is halved.
 const MOST_PROBES: u64 = 8000;
 
-/// Memory and threads to draw with, and the last frame.
+/// Draws frames, and keeps the last one.
 pub struct FrameViewer {
     renderer: ThreadedRenderer,
     isa: Isa,
-    /// The selection that the picture was drawn for.
+    /// The selection of the picture.
     drawn: Option<(Controls, u64, Size)>,
-    /// The findings of the probes of late, and the number of the next frame.
     probes: Probes,
+    /// The seed of the last frame's probes.
     number: u32,
     pub picture: Vec<u32>,
     pub figures: Figures,
@@ -30,11 +30,11 @@ pub struct FrameViewer {
 /// Measurements of the picture.
 #[derive(Clone, Copy, Default)]
 pub struct Figures {
-    /// The time to draw it, without the overlay.
+    /// The time to draw it without the overlay.
     pub time: Duration,
-    /// The number of traced points per pixel.
+    /// Traced points per pixel.
     pub points: f64,
-    /// The PSNR against the exhaustive frame, in dB, and half the width of its 95 % interval: 0 where all pixels were compared.
+    /// The PSNR to the exhaustive frame in dB, and half the width of its 95 % interval, 0 if all pixels were compared.
     pub psnr: Option<(f64, f64)>,
 }
 
@@ -51,17 +51,19 @@ impl FrameViewer {
         }
     }
 
-    /// Draws the frame that the controls select. While the scene plays, probes estimate the error. While it is paused, the next call
-    /// measures the error, which takes an exhaustive frame: so the picture is shown before. Returns false if all of this was done before.
+    /// Draws the selected frame. Returns false if nothing changes.
+    ///
+    /// While the scene plays, probes estimate the error. While it is paused, the next call measures the error by an exhaustive frame,
+    /// so that the picture appears earlier.
     pub fn draw(&mut self, controls: &Controls, subject: &Subject, size: Size) -> bool {
         let wanted = Some((*controls, subject.version, size));
-        let measure = self.drawn == wanted;
-        if measure && (self.figures.psnr.is_some() || !controls.is_paused) {
+        let is_drawn = self.drawn == wanted;
+        if is_drawn && (self.figures.psnr.is_some() || !controls.is_paused) {
             return false;
         }
         let selection = |controls: &Controls| (controls.quality, controls.is_paused);
-        let before = self.drawn.map(|(controls, ..)| selection(&controls));
-        if before != Some(selection(controls)) {
+        let last = self.drawn.map(|(controls, ..)| selection(&controls));
+        if last != Some(selection(controls)) {
             self.probes = Probes::NONE;
         }
         self.drawn = wanted;
@@ -72,11 +74,10 @@ impl FrameViewer {
         self.renderer.set_probes(count, self.number);
         let start = Instant::now();
         let (level, quality) = (self.isa.level, &controls.quality.quality);
-        let counts = self
-            .renderer
-            .draw(level, &scene, quality, size.width, &mut self.picture);
+        let (renderer, width) = (&mut self.renderer, size.width);
+        let counts = renderer.draw(level, &scene, quality, width, &mut self.picture);
         let time = start.elapsed();
-        self.renderer.set_probes(0, 0);
+        renderer.set_probes(0, 0);
         self.probes += counts.probes;
         let [psnr, margin] = [self.probes.psnr(), self.probes.margin()].map(f64::from);
         self.figures = Figures {
@@ -87,11 +88,10 @@ impl FrameViewer {
         if self.probes.pixels > MOST_PROBES {
             self.probes.halve();
         }
-        if measure || controls.overlay == Overlay::Error {
+        if is_drawn || controls.overlay == Overlay::Error {
             let mut exhaustive = vec![0; size.area()];
             let quality = quality.reference();
-            self.renderer
-                .draw(level, &scene, &quality, size.width, &mut exhaustive);
+            renderer.draw(level, &scene, &quality, width, &mut exhaustive);
             let psnr = Difference::between(&self.picture, &exhaustive).psnr;
             self.figures.psnr = Some((psnr, 0.0));
             if controls.overlay == Overlay::Error {
@@ -102,13 +102,12 @@ impl FrameViewer {
         true
     }
 
-    /// Draws the overlays that show how the frame was drawn.
+    /// Draws the frame again, observed, for overlays of its points and squares.
     fn draw_trace(&mut self, scene: &Scene, controls: &Controls, size: Size) {
         if matches!(controls.overlay, Overlay::None | Overlay::Error) {
             return;
         }
         let trace = FrameTrace::new(size.width, size.height);
-        // The same frame again, observed.
         let mut pixels = vec![0; size.area()];
         let (level, quality) = (self.isa.level, &controls.quality.quality);
         self.renderer

@@ -1,17 +1,17 @@
-//! Words over the picture.
+//! Text over the picture.
 
 use crate::bitmap::{at, bitmap, register_fonts, text};
 use plotters::prelude::*;
 use plotters::style::FontStyle;
 
-/// The height of letters, of lines, and the gap around them, in pixels.
+/// The height of letters and lines, and the gap around them, in pixels.
 const LETTERS: u32 = 14;
 const LINE: usize = 18;
 const GAP: usize = 8;
-/// The left side of the words behind keys.
+/// The left side of the text after keys.
 const COLUMN: usize = 128;
 
-/// White words on black at the upper edge of a picture, and their bitmap.
+/// White text on black at the top of a picture, and its bitmap.
 #[derive(Default)]
 pub struct Panel {
     rows: Vec<(String, String)>,
@@ -20,14 +20,14 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Draws rows over a picture `width` pixels wide: bold words, and what they stand for.
+    /// Draws rows over a picture `width` pixels wide: bold text, and its explanation.
     pub fn show(&mut self, rows: Vec<(String, String)>, picture: &mut [u32], width: usize) {
         if rows.is_empty() {
             return;
         }
         if (&self.rows, self.width) != (&rows, width) {
             (self.rows, self.width) = (rows, width);
-            // A bitmap takes all that is drawn.
+            // Drawing on a bitmap cannot fail.
             self.pixels = self.drawn().unwrap_or_default();
         }
         let covered = self.pixels.len().min(picture.len());

@@ -1,4 +1,4 @@
-//! The loop: input, a frame, the title.
+//! The loop of input, frame and title.
 
 use super::camera;
 use super::controls::{Controls, FPS, KEYS};
@@ -17,7 +17,7 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// The time between updates of the title while the scene plays: short enough to follow, long enough to read.
+/// The time between updates of the title: short enough to follow, long enough to read.
 const TITLE_EVERY: Duration = Duration::from_millis(500);
 
 /// The window and its contents.
@@ -48,7 +48,7 @@ impl Session {
         }
     }
 
-    /// Plays until the viewer quits.
+    /// Plays until the user quits.
     ///
     /// # Errors
     /// If the window is lost, or standard output is closed.
@@ -102,7 +102,7 @@ impl Session {
         Ok(())
     }
 
-    /// Draws the frame into the window, and words over it. Returns true unless the frame and its measurements are the same as before.
+    /// Draws the frame and text into the window. Returns false if the frame and its measurements are unchanged.
     fn draw(&mut self) -> bool {
         let (width, height) = fit(self.window.size(), (MAX_WIDTH, MAX_HEIGHT));
         let size = Size::new(width, height);
@@ -117,14 +117,13 @@ impl Session {
         is_new
     }
 
-    /// Returns the title: what is shown, how fast it is drawn, and its error.
     fn title(&self, fps: f64) -> String {
         let (controls, figures) = (&self.controls, &self.viewer.figures);
         let state = if controls.is_paused { ", paused" } else { "" };
         let error = match figures.psnr {
             None => String::new(),
             Some((f64::INFINITY, _)) => ", exact".to_owned(),
-            Some((psnr, margin)) => format!(", {psnr:.1} ± {margin:.1} dB"),
+            Some((psnr, margin)) => format!(", {psnr:.1} ± {margin:.1} dB to exhaustive"),
         };
         format!(
             "Eightfold: {}, {} at {:.2} s{state}; {fps:.0} fps, {:.2} ms a frame, {:.1} % traced{error}",

@@ -1,4 +1,4 @@
-//! The scene that is shown: by its name or from its file, through its own camera or one that was moved by the mouse.
+//! The scene, by name or from its file, and its camera.
 
 use super::camera;
 use super::watched::Watched;
@@ -11,13 +11,12 @@ use std::f32::consts::PI;
 /// A scene and its camera.
 pub struct Subject {
     name: SceneName,
-    /// The scene file, if it is one.
     file: Option<Watched>,
-    /// The camera, once it was moved by the mouse.
+    /// The camera, if the mouse moved it.
     camera: Option<Camera>,
-    /// The button that is held, and the last place of the pointer in the window.
-    held: Option<(Button, Vec2)>,
-    /// Is another one after each change of the scene and of the camera.
+    /// The pressed button, and the last position of the pointer.
+    pressed: Option<(Button, Vec2)>,
+    /// Changes with the scene and with the camera.
     pub version: u64,
 }
 
@@ -31,12 +30,12 @@ impl Subject {
             name,
             file,
             camera: None,
-            held: None,
+            pressed: None,
             version: 0,
         }
     }
 
-    /// Returns the scene at a time in seconds, as it is seen.
+    /// Returns the scene at a time in seconds.
     pub fn at(&self, time: f32) -> Scene {
         let mut scene = match &self.file {
             Some(file) => file.scene.at(time),
@@ -48,7 +47,7 @@ impl Subject {
         scene
     }
 
-    /// Returns the scene's length in seconds.
+    /// Returns the length in seconds.
     pub fn length(&self) -> f32 {
         let file = self.file.as_ref();
         file.map_or(self.name.length(), |file| file.scene.length)
@@ -59,49 +58,46 @@ impl Subject {
         self.file.as_ref()?.fault.as_deref()
     }
 
-    /// Reads the scene's file again if it has changed.
+    /// Reads the file again if it has changed.
     pub fn look(&mut self) {
         if self.file.as_mut().is_some_and(Watched::look) {
             self.version += 1;
         }
     }
 
-    /// Takes back what the mouse did.
     pub fn reset_camera(&mut self) {
         self.camera = None;
         self.version += 1;
     }
 
-    /// Moves the camera by the mouse, at a time in seconds, in a window of a height in pixels.
+    /// Moves the camera by the mouse, at a time in seconds. `height` is the window's, in pixels.
     pub fn point(&mut self, mouse: Mouse, time: f32, height: usize) {
         let at = vec2(mouse.x as f32, mouse.y as f32);
         match mouse.action {
-            Action::Down(button) => self.held = Some((button, at)),
+            Action::Down(button) => self.pressed = Some((button, at)),
             Action::Wheel(notches) => {
                 self.move_camera(time, |camera| camera::zoom(camera, notches))
             }
             Action::Move | Action::Up(_) => {
-                if let Some((button, last)) = &mut self.held {
+                if let Some((button, last)) = &mut self.pressed {
                     let by = (at - *last) / height as f32;
                     *last = at;
                     match button {
-                        // A drag over the whole height is half a turn.
-                        Button::Left => {
-                            self.move_camera(time, |camera| {
-                                camera::orbit(camera, by.x * PI, by.y * PI)
-                            });
-                        }
-                        _ => self.move_camera(time, |camera| camera::pan(camera, by)),
+                        // The full height is half a turn.
+                        Button::Left => self.move_camera(time, |it| {
+                            camera::orbit(it, by.x * PI, by.y * PI);
+                        }),
+                        _ => self.move_camera(time, |it| camera::pan(it, by)),
                     }
                 }
                 if mouse.action != Action::Move {
-                    self.held = None;
+                    self.pressed = None;
                 }
             }
         }
     }
 
-    /// Changes the camera, unless the tracer takes none such.
+    /// Changes the camera if the result is valid.
     fn move_camera(&mut self, time: f32, change: impl FnOnce(&mut Camera)) {
         let mut scene = self.at(time);
         change(&mut scene.camera);

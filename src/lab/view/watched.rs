@@ -1,15 +1,15 @@
-//! A scene file that is read again whenever it is written.
+//! A scene file that is read again whenever it changes.
 
 use crate::scenes;
 use eightfold_scene_file::SceneFile;
 use std::path::Path;
 
-/// A scene file, and the last good scene in it.
+/// A scene file and its last valid scene.
 pub struct Watched {
     pub scene: SceneFile,
-    /// The text at the last look, or why it could not be read; `None` before the first look.
+    /// The last text, or the error of reading it; `None` before the first look.
     text: Option<Result<String, String>>,
-    /// A mistake that was found in this text by the last look only. A text that is half written has gone by the next one.
+    /// The mistake in a text that was read once: the file may be half written.
     suspect: Option<String>,
     /// The mistake in the file.
     pub fault: Option<String>,
@@ -25,8 +25,8 @@ impl Watched {
         }
     }
 
-    /// Reads the file, and returns whether it gives another scene. The whole text is compared: times of files are too coarse for two
-    /// writes in a row, and a file that replaces another one may be older.
+    /// Reads the file. Returns true if the scene has changed. Compares texts: modification times are too coarse for two quick writes, and
+    /// a file that replaces another one can be older.
     pub fn look(&mut self) -> bool {
         let name = &self.scene.name;
         let text = scenes::text(Path::new(name));

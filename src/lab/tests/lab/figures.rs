@@ -1,10 +1,10 @@
-//! `lab figures` draws one sheet.
+//! `lab figures`.
 
 use super::{lab, said};
 use eightfold_stage::reader::read_png;
 
 #[test]
-fn sheet_has_six_pictures() {
+fn sheet_has_six_distinct_pictures() {
     let output = lab("figures --size 200x150 --out -");
     assert!(output.status.success(), "{}", said(&output));
     let (width, sheet) = read_png(&output.stdout);

@@ -1,4 +1,4 @@
-//! The lab's commands, run from the command line.
+//! The lab's commands, by the command line.
 
 mod bad_input;
 mod bench;
@@ -7,10 +7,10 @@ mod figures;
 mod ladder;
 mod missed;
 mod report;
-mod rivals;
 mod scene;
 mod seen;
 mod size;
+mod technique;
 mod trade;
 mod truth;
 
@@ -18,24 +18,23 @@ use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// The lab with the words of a line, of which `""` is an empty one.
+/// Returns the command of a line. `""` is an empty argument.
 fn command(line: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
     command.args(line.split_whitespace().map(|word| word.trim_matches('"')));
     command
 }
 
-/// Runs the lab with the words of a line.
 fn lab(line: &str) -> Output {
     command(line).output().expect("the lab starts")
 }
 
-/// The text that a command prints on standard error.
+/// Returns the text on standard error.
 fn said(output: &Output) -> String {
     texts(output).1
 }
 
-/// The text that the lab prints on standard output, for the words of a line, without an error.
+/// Returns the text on standard output of a successful command.
 #[track_caller]
 fn printed(line: &str) -> String {
     String::from_utf8(printed_bytes(line)).expect("text")
@@ -48,7 +47,7 @@ fn printed_bytes(line: &str) -> Vec<u8> {
     output.stdout
 }
 
-/// The cells of the tables in a text, line by line, without the rules under the titles.
+/// Returns the cells of the tables in a text by line, without the rules.
 fn cells(text: &str) -> Vec<Vec<&str>> {
     let lines = text.lines();
     let lines = lines.filter(|line| line.starts_with('|') && !line.starts_with("| -"));
@@ -57,7 +56,7 @@ fn cells(text: &str) -> Vec<Vec<&str>> {
         .collect()
 }
 
-/// Runs `lab render` with a small frame.
+/// Renders a small frame.
 fn render(out: &Path, more: &str) -> Output {
     lab(&format!(
         "render --size 40x30 --out {} {more}",
@@ -65,7 +64,7 @@ fn render(out: &Path, more: &str) -> Output {
     ))
 }
 
-/// Asserts that a command failed with an exit code, and printed one line that contains some words, and no temporary name.
+/// Asserts that a command failed with an exit code and one line with some words, without a temporary name.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = said(output);
@@ -78,7 +77,7 @@ fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     assert!(output.stdout.is_empty());
 }
 
-/// Sends a signal to a process. Returns whether it is there.
+/// Sends a signal. Returns false without the process.
 #[cfg(target_os = "linux")]
 fn signal(process: &str, name: &str) -> bool {
     let kill = format!("kill -s {name} {process}");
@@ -87,7 +86,7 @@ fn signal(process: &str, name: &str) -> bool {
     status.unwrap().success()
 }
 
-/// Starts a command, and sends it the signal of Ctrl-C as soon as it listens.
+/// Starts a command, and interrupts it as soon as it handles the signal.
 #[cfg(target_os = "linux")]
 fn interrupted(command: &mut Command) -> Output {
     let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -98,14 +97,14 @@ fn interrupted(command: &mut Command) -> Output {
         let (_, caught) = status.split_once("SigCgt:").expect("a set of signals");
         let caught = caught.split_whitespace().next().expect("a number");
         let caught = u64::from_str_radix(caught, 16).expect("hexadecimal digits");
-        // Bit 1 is that of signal 2.
+        // Bit 1 is signal 2.
         (caught >> 1 & 1 != 0).then_some(())
     });
     assert!(signal(&child.id().to_string(), "INT"));
     child.wait_with_output().unwrap()
 }
 
-/// Runs the lab with the words of a line, and with files limited to 1 KiB. The signal for exceeding the limit is ignored.
+/// Runs a command that can write files of 1 KiB at most, without the signal.
 fn limited(line: &str) -> Output {
     let mut sh = Command::new("bash");
     sh.args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""])
@@ -115,7 +114,7 @@ fn limited(line: &str) -> Output {
 }
 
 #[test]
-fn file_and_standard_output_get_the_same_bytes() {
+fn file_and_standard_output_are_equal() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("frame.png");
     let output = render(&file, "--time 3.5 --threads 1");
@@ -129,7 +128,7 @@ fn file_and_standard_output_get_the_same_bytes() {
 }
 
 #[test]
-fn every_flag_changes_the_picture() {
+fn every_flag_changes_picture() {
     let picture = |more: &str| printed_bytes(&format!("render --size 40x30 --out - {more}"));
     let plain = picture("");
     for more in [
@@ -144,20 +143,9 @@ fn every_flag_changes_the_picture() {
     assert_eq!(picture("--scene model --time 0"), plain);
 }
 
-#[test]
-fn unwritable_file_is_named_in_one_line() {
-    let folder = tempfile::tempdir().unwrap();
-    let no_folder = folder.path().join("missing/frame.png");
-    assert_one_line(&render(&no_folder, ""), 1, &["missing/frame.png"]);
-    assert_one_line(&render(folder.path(), ""), 1, &["cannot write"]);
-    let long = folder.path().join("x".repeat(300));
-    assert_one_line(&render(&long, ""), 1, &["cannot write"]);
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-}
-
 #[cfg(target_os = "linux")]
 #[test]
-fn full_disk_leaves_the_file_before() {
+fn full_disk_keeps_old_file() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("frame.png");
     std::fs::write(&file, "before").unwrap();

@@ -1,13 +1,14 @@
-//! `lab missed` counts what a quality misses.
+//! `lab missed`.
 
 use super::printed;
+use eightfold_lab::arguments::Size;
 use eightfold_lab::missed::effects::{Count, Counts, EffectCounter, Kind};
 use eightfold_scenes::{Hidden, Random};
 use eightfold_tracer::Quality;
 
-/// The counts of some scenes of a kind, by a quality.
+/// Counts effects in scenes of a kind.
 fn counts(hidden: Hidden, quality: Quality) -> Counts {
-    let mut counter = EffectCounter::new(1, 200, 150);
+    let mut counter = EffectCounter::new(1, Size::new(200, 150));
     let mut counts = Counts::new();
     for seed in 0..3 {
         counter.count(&hidden.scene(&mut Random::new(seed)), quality, &mut counts);
@@ -17,8 +18,8 @@ fn counts(hidden: Hidden, quality: Quality) -> Counts {
 
 #[test]
 #[ignore = "many scenes by chance"]
-fn every_sort_of_scene_has_small_things_of_its_kind_and_few_guarded_ones_are_missed() {
-    // The largest share of each kind that is missed; none of what is guarded for sure.
+fn random_scenes_have_effects_of_their_kind() {
+    // The largest share that is missed; 1 if unguarded.
     for (hidden, kind, most) in [
         (Hidden::POINT, Kind::PlaneShadow, 0.0),
         (Hidden::BALL, Kind::PlaneShadow, 0.04),
@@ -45,7 +46,7 @@ fn every_sort_of_scene_has_small_things_of_its_kind_and_few_guarded_ones_are_mis
             assert!(2 * missed[0] > small, "{missed:?} of {small} {kind:?}");
         }
         if [Hidden::POINT, Hidden::BLOCKS].contains(&hidden) {
-            // Without the guard a third of them at least is missed: 22 of 50 beside points.
+            // 22 of 50 are missed without the guard for POINT.
             let Count { small, missed } = of(Kind::Object);
             assert!(missed[0] == 0 && 3 * missed[1] > small, "{counts:?}");
         }
@@ -53,7 +54,7 @@ fn every_sort_of_scene_has_small_things_of_its_kind_and_few_guarded_ones_are_mis
 }
 
 #[test]
-fn exhaustive_frames_miss_nothing() {
+fn exhaustive_misses_nothing() {
     let counts = counts(Hidden::GLASS, Quality::EXHAUSTIVE);
     assert!(
         counts.values().all(|count| count.missed == [0, 0]),
@@ -62,7 +63,7 @@ fn exhaustive_frames_miss_nothing() {
 }
 
 #[test]
-fn the_table_has_a_row_for_each_kind_and_three_columns_for_each_group_of_scenes() {
+fn table_has_row_per_kind_and_group_columns() {
     let text = printed("missed --scene field:40 --size 80x60 --frames 1");
     let rows: Vec<&str> = text.lines().filter(|line| line.starts_with('|')).collect();
     assert_eq!(rows.len(), 2 + Kind::ALL.len(), "{text}");

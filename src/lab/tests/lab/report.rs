@@ -1,4 +1,4 @@
-//! `lab report` rewrites the marked parts of pages, and nothing else.
+//! `lab report`: changes only the marked parts of pages.
 
 use super::{assert_one_line, lab, said};
 use eightfold_stage::reader::read_png;
@@ -12,7 +12,6 @@ const README: &str = "# A title\n\n<!-- lab report picture -->\n\n![A picture](d
 const PAGE: &str = "Text\n<!-- lab report table -->\n\n    cargo lab missed --scene model --size 16x12 --frames 1\n\nold\n\n\
                     <!-- lab report end -->\nBy hand\n";
 
-/// Makes a folder with pages.
 fn folder(readme: &str, page: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("docs")).unwrap();
@@ -29,7 +28,7 @@ fn report(folder: &TempDir, names: &str) -> Output {
 }
 
 #[test]
-fn parts_show_the_results_of_their_commands() {
+fn parts_show_results_of_their_commands() {
     let folder = folder(README, PAGE);
     let output = report(&folder, "");
     assert!(output.status.success(), "{}", said(&output));
@@ -50,7 +49,7 @@ fn parts_show_the_results_of_their_commands() {
 }
 
 #[test]
-fn named_parts_alone_are_measured() {
+fn only_named_parts_are_updated() {
     let folder = folder(README, PAGE);
     assert!(report(&folder, "picture").status.success());
     assert_eq!(
@@ -61,7 +60,7 @@ fn named_parts_alone_are_measured() {
 }
 
 #[test]
-fn failing_parts_leave_all_pages() {
+fn failing_part_keeps_all_pages() {
     for (page, why) in [
         (
             "\n<!-- lab report a -->\n",

@@ -1,4 +1,4 @@
-//! Scene files: motions, and mistakes by line and column.
+//! Scene files: motions, mistakes.
 
 use super::{assert_one_line, lab};
 use eightfold_scene_file::SceneFile;
@@ -7,18 +7,16 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The folder of the examples.
 fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes")
 }
 
-/// An example's text.
 fn example(name: &str) -> String {
     fs::read_to_string(examples().join(name)).expect("the example is there")
 }
 
 #[test]
-fn example_is_a_scene_at_any_time() {
+fn examples_are_valid_at_any_time() {
     let mut count = 0;
     for entry in fs::read_dir(examples()).expect("a folder") {
         let path = entry.expect("a file").path();
@@ -35,13 +33,13 @@ fn example_is_a_scene_at_any_time() {
 }
 
 #[test]
-fn motion_passes_its_keys() {
+fn motion_passes_keys() {
     let file = SceneFile::parse("motion.ron", &example("motion.ron")).expect("a scene");
     let eye = |time| file.at(time).camera.eye.to_array();
     assert_eq!([eye(0.0), eye(3.0)], [[0.0, 3.0, 8.0], [5.0, 2.0, 6.0]]);
-    // Before the first key and after the last one it keeps still.
+    // It rests outside its keys.
     assert_eq!([eye(-1.0), eye(100.0)], [eye(0.0), [0.0, 3.0, 8.0]]);
-    // A spline has no corners: the speed before a key is that after it.
+    // A spline is smooth at its keys.
     let (before, at, after) = (eye(2.999), eye(3.0), eye(3.001));
     for i in 0..3 {
         assert!(((at[i] - before[i]) - (after[i] - at[i])).abs() < 1e-4);
@@ -55,7 +53,7 @@ fn motion_passes_its_keys() {
     assert_eq!([colour(0.999), colour(1.0), colour(2.0)], [0.2, 0.9, 0.2]);
 }
 
-/// Mistakes: an example; its text, and the text in place of that; the text where the mistake is; the message.
+/// Example | old text | new text | text at the mistake's place | message.
 const MISTAKES: &str = r#"
 first | kd: 0.8, ks: 0.4 | kd: 1.8, ks: 0.4 | 1.8, ks | spheres[0].material.kd is 1.8, must be 0 to 1
 first | radius: 1.2 | radius: 2e9 | 2e9 | spheres[1].radius is 2000000000, must be 1e-9 to 1e9
@@ -82,7 +80,7 @@ motion | (1.0, (0.9, 0.8, 0.2)) | (1.0, (-0.9, 0.8, 0.2)) | (1.0, (-0.9 | materi
 "#;
 
 #[test]
-fn mistake_is_named_with_line_and_column() {
+fn mistake_has_line_and_column() {
     for row in MISTAKES.trim().lines() {
         let row: Vec<&str> = row.split('|').map(str::trim).collect();
         let [name, old, new, at, says] = row[..] else {
@@ -108,7 +106,7 @@ fn mistake_is_named_with_line_and_column() {
 }
 
 #[test]
-fn mistake_is_one_line_of_every_command() {
+fn every_command_reports_mistake_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
     let [bad, text, none, pipe, device] =
@@ -124,7 +122,7 @@ fn mistake_is_one_line_of_every_command() {
     let made = Command::new("mkfifo").arg(&pipe).status();
     assert!(made.expect("mkfifo runs").success());
     symlink("/dev/null", &device).expect("a link");
-    // A reader of the pipe is not kept waiting.
+    // Otherwise a reader of the pipe would block.
     let writer = pipe.clone();
     std::thread::spawn(move || fs::write(writer, ""));
     for (file, why) in [

@@ -1,10 +1,10 @@
-//! The tables of `lab size` add up to the size of the file.
+//! `lab size`: its tables add up to the file.
 
 use crate::printed;
 use eightfold_lab::size::program::{crate_of_path, crate_of_unit};
 use eightfold_stage::intro;
 
-/// The cells of the table whose first column has a given title, line by line.
+/// Returns the cells of the table with a first column, by line.
 fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
     let start = format!("| {title} |");
     let lines = text.lines().skip_while(|line| !line.starts_with(&start));
@@ -17,14 +17,13 @@ fn number(cell: &str) -> u64 {
     cell.trim_matches('*').parse().expect("a number")
 }
 
-/// The sum of a column.
 fn sum(rows: &[Vec<&str>], column: usize) -> u64 {
     rows.iter().map(|row| number(row[column])).sum()
 }
 
 #[test]
 #[ignore = "the intro for Windows is compiled"]
-fn every_byte_of_the_intro_for_windows_is_told_of() {
+fn sections_of_windows_intro_add_up() {
     let text = printed("size --windows --functions 1");
     let path = eightfold_lab::cargo::intro_for_windows().expect("the intro");
     let file = std::fs::metadata(path).expect("the intro").len();
@@ -35,7 +34,7 @@ fn every_byte_of_the_intro_for_windows_is_told_of() {
 }
 
 #[test]
-fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
+fn tables_add_up_to_file() {
     let text = printed("size --functions 12");
     let file = std::fs::metadata(intro()).expect("the intro").len();
 
@@ -49,7 +48,7 @@ fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
     assert!(packed < bytes / 2, "{text}");
 
     let crates = table(&text, "crate");
-    // Padding between functions belongs to no function. Constants have symbols, too.
+    // Padding has no symbol; constants have.
     let named = sum(&crates, 2);
     assert!(named > bytes * 9 / 10, "{named} of {bytes}");
     for name in ["eightfold", "eightfold_tracer", "eightfold_window"] {
@@ -67,7 +66,7 @@ fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
 }
 
 #[test]
-fn a_symbols_crate_is_known_by_its_unit_or_by_its_name() {
+fn crate_is_known_by_unit_or_path() {
     assert_eq!(crate_of_unit("a_b.0123456789abcdef-cgu.0"), Some("a_b"));
     assert_eq!(crate_of_unit("crtstuff.c"), None);
     assert_eq!(crate_of_unit("compiler_builtins.0123-cgu.0"), None);

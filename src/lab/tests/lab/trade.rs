@@ -1,4 +1,4 @@
-//! `lab trade` writes all its files, and its figures are consistent. No test depends on measured times.
+//! `lab trade`: complete files, consistent figures. No test depends on measured times.
 
 use super::{cells, printed, said};
 use serde_json::Value;
@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// The table and the folder of a `lab trade` of small frames.
+/// The table and the folder of a trade with small frames.
 static TRADE: LazyLock<(String, TempDir)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
     let line = "trade --size 64x48 --frames 2 --views 1 --out";
@@ -24,7 +24,7 @@ fn rows(folder: &Path) -> Vec<Value> {
     json["rows"].as_array().expect("rows").clone()
 }
 
-/// Asserts that a folder has the JSON and complete plots of these names, and nothing else.
+/// Asserts that a folder has just the JSON and these plots.
 #[track_caller]
 fn assert_plots(folder: &Path, plots: &str) {
     let mut expected = BTreeSet::from(["trade.json".to_owned()]);
@@ -45,7 +45,7 @@ fn assert_plots(folder: &Path, plots: &str) {
 }
 
 #[test]
-fn every_dial_is_measured_and_plotted() {
+fn every_field_is_measured_and_plotted() {
     let (table, folder) = &*TRADE;
     assert_eq!(cells(table)[0][..2], ["quality", "speed-up"]);
     assert_plots(folder.path(), "front squares resolution objects");
@@ -102,19 +102,19 @@ fn front_is_unbeaten() {
     };
     assert!(front.len() > 2 && !front.iter().any(|row| is_beaten(row)));
     for row in others {
-        // These do not keep the rules of the product, whatever they cost.
+        // Not allowed on the front.
         let name = row["quality"].as_str().expect("a name");
-        let breaks_rules = ["unguarded", "differing", "resolution", "checkerboard"]
+        let is_excluded = ["unguarded", "differing", "resolution", "checkerboard"]
             .iter()
-            .any(|dial| name.contains(dial))
+            .any(|excluded| name.contains(excluded))
             || row["missed_objects"] != 0.0;
-        assert!(is_beaten(row) || breaks_rules, "{row}");
+        assert!(is_beaten(row) || is_excluded, "{row}");
     }
 }
 
 #[cfg(target_os = "linux")]
 #[test]
-fn signal_leaves_the_results_until_then() {
+fn signal_keeps_results() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("trade");
     let line = "trade --size 48x36 --frames 100000 --out";
@@ -130,7 +130,7 @@ fn signal_leaves_the_results_until_then() {
 }
 
 #[test]
-fn antialias_includes_the_reference() {
+fn antialias_includes_reference() {
     let points = |flag| {
         let table = printed(&format!(
             "trade --ladder --size 48x36 --frames 2 --views 1 {flag}"

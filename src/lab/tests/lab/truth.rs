@@ -13,10 +13,10 @@ use eightfold_tracer::scene::{
 const WHITE: Material = Material::matt(Vec3::ONE, 1.0);
 const COLOUR: Vec3 = vec3(0.9, 0.6, 0.3);
 
-/// Asserts that an estimate is within five standard errors of a closed form, and `most` at most.
+/// Asserts that an estimate is within five standard errors, and these within `most`, of a closed form.
 #[track_caller]
 fn assert_near(estimate: Estimate, known: DVec3, most: f64) {
-    // The numbers of a scene have 32 bits.
+    // Scenes are in f32.
     let allowed = estimate.variance.map(f64::sqrt) * 5.0 + 1e-6;
     let off = (estimate.mean - known).abs();
     assert!(allowed.max_element() < most, "noise: {allowed}");
@@ -29,7 +29,7 @@ fn seen(scene: &Scene, samples: u32) -> Estimate {
     draw(scene, Size::new(1, 1), samples, 1)[0]
 }
 
-/// A white floor at y = 0 under a light, of which the camera sees the origin from the side.
+/// A white floor at y = 0 under a light. The camera sees the origin from the side.
 fn floor(light: Light) -> Scene {
     Scene {
         camera: Camera::new(vec3(4.0, 0.6, 0.0), Vec3::ZERO, 1e-4),
@@ -47,7 +47,7 @@ fn light(position: Vec3, diameter: f32) -> Light {
 }
 
 #[test]
-fn white_furnace_hides_everything() {
+fn white_furnace_is_uniform() {
     let keeping = |kd, kr, kt| Material {
         kd,
         kr,
@@ -87,7 +87,7 @@ fn white_furnace_hides_everything() {
 }
 
 #[test]
-fn light_of_any_size_gives_the_same_irradiance() {
+fn light_of_any_size_gives_same_irradiance() {
     let position = vec3(1.0, 2.0, 0.5);
     let known = f64::from(position.normalize().y) * COLOUR.as_dvec3();
     for diameter in [0.0, 0.1, 1.0, 3.0] {
@@ -111,8 +111,8 @@ fn light_of_any_size_gives_the_same_irradiance() {
 }
 
 #[test]
-fn surface_reflects_its_share_of_the_sky() {
-    // From above, the integral of the highlight over the hemisphere is 2 ks / (exponent + 1).
+fn surface_reflects_share_of_sky() {
+    // From above, the highlight's integral over the hemisphere is 2 ks / (exponent + 1).
     let mut scene = floor(light(Vec3::NEG_Y, 0.0));
     scene.camera.eye = vec3(0.0, 4.0, 0.01);
     scene.background = COLOUR;
@@ -125,8 +125,8 @@ fn surface_reflects_its_share_of_the_sky() {
 }
 
 #[test]
-fn ball_hides_its_share_of_the_light() {
-    // The ball and the light are discs about the same centre. The share is that of the squared sines.
+fn ball_hides_share_of_light() {
+    // The ball and the light are concentric discs, with areas as the squared sines.
     let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
     scene
         .spheres
@@ -136,8 +136,8 @@ fn ball_hides_its_share_of_the_light() {
 }
 
 #[test]
-fn mirrors_add_the_images_of_the_light() {
-    // Walls at x = -2 and x = 2 show images at x = 4 i + 0.5 for even i, and at x = 4 i - 0.5 for odd ones, by i bounces.
+fn mirrors_add_images_of_light() {
+    // Walls at x = -2 and 2 show images at x = 4 i + 0.5 for even i, and 4 i - 0.5 for odd i, by |i| bounces.
     let mut scene = floor(light(vec3(0.5, 2.0, 0.0), 2.8));
     let wall = |x: f32| {
         let half = vec3(0.01, 40.0, 40.0);
@@ -154,7 +154,7 @@ fn mirrors_add_the_images_of_the_light() {
 }
 
 #[test]
-fn lone_ball_is_as_the_oracle_sees_it() {
+fn lone_ball_matches_oracle() {
     let material = Material {
         ks: 0.7,
         exponent: 9.0,
@@ -181,9 +181,9 @@ fn lone_ball_is_as_the_oracle_sees_it() {
 }
 
 #[test]
-fn error_is_known_within_the_standard_error() {
+fn error_is_within_standard_error() {
     let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
-    // Nothing is brighter than white.
+    // Avoid colours above white.
     scene.lights[0].colour *= 0.5;
     scene.camera = Camera::new(vec3(0.0, 2.0, 9.0), Vec3::ZERO, 0.6);
     scene
@@ -197,7 +197,7 @@ fn error_is_known_within_the_standard_error() {
     assert!((7.0..9.0).contains(&ratio), "{ratio}");
     for seed in 1..=10 {
         let coarse = compare(16, seed);
-        // Independent noise adds to the square of the error.
+        // Independent noise adds to the squared error.
         let square = coarse.error.powi(2) - coarse.noise.powi(2);
         let off = square.sqrt() - fine.error;
         assert!(off.abs() < 0.2 * coarse.noise, "{coarse:?}, {fine:?}");
@@ -205,7 +205,7 @@ fn error_is_known_within_the_standard_error() {
 }
 
 #[test]
-fn truth_depends_on_its_seed_and_names_the_error() {
+fn picture_depends_on_seed() {
     let truth = |seed| {
         lab(&format!(
             "truth --size 24x18 --samples 4 --out - --seed {seed}"
@@ -213,7 +213,10 @@ fn truth_depends_on_its_seed_and_names_the_error() {
     };
     let (first, other) = (truth(7), truth(8));
     let said = said(&first);
-    assert!(said.contains("4 paths a pixel: error "), "{said}");
+    assert!(
+        said.contains("real-time picture to 4 paths a pixel: error "),
+        "{said}"
+    );
     assert!(first.status.success() && first.stdout == truth(7).stdout);
     assert!(first.stdout != other.stdout);
 }

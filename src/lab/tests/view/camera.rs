@@ -1,10 +1,10 @@
 //! The mouse moves the camera, and C prints it.
 
-use crate::stage::{SCENE, View, rendered};
+use crate::display::{SCENE, View, rendered};
 use eightfold_stage::wait_for;
 use std::fs;
 
-/// The middle of the window, where the red ball is, and the end of a drag.
+/// The red ball, and the end of a drag.
 const MIDDLE: [i32; 2] = [160, 120];
 const END: [i32; 2] = [220, 140];
 const DRAG: &[[i32; 2]] = &[MIDDLE, [190, 125], END];
@@ -14,10 +14,10 @@ fn is_red(shot: &[u32], [x, y]: [i32; 2]) -> bool {
     red > blue
 }
 
-/// The ball stays in the middle when the camera turns about it or comes nearer, and follows the pointer when the camera moves.
+/// The ball stays in the middle if the camera orbits or zooms, and follows the pointer if it pans.
 #[test]
 fn moved_camera_is_printed_and_reset() {
-    for (button, way, ball) in [
+    for (button, drag, ball) in [
         (1, DRAG, MIDDLE),
         (2, DRAG, END),
         (3, DRAG, END),
@@ -26,7 +26,7 @@ fn moved_camera_is_printed_and_reset() {
     ] {
         let Some(view) = View::of_file() else { return };
         let before = view.shot();
-        view.drag(button, way);
+        view.drag(button, drag);
         let moved = wait_for("another picture that stays", || {
             let shot = view.shot();
             (shot != before && shot == view.shot()).then_some(shot)

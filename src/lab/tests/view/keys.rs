@@ -1,6 +1,6 @@
 //! Keys select time, quality and overlay.
 
-use crate::stage::{SIZE, View, bright, rendered};
+use crate::display::{SIZE, View, bright, rendered};
 use eightfold::show;
 use eightfold_lab::arguments::{NamedQuality, Size};
 use eightfold_lab::overlay::{FrameTrace, draw_error};
@@ -13,7 +13,7 @@ use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 
 #[test]
-fn default_is_the_show_with_its_error_in_the_title() {
+fn title_has_error_of_show() {
     let Some(view) = View::of("--time 20") else {
         return;
     };
@@ -21,14 +21,14 @@ fn default_is_the_show_with_its_error_in_the_title() {
     view.assert_shows("the picture", |shot| shot == picture);
     let title = wait_for("the error", || {
         let title = view.title();
-        title.ends_with(" ± 0.0 dB").then_some(title)
+        title.ends_with(" ± 0.0 dB to exhaustive").then_some(title)
     });
     let start = "Eightfold: default, picture at 20.00 s, paused; ";
     assert!(title.starts_with(start), "{title}");
 }
 
 #[test]
-fn keys_select_quality_overlay_and_time() {
+fn keys_select_quality_overlay_time() {
     let Some(view) = View::new() else { return };
     let at = |time: &str, quality: &str| rendered(&format!("--time {time} --quality {quality}"));
     let [thesis, exhaustive, fastest] =
@@ -78,16 +78,15 @@ fn keys_select_quality_overlay_and_time() {
     view.press("9", "fastest");
     wait_for("an estimate with its interval", || {
         let title = view.title();
-        let (_, margin) = title.strip_suffix(" dB")?.split_once(" ± ")?;
+        let (_, margin) = title.strip_suffix(" dB to exhaustive")?.split_once(" ± ")?;
         (margin != "0.0").then_some(())
     });
     view.press("space", " s, paused; ");
     assert!(view.shot() != first);
 }
 
-/// A new picture does not wait for its exhaustive frame.
 #[test]
-fn paused_picture_is_measured_after_it_was_drawn() {
+fn paused_picture_is_measured_after_drawing() {
     let controls = Controls {
         frame: 0.0,
         length: 1.0,
@@ -107,7 +106,7 @@ fn paused_picture_is_measured_after_it_was_drawn() {
 }
 
 #[test]
-fn keys_are_listed_over_the_picture() {
+fn keys_are_listed_over_picture() {
     let Some(view) = View::new() else { return };
     let picture = rendered("--time 2");
     view.assert_shows("the picture", |shot| shot == picture);

@@ -1,7 +1,7 @@
-//! `lab view` in a window: scene files that are written meanwhile, the camera, the keys, and the ways in which it ends.
+//! `lab view` in a window.
 
 mod camera;
+mod display;
 mod ending;
 mod keys;
 mod reload;
-mod stage;

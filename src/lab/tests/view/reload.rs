@@ -1,6 +1,6 @@
-//! A scene file is read again when an editor writes it.
+//! Scene files that change.
 
-use crate::stage::{SCENE, SIZE, View, bright};
+use crate::display::{SCENE, SIZE, View, bright};
 use eightfold_stage::run;
 use std::fs;
 use std::process::Command;
@@ -27,7 +27,7 @@ fn replaced_file_is_shown() {
     fs::write(&new, ball("1.4")).expect("it is written");
     fs::rename(&new, &view.file).expect("it is replaced");
     view.assert_shows_file();
-    // With a moment without a file, and then an older one.
+    // First missing, then an older file.
     fs::rename(&view.file, &old).expect("it is moved away");
     view.write(&ball("0.7"));
     view.assert_shows_file();
@@ -36,10 +36,10 @@ fn replaced_file_is_shown() {
 }
 
 #[test]
-fn mistake_is_shown_over_last_picture() {
+fn mistake_is_shown_over_picture() {
     let Some(view) = View::of_file() else { return };
     let picture = view.shot();
-    // The words take two lines.
+    // The height of two lines of text.
     let top = 60 * SIZE[0] as usize;
     for faulty in [
         ball("1.0.0"),
@@ -47,14 +47,14 @@ fn mistake_is_shown_over_last_picture() {
         SCENE.replace("\"red\")]", "\"gold\")]"),
     ] {
         view.write(&faulty);
-        view.assert_shows("words over the picture", |shot| {
+        view.assert_shows("text over the picture", |shot| {
             bright(&shot[..top]) > 100 && shot[top..] == picture[top..]
         });
         view.write(SCENE);
         view.assert_shows_file();
     }
     fs::remove_file(&view.file).expect("it is removed");
-    view.assert_shows("words", |shot| bright(&shot[..top]) > 100);
+    view.assert_shows("text", |shot| bright(&shot[..top]) > 100);
     view.write(SCENE);
     view.assert_shows_file();
 }

@@ -1,4 +1,4 @@
-//! A running `lab view` on a display of its own.
+//! `lab view` on its own display.
 
 use eightfold_stage::{DISPLAY, Process, Server, lacks, reader::read_png, run, wait_for};
 use std::fs;
@@ -8,20 +8,19 @@ use std::thread::sleep;
 use std::time::Duration;
 use tempfile::TempDir;
 
-/// The window's size.
 pub const SIZE: [i32; 2] = [320, 240];
 
-/// A running `lab view` on its own X server, and a scene file.
+/// A running `lab view`, its X server, and a scene file.
 pub struct View {
     pub server: Server,
     pub process: Process,
-    /// The window's id, for X tools.
+    /// For X tools.
     pub id: String,
     pub file: PathBuf,
     pub folder: TempDir,
 }
 
-/// A scene with a red ball in the middle.
+/// A red ball in the middle.
 pub const SCENE: &str = r#"Scene(
     camera: (eye: (0.0, 3.0, 8.0), look_at: (0.0, 1.0, 0.0), field_of_view: 0.7),
     background: (0.1, 0.12, 0.2),
@@ -37,12 +36,12 @@ pub const SCENE: &str = r#"Scene(
 "#;
 
 impl View {
-    /// Starts the model scene, paused after 2 s. `None` without the tools for a display.
+    /// Starts the model scene at 2 s. `None` without display tools.
     pub fn new() -> Option<View> {
         View::of("--scene model --time 2")
     }
 
-    /// Starts the file with [`SCENE`], and waits until it is shown.
+    /// Starts with [`SCENE`] in a file.
     pub fn of_file() -> Option<View> {
         let view = View::of("--scene FILE")?;
         view.assert_shows_file();
@@ -80,7 +79,7 @@ impl View {
         text.split('"').nth(1).unwrap_or_default().to_owned()
     }
 
-    /// Presses a key and waits until the title contains some words. The title is set after the frame is shown.
+    /// Presses a key and waits for words in the title, which is set after the frame.
     #[track_caller]
     pub fn press(&self, key: &str, words: &str) {
         self.key(key);
@@ -91,7 +90,7 @@ impl View {
         self.server.xdotool(&format!("key {key}"));
     }
 
-    /// Moves the pointer to a pixel of the window, and waits for some frames.
+    /// Moves the pointer in the window, and waits for some frames.
     fn point(&self, [x, y]: [i32; 2]) {
         let [left, top, ..] = self.place();
         let command = format!("mousemove {} {}", left + x, top + y);
@@ -99,30 +98,28 @@ impl View {
         sleep(Duration::from_millis(40));
     }
 
-    /// Drags by a button from pixel to pixel.
-    pub fn drag(&self, button: u32, way: &[[i32; 2]]) {
-        self.point(way[0]);
+    /// Drags through pixels of the window.
+    pub fn drag(&self, button: u32, pixels: &[[i32; 2]]) {
+        self.point(pixels[0]);
         self.server.xdotool(&format!("mousedown {button}"));
-        for &at in &way[1..] {
+        for &at in &pixels[1..] {
             self.point(at);
         }
         self.server.xdotool(&format!("mouseup {button}"));
     }
 
-    /// Waits until the window shows the given picture.
     #[track_caller]
     pub fn assert_shows(&self, what: &str, is_wanted: impl Fn(&[u32]) -> bool) {
         wait_for(what, || is_wanted(&self.shot()).then_some(()));
     }
 
-    /// Waits until the window shows the picture of the file.
+    /// Waits for the file's picture.
     #[track_caller]
     pub fn assert_shows_file(&self) {
         let picture = rendered(&format!("--scene {}", self.file.display()));
         self.assert_shows("the file's picture", |shot| shot == picture);
     }
 
-    /// Writes the file in place.
     pub fn write(&self, text: &str) {
         fs::write(&self.file, text).expect("it is written");
     }
@@ -133,26 +130,25 @@ impl View {
         self.server.screenshot([x, y, width, height])
     }
 
-    /// Returns the place of the window on the screen, and its size.
+    /// Returns the position and the size of the window.
     pub fn place(&self) -> [i32; 4] {
         let place = self.server.geometry(&["-id", &self.id]);
         place.expect("a window")
     }
 }
 
-/// The window's id, for X tools.
 fn id(server: &Server) -> Option<String> {
     let found = server.xdotool("search --onlyvisible --name ^Eightfold");
     found.lines().next().map(str::to_owned)
 }
 
-/// Returns the number of pixels as bright as letters are.
+/// Returns the number of pixels as bright as letters.
 pub fn bright(pixels: &[u32]) -> usize {
     let is_bright = |pixel: &&u32| pixel.to_be_bytes()[1..].iter().all(|&c| c > 180);
     pixels.iter().filter(is_bright).count()
 }
 
-/// Returns the picture that `lab render` draws.
+/// Returns the picture by `lab render`.
 pub fn rendered(options: &str) -> Vec<u32> {
     let (output, _) = run(Command::new(env!("CARGO_BIN_EXE_lab"))
         .args(["render", "--size", "320x240", "--out", "-"])

@@ -1,10 +1,10 @@
-//! Frames of fewer pixels are those that people would draw.
+//! Frames of fewer pixels: enlarged, checkerboard.
 
 use super::{cells, printed};
 use eightfold::show;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::Difference;
-use eightfold_lab::rivals::{Way, draw};
+use eightfold_lab::technique::{Sampling, Technique};
 use eightfold_lab::threaded_renderer::{ThreadedRenderer, drawn};
 use eightfold_tracer::{Counts, Quality};
 use eightfold_window::cpu;
@@ -12,50 +12,37 @@ use eightfold_window::cpu;
 const SIZE: Size = Size::new(96, 70);
 
 /// Draws the model scene. Returns the picture and its work.
-fn picture(way: Way) -> (Vec<u32>, Counts) {
+fn picture(sampling: Sampling) -> (Vec<u32>, Counts) {
     let mut renderer = ThreadedRenderer::new(1);
     let mut pixels = vec![u32::MAX; SIZE.area()];
-    let (scene, quality) = (show::model_scene(2.0), Quality::EXHAUSTIVE);
-    let level = cpu::best().level;
-    let counts = draw(
-        way,
-        &mut renderer,
-        level,
-        &scene,
-        &quality,
-        SIZE.width,
-        &mut pixels,
-    );
+    let (scene, level) = (show::model_scene(2.0), cpu::best().level);
+    let technique = Technique::new("", Quality::EXHAUSTIVE, false, sampling);
+    let counts = technique.draw(&mut renderer, level, &scene, SIZE.width, &mut pixels);
     (pixels, counts)
 }
 
 #[test]
 fn checkerboard_has_every_second_traced_pixel() {
-    let (pixels, counts) = picture(Way::Checkerboard);
+    let (pixels, counts) = picture(Sampling::Checkerboard);
     let traced = drawn(1, &show::model_scene(2.0), &Quality::EXHAUSTIVE, SIZE);
     assert_eq!(counts.points as usize, SIZE.area() / 2);
-    let (mut own, mut others) = (Vec::new(), Vec::new());
-    for (i, pair) in pixels.into_iter().zip(traced).enumerate() {
-        let is_traced = (i % SIZE.width + i / SIZE.width).is_multiple_of(2);
-        if is_traced { &mut own } else { &mut others }.push(pair);
-    }
-    let psnr = |pairs: Vec<(u32, u32)>| {
-        let (a, b): (Vec<u32>, Vec<u32>) = pairs.into_iter().unzip();
+    let psnr = |parity: usize| {
+        let has_parity = |i: &usize| (i % SIZE.width + i / SIZE.width) % 2 == parity;
+        let places = (0..SIZE.area()).filter(has_parity);
+        let (a, b): (Vec<u32>, Vec<u32>) = places.map(|i| (pixels[i], traced[i])).unzip();
         Difference::between(&a, &b).psnr
     };
-    // Rays through the same places are rounded otherwise.
-    let (own, others) = (psnr(own), psnr(others));
-    assert!(
-        own > 55.0 && (24.0..45.0).contains(&others),
-        "{own}, {others}"
-    );
+    // Rays through the same places are rounded differently.
+    let (own, others) = (psnr(0), psnr(1));
+    assert!(own > 55.0, "{own}");
+    assert!((24.0..45.0).contains(&others), "{others}");
 }
 
 #[test]
-fn enlarged_frames_are_better_the_larger_they_were() {
-    let whole = picture(Way::Drawn).0;
+fn larger_frames_are_enlarged_better() {
+    let whole = picture(Sampling::Full).0;
     let psnr = [0.4, 0.7, 1.0].map(|scale| {
-        let (pixels, counts) = picture(Way::Enlarged(scale));
+        let (pixels, counts) = picture(Sampling::Enlarged(scale));
         let share = counts.points as f64 / SIZE.area() as f64;
         assert!((share - scale * scale).abs() < 0.01, "{share}");
         Difference::between(&whole, &pixels).psnr
@@ -64,7 +51,7 @@ fn enlarged_frames_are_better_the_larger_they_were() {
 }
 
 #[test]
-fn race_has_a_line_for_each_quality() {
+fn race_has_line_per_quality() {
     let text = printed("bench --size 48x36 --frames 2 --views 1 --quality default --rivals");
     let (_, races) = text.split_once("|\n\n").expect("two tables");
     let lines = cells(races);

@@ -1,13 +1,13 @@
-//! The picture and the sound of each frame.
+//! Draws frames by number, and synthesizes their sound.
 
 use super::Arguments;
 use crate::arguments::{Size, processors};
-use crate::interrupt::{self, Stopped};
+use crate::interrupt;
 use crate::picture::Mean;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::{progress, wav};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use eightfold::sound::RATE;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec2, vec2};
@@ -16,16 +16,16 @@ use eightfold_window::cpu;
 use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// The pictures per frame along each axis where a frame is blurred, by default.
+/// The default of `--supersample` for blurred frames.
 const BLURRED: usize = 4;
 
-/// Draws frames by their numbers.
-pub struct Film {
+/// Draws the frames of a scene and records its sound.
+pub struct Recorder {
     scene: SceneName,
     pub fps: u32,
     pub size: Size,
     quality: Quality,
-    /// A frame is the mean of this number squared of pictures.
+    /// The pictures per frame, along each axis.
     supersample: usize,
     shutter: f32,
     aperture: f32,
@@ -33,22 +33,21 @@ pub struct Film {
     pixels: Vec<u32>,
 }
 
-impl Film {
+impl Recorder {
     pub fn new(arguments: &Arguments) -> Self {
-        let usual_size = if arguments.sheet.is_some() {
-            Size::new(320, 240)
-        } else {
-            Size::new(1024, 768)
+        let default = match arguments.sheet {
+            Some(_) => Size::new(320, 240),
+            None => Size::new(1024, 768),
         };
+        let size = arguments.size.unwrap_or(default);
         let is_blurred = arguments.shutter > 0.0 || arguments.aperture > 0.0;
-        let usual_count = if is_blurred { BLURRED } else { 1 };
-        let size = arguments.size.unwrap_or(usual_size);
+        let default = if is_blurred { BLURRED } else { 1 };
         Self {
             scene: arguments.scene,
             fps: arguments.fps,
             size,
             quality: arguments.quality.quality,
-            supersample: arguments.supersample.unwrap_or(usual_count),
+            supersample: arguments.supersample.unwrap_or(default),
             shutter: arguments.shutter,
             aperture: arguments.aperture,
             renderer: ThreadedRenderer::new(processors()),
@@ -56,10 +55,7 @@ impl Film {
         }
     }
 
-    /// Draws frames one after another, each by all threads, and passes them on.
-    ///
-    /// # Errors
-    /// The first error of `take`, or [`Stopped`] after Ctrl-C.
+    /// Draws frames in order, each with all threads, until Ctrl-C or an error of `take`.
     pub fn draw_each(
         &mut self,
         frames: impl ExactSizeIterator<Item = usize>,
@@ -68,9 +64,7 @@ impl Film {
         let bar = progress::bar(frames.len());
         for frame in frames {
             let pixels = self.draw(frame);
-            if interrupt::is_stopped() {
-                bail!(Stopped("no more frames are drawn".to_owned()));
-            }
+            interrupt::check("no more frames are drawn")?;
             take(frame, pixels)?;
             bar.inc(1);
         }
@@ -78,13 +72,13 @@ impl Film {
         Ok(())
     }
 
-    /// Draws a frame as the mean of its pictures, of their colours as they are shown.
+    /// Draws a frame as the mean of its pictures, in 8-bit colours.
     fn draw(&mut self, frame: usize) -> &[u32] {
         let n = self.supersample;
         let mut mean = Mean::default();
         for i in 0..n * n {
-            // Multiples of such steps are spread evenly, in the plane as well (Roberts, "The unreasonable effectiveness of
-            // quasirandom sequences", 2018), and independent of the place in the pixel.
+            // A low-discrepancy sequence, independent of the place in the pixel (Roberts, "The unreasonable effectiveness of
+            // quasirandom sequences", 2018).
             let spread = |step: f32| (0.5 + i as f32 * step).fract();
             let delay = self.shutter * spread(0.618_034);
             let time = (frame as f64 + f64::from(delay)) / f64::from(self.fps);
@@ -103,7 +97,7 @@ impl Film {
         &self.pixels
     }
 
-    /// Moves the camera to a point of the lens. Returns the offset in pixels by which the point that it looks at stays in its place.
+    /// Moves the camera to a point of the lens. Returns the offset in pixels that keeps the focused point in place.
     fn move_camera(&self, camera: &mut Camera, lens: Vec2) -> Vec2 {
         let sight = camera.look_at - camera.eye;
         let forward = sight.normalize();
@@ -112,11 +106,11 @@ impl Film {
         camera.eye += by;
         camera.look_at += by;
         let pixel = 2.0 * (0.5 * camera.field_of_view).tan() / self.size.height as f32;
-        // Pixels count down, and the lens's second axis is up.
+        // Rows count downwards, and the second axis of the lens is up.
         vec2(-lens.x, lens.y) / (sight.length() * pixel)
     }
 
-    /// Makes the sound of a range of frames, to the sample; `None` if the scene has none.
+    /// Synthesizes the sound of a range of frames; `None` if the scene has no sound.
     pub fn sound(&self, frames: &Range<usize>) -> Option<Vec<[f32; 2]>> {
         let start = (self.scene.start()? * RATE as f32) as u32;
         let samples = |frame: usize| (frame as u64 * u64::from(RATE)).div_ceil(self.fps.into());

@@ -1,0 +1,155 @@
+//! Techniques of drawing a frame: a quality, or a rival that traces fewer pixels.
+
+use crate::arguments::{NamedQuality, Size};
+use crate::error::worst_channel;
+use crate::threaded_renderer::ThreadedRenderer;
+use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{Counts, Level, Quality};
+use fast_image_resize::images::{Image, ImageRef};
+use fast_image_resize::{FilterType, PixelType, ResizeAlg, ResizeOptions, Resizer};
+use std::cell::RefCell;
+
+/// A way to draw a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Technique {
+    pub name: String,
+    pub quality: Quality,
+    pub sampling: Sampling,
+}
+
+/// The pixels that are traced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sampling {
+    /// As the quality says.
+    Full,
+    /// The pixels of a smaller frame, which a Catmull-Rom filter enlarges: its side relative to the full one.
+    Enlarged(f64),
+    /// Every second pixel. The others are the mean of their horizontal or vertical neighbours, the pair that differs less.
+    Checkerboard,
+}
+
+/// Memory that is kept from frame to frame.
+#[derive(Default)]
+struct Scratch {
+    resizer: Resizer,
+    small: Vec<u32>,
+}
+
+thread_local! {
+    static SCRATCH: RefCell<Scratch> = RefCell::default();
+}
+
+impl Technique {
+    pub fn new(name: &str, quality: Quality, antialias: bool, sampling: Sampling) -> Self {
+        Self {
+            name: name.to_owned(),
+            quality: Quality {
+                antialias,
+                ..quality
+            },
+            sampling,
+        }
+    }
+
+    /// Returns the technique of a named quality.
+    pub fn named(named: NamedQuality, antialias: bool) -> Self {
+        Self::new(named.name, named.quality, antialias, Sampling::Full)
+    }
+
+    /// Returns enlarged frames, the checkerboard, which cannot be antialiased, and `default` without its guard.
+    pub fn rivals(antialias: bool) -> impl Iterator<Item = Self> {
+        let enlarged = (4..10).map(move |tenths| {
+            let sampling = Sampling::Enlarged(f64::from(tenths) / 10.0);
+            let name = format!("resolution:0.{tenths}");
+            Self::new(&name, Quality::EXHAUSTIVE, antialias, sampling)
+        });
+        let (exhaustive, sampling) = (Quality::EXHAUSTIVE, Sampling::Checkerboard);
+        let unguarded = Quality {
+            guarded: false,
+            ..Quality::DEFAULT
+        };
+        enlarged.chain([
+            Self::new("checkerboard", exhaustive, false, sampling),
+            Self::new("unguarded", unguarded, antialias, Sampling::Full),
+        ])
+    }
+
+    /// Draws a frame that fills `pixels`.
+    pub fn draw(
+        &self,
+        renderer: &mut ThreadedRenderer,
+        level: Level,
+        scene: &Scene,
+        width: usize,
+        pixels: &mut [u32],
+    ) -> Counts {
+        let size = Size::new(width, pixels.len() / width);
+        let quality = &self.quality;
+        SCRATCH.with_borrow_mut(|Scratch { resizer, small }| match self.sampling {
+            Sampling::Full => renderer.draw(level, scene, quality, width, pixels),
+            Sampling::Enlarged(scale) => {
+                let part = size.scaled(scale);
+                small.resize(part.area(), 0);
+                let counts = renderer.draw(level, scene, quality, part.width, small);
+                enlarge(resizer, part, small, size, pixels);
+                counts
+            }
+            Sampling::Checkerboard => {
+                // Two frames of half the size: one has the upper left pixel of each 2x2, the other the lower right pixel.
+                let part = Size::new(size.width.div_ceil(2), size.height.div_ceil(2));
+                small.resize(part.area(), 0);
+                let mut counts = Counts::NONE;
+                for (place, offset) in [(0, -0.25), (1, 0.25)] {
+                    renderer.set_offset(offset, offset);
+                    counts += renderer.draw(level, scene, quality, part.width, small);
+                    let rows = pixels.chunks_exact_mut(width).skip(place).step_by(2);
+                    for (row, traced) in rows.zip(small.chunks_exact(part.width)) {
+                        let places = row.iter_mut().skip(place).step_by(2);
+                        places.zip(traced).for_each(|(to, &from)| *to = from);
+                    }
+                }
+                renderer.set_offset(0.0, 0.0);
+                fill_gaps(size, pixels);
+                counts
+            }
+        })
+    }
+}
+
+/// Enlarges a picture of size `part` to `size`.
+fn enlarge(resizer: &mut Resizer, part: Size, small: &[u32], size: Size, pixels: &mut [u32]) {
+    const WHOLE: &str = "the buffer has the size of the picture";
+    let [from, to] = [part, size].map(|size| (size.width as u32, size.height as u32));
+    let small = bytemuck::cast_slice(small);
+    let small = ImageRef::new(from.0, from.1, small, PixelType::U8x4).expect(WHOLE);
+    let pixels = bytemuck::cast_slice_mut(pixels);
+    let mut picture = Image::from_slice_u8(to.0, to.1, pixels, PixelType::U8x4).expect(WHOLE);
+    let filter = ResizeAlg::Convolution(FilterType::CatmullRom);
+    let options = ResizeOptions::new().resize_alg(filter).use_alpha(false);
+    let resized = resizer.resize(&small, &mut picture, &options);
+    resized.expect("both pictures have the same pixel type");
+}
+
+/// Fills the pixels of a checkerboard that were not traced.
+fn fill_gaps(size: Size, pixels: &mut [u32]) {
+    let Size { width, height } = size;
+    for y in 0..height {
+        for x in (1 - y % 2..width).step_by(2) {
+            let at = y * width + x;
+            // The border mirrors the neighbour inside.
+            let pair = |place: usize, side: usize, step: usize| {
+                let before = if place > 0 { at - step } else { at + step };
+                let after = if place + 1 < side { at + step } else { before };
+                [pixels[before], pixels[after]]
+            };
+            let pairs = [pair(x, width, 1), pair(y, height, width)];
+            let [a, b] = pairs[usize::from(contrast(pairs[1]) < contrast(pairs[0]))];
+            // The mean of all channels, rounded up.
+            pixels[at] = (a | b) - ((a ^ b) >> 1 & 0x007f_7f7f);
+        }
+    }
+}
+
+fn contrast([a, b]: [u32; 2]) -> u32 {
+    worst_channel(a, b)
+}
