@@ -1,7 +1,7 @@
-//! The musical grid on which picture and sound are laid out: 120 beats per minute, four beats per bar.
+//! The musical grid of picture and sound: 120 beats per minute, four beats per bar.
 //!
-//! At 48 kHz a beat has 24,000 samples, and at 60 frames per second 30 frames, so every beat falls on a frame. How many bars the
-//! show has, and on which of them scenes begin, follows from its scenes ([`show`](crate::show)).
+//! At 48 kHz a beat has 24,000 samples, and at 60 frames per second 30 frames, so every beat falls on a frame. The
+//! [scenes](crate::show) determine the number of bars and the cuts.
 
 /// Beats per minute.
 pub const BEATS_PER_MINUTE: u32 = 120;

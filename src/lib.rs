@@ -1,12 +1,12 @@
-//! The show and its soundtrack, as functions of time: what the intro plays by [`eightfold_tracer`], and the lab measures.
+//! The show and its soundtrack as functions of time, which the intro plays and the lab measures.
 //!
-//! | what | module |
+//! | part | module |
 //! | --- | --- |
-//! | time to scene: the show, and the model scene of all measurements | [`show`] |
+//! | from time to a scene: the show, and the model scene of all measurements | [`show`] |
 //! | the soundtrack | [`sound`] |
-//! | the beats that both are laid out on | [`grid`] |
+//! | the beats of both | [`grid`] |
 //!
-//! It can't allocate, and needs no std. `ARCHITECTURE.md` in the repository says where a change goes.
+//! The crate allocates nothing, and needs no std. `ARCHITECTURE.md` in the repository lists where to make a change.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

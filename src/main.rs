@@ -2,7 +2,7 @@
 
 #![no_main]
 #![deny(unsafe_code)]
-// Started by a double click it opens no console on Windows. What it prints goes to the one that it is started from.
+// On Windows, opens no console after a double click. Output goes to the parent's console.
 #![cfg_attr(not(debug_assertions), windows_subsystem = "windows")]
 
 mod intro;

@@ -1,4 +1,4 @@
-//! The flags of the command line, and the text of `--help`.
+//! The command line's flags, and the text of `--help`.
 
 use core::fmt::{self, Display, Formatter, Write};
 
@@ -16,7 +16,7 @@ pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 /// The keys, as `--help` lists them.
 const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
 
-/// The options that flags set, in the order of [`FLAGS`].
+/// The options, in the order of [`FLAGS`].
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
     Size,
@@ -39,17 +39,16 @@ pub enum Switch {
 
 /// A flag of the command line.
 pub struct Flag {
-    /// The option that it sets.
     pub switch: Switch,
-    /// The flag itself, with its hyphens.
+    /// The flag with its hyphens.
     pub name: &'static str,
-    /// The name of its value in `--help`; empty if it takes none.
+    /// The name of its value in `--help`; empty without a value.
     pub value: &'static str,
-    /// The effect in words, the range of its value, and the default in brackets.
+    /// The effect, the range of the value, and the default in brackets.
     help: &'static str,
 }
 
-/// All flags. [`Options`](super::options::Options) documents what they set.
+/// All flags. [`Options`](super::options::Options) documents their options.
 #[rustfmt::skip]
 const FLAGS: &[Flag] = &[
     flag(Switch::Size, "--size", "WxH", "size of the window or the frame, 1x1 to 3840x2160 (1024x768)"),
@@ -70,7 +69,6 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Version, "--version", "", "print the version"),
 ];
 
-/// A row of [`FLAGS`].
 const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'static str) -> Flag {
     Flag {
         switch,
@@ -80,10 +78,10 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
     }
 }
 
-/// The width, in characters, of the column with the flags and their values in `--help`.
+/// The width in characters of the column for flags and values in `--help`.
 const COLUMN: usize = 16;
 
-// The table fits the enumeration, the column and the show's length, which two of the flags tell.
+// Check the order, the column, and the show's length in the help.
 const _: () = {
     assert!(show::LENGTH == 116.0);
     assert!(FLAGS.len() == Switch::Version as usize + 1);
@@ -101,13 +99,13 @@ const _: () = {
 };
 
 impl Flag {
-    /// The flag of a given name; `-h` stands for `--help`.
+    /// Returns the flag of a name; `-h` is `--help`.
     pub fn find(name: &[u8]) -> Option<&'static Flag> {
         let name = if name == b"-h" { b"--help" } else { name };
         FLAGS.iter().find(|flag| flag.name.as_bytes() == name)
     }
 
-    /// Writes what it does, and the values that it accepts if these are names.
+    /// Writes the help, and the names that the value may have.
     fn write_help(&self, f: &mut dyn Write) -> fmt::Result {
         f.write_str(self.help)?;
         match self.switch {

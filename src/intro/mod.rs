@@ -1,11 +1,11 @@
-//! The intro: a program around the library.
+//! The intro, a program around the library.
 //!
-//! | what | module |
+//! | part | module |
 //! | --- | --- |
 //! | the command line | [`options`], [`flags`] |
 //! | the named qualities | [`qualities`] |
 //! | drawing a frame on all threads | [`renderer`] |
-//! | playing the show on a screen, and its statistics | [`playing`], [`tally`] |
+//! | playing the show, and its statistics | [`playing`], [`tally`] |
 //! | writing one frame as a file | [`still`] |
 
 mod flags;
@@ -29,7 +29,7 @@ use options::{Options, Task};
 /// The length of the show in nanoseconds.
 const SHOW_NANOSECONDS: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
 
-/// The exit code of a run that lost its screen or could not write its output.
+/// The exit code after losing the screen or failing to write the output.
 const FAILURE: i32 = 1;
 
 /// The exit code for an invalid command line.
@@ -58,7 +58,7 @@ fn print(write: impl FnOnce(&mut Writer) -> fmt::Result) -> i32 {
     exit_code(write(&mut output).and_then(|()| output.flush()))
 }
 
-/// The exit code after an attempt to write to standard output. A failure is reported on standard error.
+/// Returns the exit code after writing to standard output, and reports an error on standard error.
 fn exit_code(written: fmt::Result) -> i32 {
     if written.is_ok() {
         return 0;

@@ -16,60 +16,52 @@ use super::{
     qualities,
 };
 
-/// The most threads: the program has memory for the workers of so many.
+/// The maximum number of threads, which the memory for workers limits.
 pub const MAX_THREADS: usize = 64;
 
-/// The largest value of `--fps`.
 const MAX_FPS: usize = 1000;
 
-/// The largest value of `--psnr`.
 const MAX_PSNR: usize = 99;
 
-/// The largest number of seconds, about 30 years: sums of such times in nanoseconds stay far below 2^64.
+/// The maximum number of seconds, about 30 years: sums of such times in nanoseconds stay far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
 /// The task of the program.
 #[derive(Clone, Copy)]
 pub enum Task {
-    /// Play the show.
+    /// Plays the show.
     Play,
-    /// Write the frame at a time in nanoseconds, below [`SHOW_NANOSECONDS`].
+    /// Writes the frame at a time in nanoseconds, below [`SHOW_NANOSECONDS`].
     Still(u64),
-    /// Print the help.
+    /// Prints the help.
     Help,
-    /// Print the version.
+    /// Prints the version.
     Version,
 }
 
 /// The task, and how to play or draw.
 pub struct Options {
-    /// The task.
     pub task: Task,
-    /// The width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
+    /// Width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
     pub size: (usize, usize),
-    /// Whether the window starts in fullscreen.
     pub is_fullscreen: bool,
     /// The number of threads that draw, 1 to [`MAX_THREADS`]; `None` means one for each processor.
     pub threads: Option<usize>,
-    /// The instruction set to trace with.
     pub isa: Isa,
     /// The time until the end in nanoseconds, above 0; `None` means the length of the show.
     pub length: Option<u64>,
-    /// Whether the show starts again instead of ending.
     pub is_looping: bool,
-    /// The frame rate to hold, in frames per second, 1 to [`MAX_FPS`].
+    /// The frame rate to hold, 1 to [`MAX_FPS`].
     pub fps: u64,
-    /// Whether the frame rate was named.
+    /// Whether the user gave a frame rate.
     pub has_fps: bool,
-    /// The accuracy to hold, in dB, 1 to [`MAX_PSNR`]; if a frame rate is named, that comes first.
+    /// The accuracy to hold in dB, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
     pub psnr: Option<u64>,
     /// The fixed quality, as an index in [`qualities::NAMED`]; with `None` the governor chooses.
     pub quality: Option<usize>,
-    /// Whether frames follow each other without a pause.
     pub is_uncapped: bool,
-    /// Whether the numbers over the picture are there from the start.
+    /// Whether the numbers over the picture are shown from the start.
     pub has_hud: bool,
-    /// Whether the show is played without sound.
     pub is_silent: bool,
 }
 
@@ -80,9 +72,9 @@ pub enum Misuse {
     UnknownFlag(&'static [u8]),
     /// A flag without its value, at the end of the command line.
     NoValue(&'static Flag),
-    /// A value that the flag does not accept.
+    /// An invalid value.
     BadValue(&'static Flag, &'static [u8]),
-    /// An instruction set that this CPU does not have.
+    /// An instruction set that this CPU lacks.
     NotInThisCpu(&'static [u8]),
     /// Two different qualities.
     TwoQualities,
@@ -99,13 +91,13 @@ impl Display for Misuse {
                 write!(f, "can't use '{}': {flag}", Printable(given))
             }
             Misuse::NotInThisCpu(name) => write!(f, "this CPU has no {}", Printable(name)),
-            Misuse::TwoQualities => write!(f, "two qualities are asked for, and there can be one"),
+            Misuse::TwoQualities => f.write_str("more than one quality"),
         }
     }
 }
 
 impl Options {
-    /// The defaults.
+    /// Returns the defaults.
     fn new() -> Options {
         Options {
             task: Task::Play,
@@ -125,8 +117,8 @@ impl Options {
         }
     }
 
-    /// Parses the command line. A flag's value is the next argument, or follows after `=`. If a flag appears twice, the last one
-    /// counts. Nothing after `--help` or `--version` is parsed.
+    /// Parses the command line. A flag's value is the next argument, or follows after `=`. The last of repeated flags counts.
+    /// Parsing stops after `--help` or `--version`.
     pub fn parse(mut arguments: Arguments) -> Result<Options, Misuse> {
         let mut options = Options::new();
         while let Some(argument) = arguments.next() {
@@ -146,7 +138,7 @@ impl Options {
         Ok(options)
     }
 
-    /// Does what a flag says.
+    /// Sets a flag's option.
     fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
         let bad_value = Misuse::BadValue(flag, value);
         let text = ascii(value).ok_or(bad_value)?;
@@ -193,27 +185,27 @@ impl Options {
     }
 }
 
-/// The parts of an argument before and after its first `=`; without one, the whole argument and `None`.
+/// Splits an argument at its first `=`.
 fn split_at_equals(argument: &[u8]) -> (&[u8], Option<&[u8]>) {
     let mut parts = argument.splitn(2, |&byte| byte == b'=');
     (parts.next().unwrap_or(argument), parts.next())
 }
 
-/// Parses a whole number in decimal digits, 1 to `most`.
+/// Parses a decimal integer, 1 to `most`.
 fn number(text: &str, most: usize) -> Option<usize> {
-    // `parse` alone would accept a sign.
+    // `parse` would accept a sign.
     is_digits(text)
         .then(|| text.parse().ok())?
         .filter(|number| (1..=most).contains(number))
 }
 
-/// Parses a width and a height with an `x` between them, up to the largest frame.
+/// Parses a width and a height, separated by `x`, up to the largest frame.
 fn size(text: &str) -> Option<(usize, usize)> {
     let (width, height) = text.split_once('x')?;
     Some((number(width, MAX_WIDTH)?, number(height, MAX_HEIGHT)?))
 }
 
-/// Parses a time in seconds, with or without a decimal fraction, up to [`MAX_SECONDS`]. Returns it in nanoseconds, rounded down.
+/// Parses seconds, with or without a decimal fraction, up to [`MAX_SECONDS`]. Returns nanoseconds, rounded down.
 fn nanoseconds(text: &str) -> Option<u64> {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     if whole.is_empty() && fraction.is_empty() || !is_digits(whole) || !is_digits(fraction) {
@@ -236,7 +228,7 @@ fn nanoseconds(text: &str) -> Option<u64> {
     Some(time)
 }
 
-/// Whether a text consists of decimal digits alone; an empty one does.
+/// Returns whether a text consists of decimal digits; an empty one does.
 fn is_digits(text: &str) -> bool {
     text.bytes().all(|byte| byte.is_ascii_digit())
 }

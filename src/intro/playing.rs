@@ -1,4 +1,4 @@
-//! Playing the show on a screen, in time with its sound.
+//! Plays the show, in time with its sound.
 
 use core::time::Duration;
 use eightfold::sound::Synthesizer;
@@ -35,8 +35,7 @@ impl Source for Music {
 
 /// Plays the show and prints its statistics. Returns the exit code.
 pub fn play(options: &Options) -> i32 {
-    // The window first, then the sound's thread: the threads that trace make do with what the system has left. A terminal is
-    // taken when all has been said that there is to say.
+    // Open the window before starting threads, which can do with fewer. Open the terminal last, after all messages.
     let (width, height) = options.size;
     let window = Window::open(c"Eightfold", width, height);
     if let Err(why) = &window {
@@ -47,7 +46,6 @@ pub fn play(options: &Options) -> i32 {
         };
         line::complain(format_args!("{}; playing {}", Text(why), Text(place)));
     }
-    // Start the sound and the threads that trace.
     let mut playing = Playing {
         options,
         player: if options.is_silent {
@@ -58,7 +56,6 @@ pub fn play(options: &Options) -> i32 {
         renderer: ShowRenderer::new(options),
         tally: Tally::default(),
     };
-    // Play in the window, in the terminal, or without a screen.
     let code = match window {
         Ok(mut window) => {
             if options.is_fullscreen {
@@ -71,7 +68,6 @@ pub fn play(options: &Options) -> i32 {
             None => playing.on(&mut Headless::new(width, height)),
         },
     };
-    // Print the statistics.
     let Playing {
         renderer, tally, ..
     } = &playing;
@@ -88,10 +84,10 @@ struct Playing<'a> {
 }
 
 impl Playing<'_> {
-    /// Plays on a screen until the show ends or the viewer ends it. Returns the exit code.
-    fn on(&mut self, screen: &mut dyn RenderTarget) -> i32 {
+    /// Plays until the show ends or the viewer ends it. Returns the exit code.
+    fn on(&mut self, target: &mut dyn RenderTarget) -> i32 {
         let options = self.options;
-        // Decide how the quality is chosen, and when the show ends.
+        // Select the governor and the end.
         let by_accuracy = options.psnr.filter(|_| !options.has_fps);
         let is_default = options.is_uncapped && by_accuracy.is_none();
         let kept = options.quality.or(is_default.then_some(qualities::DEFAULT));
@@ -107,7 +103,6 @@ impl Playing<'_> {
         let mut due = 0;
         let mut has_hud = options.has_hud;
         loop {
-            // Find the time of the show, and the quality of this frame.
             let start = clock.time();
             let heard = self.player.time();
             if heard >= length {
@@ -118,32 +113,30 @@ impl Playing<'_> {
                 Some(governor) => governor.preset(),
                 None => by_rate.preset(),
             });
-            // Draw the frame, and show it.
-            let size = fit(screen.size(), (MAX_WIDTH, MAX_HEIGHT));
+            let size = fit(target.size(), (MAX_WIDTH, MAX_HEIGHT));
             let (width, height) = size;
-            let mut frame = Frame::new(width, height, screen.canvas(width, height));
+            let mut frame = Frame::new(width, height, target.canvas(width, height));
             let counts =
                 self.renderer
                     .draw(heard, self.tally.frames(), &NAMED[quality].1, &mut frame);
             if has_hud {
                 self.tally.write(&mut frame, counts.points);
             }
-            let next = screen.show();
-            // Tell the governor and the statistics how it went.
+            let next = target.show();
+            // Update the governor and the statistics.
             let shown = clock.time();
             match &mut by_accuracy {
                 Some(governor) => governor.frame(counts.probes),
                 None => by_rate.frame(Duration::from_nanos(shown - start)),
             }
             self.tally.count(shown, size, quality, counts.probes);
-            // Do what the viewer asked for.
             match next {
                 Next::End(code) => return code,
                 Next::Toggle => has_hud = !has_hud,
                 Next::GoOn => {}
             }
             if !options.is_uncapped {
-                // After a late frame the following ones do not try to catch up. The last frame is not shown beyond the end.
+                // After a late frame the following ones do not catch up. The last frame is not shown beyond the end.
                 due = u64::max(due + SECOND / options.fps, start);
                 let end = start.saturating_add(length - heard);
                 clock.sleep_until(due.min(end));

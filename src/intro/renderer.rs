@@ -22,14 +22,14 @@ struct Workspace {
     workers: [Worker; MAX_THREADS],
 }
 
-/// Too large for the stack. Pages of workers that no thread uses are never touched, so they take no physical memory.
+/// Too large for the stack. Unused workers take no physical memory.
 static WORKSPACE: StaticCell<Workspace> = StaticCell::new(Workspace {
     scene: Scene::ZEROED,
     memory: Memory::new(),
     workers: [const { Worker::new() }; _],
 });
 
-/// Draws frames of the show. There can be one in a process.
+/// A renderer of the show's frames. A process can have one.
 pub struct ShowRenderer {
     renderer: Renderer<&'static mut Memory>,
     scene: &'static mut Scene,
@@ -55,13 +55,12 @@ impl ShowRenderer {
         }
     }
 
-    /// The number of threads that draw, the caller's included.
+    /// Returns the number of threads that draw, including the caller's.
     pub fn threads(&self) -> usize {
         self.threads.pool.threads()
     }
 
-    /// Draws the frame at a time, in nanoseconds, and says how much work it was. The show repeats. The number of the frame says
-    /// which pixels are probed.
+    /// Draws the frame at a time in nanoseconds, and returns the work done. The show repeats. `number` selects the pixels to probe.
     pub fn draw(
         &mut self,
         time: u64,
@@ -79,7 +78,7 @@ impl ShowRenderer {
     }
 }
 
-/// A pool of threads, each with its working memory.
+/// A thread pool, with working memory for each thread.
 struct PoolThreads {
     pool: Pool,
     workers: &'static mut [Worker],

@@ -1,5 +1,4 @@
-//! Writes one frame of the show as a binary PPM file: a header with the size, then a byte each for red, green and blue of every
-//! pixel.
+//! Writes one frame as a binary PPM file: a header with the size, then bytes for red, green and blue of every pixel.
 
 use core::fmt::{self, Write};
 
@@ -16,7 +15,7 @@ use super::{
     renderer::ShowRenderer,
 };
 
-/// Writes the frame at a time, in nanoseconds, to standard output. Returns the exit code.
+/// Writes the frame at a time in nanoseconds to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options) -> i32 {
     if line::terminal(line::OUTPUT) {
         line::complain(format_args!(
@@ -26,8 +25,8 @@ pub fn write(time: u64, options: &Options) -> i32 {
     }
     let (_, quality) = &NAMED[options.quality.unwrap_or(qualities::DEFAULT)];
     let (width, height) = options.size;
-    let mut screen = Headless::new(width, height);
-    let pixels = screen.canvas(width, height);
+    let mut target = Headless::new(width, height);
+    let pixels = target.canvas(width, height);
     let mut frame = Frame::new(width, height, &mut *pixels);
     ShowRenderer::new(options).draw(time, 0, quality, &mut frame);
     exit_code(write_ppm(width, height, pixels))

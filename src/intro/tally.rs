@@ -14,7 +14,7 @@ use eightfold_tracer::{
 
 use super::{options::Options, qualities::NAMED};
 
-/// Statistics of a run. All times are in nanoseconds.
+/// Statistics of a run. Times are in nanoseconds.
 #[derive(Default)]
 pub struct Tally {
     frames: u64,
@@ -28,22 +28,22 @@ pub struct Tally {
     frames_in_second: u64,
     /// Frames in the last complete second.
     rate: u64,
-    /// The findings of probes, in the whole run and of late: each second counts half as much as the one after it.
+    /// The probes' results in the whole run, and recently: the weight of a second halves with the next.
     probes: Probes,
     recent: Probes,
-    /// The width and height of the last frame in pixels.
+    /// Width and height of the last frame in pixels.
     size: (usize, usize),
     /// The time for which each quality of [`NAMED`] was used.
     used: [u64; NAMED.len()],
 }
 
 impl Tally {
-    /// The number of frames.
+    /// Returns the number of frames.
     pub fn frames(&self) -> u64 {
         self.frames
     }
 
-    /// Counts a frame: the time at which it was shown, its size, the index of its quality in [`NAMED`], and what probes found.
+    /// Counts a frame: the time when it was shown, its size, the index of its quality in [`NAMED`], and its probes.
     pub fn count(&mut self, time: u64, size: (usize, usize), quality: usize, probes: Probes) {
         self.frames += 1;
         self.probes += probes;
@@ -53,7 +53,7 @@ impl Tally {
         self.time = time;
         let second = time / SECOND;
         if second != self.second {
-            // If a frame took longer than a second, there was a second without frames.
+            // After a frame longer than a second, there was a second without frames.
             let is_next = second == self.second + 1;
             let frames = if is_next { self.frames_in_second } else { 0 };
             self.slowest = Some(self.slowest.map_or(frames, |slowest| slowest.min(frames)));
@@ -65,27 +65,25 @@ impl Tally {
         self.frames_in_second += 1;
     }
 
-    /// Writes over a frame the frames of the last second, the points of this one, and the accuracy of late with its 95 %
-    /// interval.
+    /// Writes over a frame: the frames of the last second, this frame's points, and the recent accuracy with its 95 % interval.
     pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
         let hud = [
             line(b" #### FPS $$$$$$$ POINTS", 0.04),
             line(b"  %%.% / &&.& DB", 0.09),
         ];
-        // Nothing is told of an error before any is found.
+        // The accuracy is shown once there is an error.
         let lines = 1 + usize::from(self.recent.squares > 0);
         let [psnr, margin] = accuracy(&self.recent);
         let numbers = [self.rate, points, psnr, margin].map(|number| number as usize);
         frame.write(&hud[..lines], numbers);
     }
 
-    /// Notes the time at which the show ended.
+    /// Sets the time at which the show ended.
     pub fn end(&mut self, time: u64) {
         self.time = time;
     }
 
-    /// Writes the statistics in one line, with the number of threads, the name of the instruction set, and whether what was asked for
-    /// was had.
+    /// Writes the statistics in one line, with the number of threads, the instruction set, and unmet requests.
     pub fn report(&self, output: &mut Writer, threads: usize, options: &Options) -> fmt::Result {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);
@@ -115,8 +113,7 @@ impl Tally {
         writeln!(output)
     }
 
-    /// Writes how accurate the frames were, with the 95 % interval, and whether what was asked for was had, at so many tenths of frames
-    /// a second.
+    /// Writes the accuracy with its 95 % interval, and unmet requests, at a mean rate in tenths of a frame per second.
     fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) -> fmt::Result {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
@@ -138,7 +135,7 @@ impl Tally {
     }
 }
 
-/// A line over the picture.
+/// Returns a line over the picture.
 fn line<const N: usize>(letters: &[u8; N], middle: f32) -> Caption {
     Caption {
         letters: List::of(letters),
@@ -148,7 +145,7 @@ fn line<const N: usize>(letters: &[u8; N], middle: f32) -> Caption {
     }
 }
 
-/// The PSNR by probes, and half the width of its interval, in tenths of a dB.
+/// Returns the probes' PSNR, and half its interval's width, in tenths of a dB.
 fn accuracy(probes: &Probes) -> [u64; 2] {
     [probes.psnr(), probes.margin()].map(|decibels| (10.0 * decibels + 0.5) as u64)
 }

@@ -1,5 +1,3 @@
-//! The cost of each byte when it is packed.
-
 use crate::{model::Coder, new_model, with_addresses};
 
 /// Returns the bits that each byte costs when [`pack`](crate::pack) packs them all. The file also has the length, the checksum and

@@ -6,7 +6,6 @@ use object::{Object, ObjectSection};
 
 use crate::Error;
 
-/// The size of a memory page.
 pub const PAGE: u64 = 4096;
 pub const HEADER_SIZE: usize = 64;
 
@@ -55,7 +54,6 @@ impl Segment {
         }
     }
 
-    /// Returns the header's bytes, aligned to pages.
     pub fn to_bytes(self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(Segment::SIZE);
         bytes.extend(self.kind.to_le_bytes());
@@ -73,7 +71,6 @@ impl Segment {
         bytes
     }
 
-    /// Returns the range in the file.
     pub fn range(&self) -> Range<usize> {
         let start = self.offset as usize;
         start..start.saturating_add(self.file_size as usize)
@@ -96,7 +93,6 @@ pub fn header(entry: u64, segments: u16) -> Vec<u8> {
     bytes
 }
 
-/// Returns the type of an x86-64 ELF file.
 pub fn kind(file: &[u8]) -> Result<u16, Error> {
     if !file.starts_with(b"\x7fELF\x02\x01") || number(file, 18, 2) != 62 {
         return Err("file is not an x86-64 ELF program".into());
@@ -104,7 +100,6 @@ pub fn kind(file: &[u8]) -> Result<u16, Error> {
     Ok(number(file, 16, 2) as u16)
 }
 
-/// Reads the program headers.
 pub fn segments(file: &[u8]) -> Result<Vec<Segment>, Error> {
     kind(file)?;
     let bytes = file
@@ -139,14 +134,12 @@ fn segment_range(file: &[u8]) -> Range<usize> {
     start..start.saturating_add(number(file, 56, 2) as usize * Segment::SIZE)
 }
 
-/// A section's address and its range in the file.
 pub struct Section {
     pub address: u64,
     pub range: Range<usize>,
 }
 
 impl Section {
-    /// Returns the section of this name.
     pub fn find(file: &object::File<'_>, name: &str) -> Option<Section> {
         let section = file.section_by_name(name)?;
         let (start, size) = section.file_range()?;

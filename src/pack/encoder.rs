@@ -2,7 +2,6 @@
 
 use crate::model::Coder;
 
-/// Encodes bits, and collects the bytes.
 pub struct Encoder {
     /// The byte's remaining bits, highest first.
     pub byte: u8,
@@ -32,7 +31,6 @@ impl Encoder {
         self.low = self.low << 8 & ((1 << LOW) - 1);
     }
 
-    /// Ends the code and returns its bytes.
     pub fn end(mut self) -> Vec<u8> {
         if self.written.is_empty() && self.range == 1 << 32 {
             // No bits were encoded, so the decoder reads no bytes.

@@ -3,11 +3,10 @@
 //! | part | module |
 //! | --- | --- |
 //! | the model of x86 code that predicts the next bit | `model` |
-//! | packing and unpacking bytes | [`pack`], [`unpack`] |
-//! | packing and unpacking executables | [`pack_executable`], [`unpack_executable`] |
+//! | packing executables | [`pack_executable`] |
 //! | blanking panic locations | `panics` |
 //! | the packed size of each byte | [`costs`] |
-//! | the code that starts a packed executable, a separate program that includes the model | `stub` |
+//! | the program that starts a packed executable | `stub` |
 //! | the intro's build script and linker | [`build`] |
 //!
 //! # Why a custom packer
@@ -23,14 +22,14 @@
 //!
 //! # Reproducible output
 //!
-//! The model uses only integers, in a fixed order, and the same function packs and unpacks. So the packed bytes depend on the input
-//! alone. A test compares SSE2 with the plain loops for other processors.
+//! The model computes with integers, in a fixed order, by one function for packing and unpacking. So the output depends only on the
+//! input. A test compares SSE2 with the plain loops for other processors.
 //!
 //! # Time
 //!
 //! `time target/release/eightfold --version` is nearly all unpacking: 1.1 microseconds a byte. Huge pages save 0.03 s, SSE2 for
-//! slots 0.04 s. Tried without success: prefetching the buckets, one hash of a context per byte, inputs built in registers, 32 MB
-//! of buckets, four buckets for each hash (-76 bytes, +0.03 s), other sets of weights. `docs/size.md` has more.
+//! slots 0.04 s. Rejected: prefetching the buckets, one hash of a context per byte, inputs built in registers, 32 MB of buckets,
+//! four buckets for each hash (-76 bytes, +0.03 s), other sets of weights. `docs/size.md` has more.
 #![deny(missing_docs, unsafe_code)]
 
 pub mod build;
@@ -52,10 +51,10 @@ use encoder::Encoder;
 pub use executable::{System, Version, pack_executable, strip, unpack_executable};
 use model::Model;
 
-/// Explains why a program cannot be packed, or is linked without replacing functions of std.
+/// The reason why a program is not packed.
 pub type Error = Box<dyn error::Error>;
 
-/// Packs bytes. The result is an FNV-1a checksum of the rest, the unpacked length (both 32 bits, little-endian), and the code.
+/// Packs bytes: an FNV-1a checksum of the rest, the unpacked length (both 32 bits, little-endian), and the code.
 ///
 /// # Panics
 /// If there are more than [`LONGEST`] bytes.
@@ -71,7 +70,6 @@ pub fn pack(bytes: &[u8]) -> Vec<u8> {
     [&checksum(&rest).to_le_bytes(), &*rest].concat()
 }
 
-/// Returns the arithmetic code of bytes.
 fn encode(bytes: &[u8]) -> Vec<u8> {
     let mut model = new_model();
     let mut encoder = Encoder::new();
@@ -82,7 +80,7 @@ fn encode(bytes: &[u8]) -> Vec<u8> {
     encoder.end()
 }
 
-/// Replaces the relative offsets in a program's instructions by addresses.
+/// Replaces relative offsets in instructions by addresses.
 fn with_addresses(bytes: &[u8]) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     let reader = &mut new_model().reader;
@@ -108,7 +106,6 @@ pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
     decode(code, u32::from_le_bytes(*length) as usize)
 }
 
-/// Decodes `length` bytes.
 fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Damaged> {
     if length > LONGEST {
         return Err(Damaged);
@@ -118,14 +115,13 @@ fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Damaged> {
     is_whole.then_some(bytes).ok_or(Damaged)
 }
 
-/// Returns the FNV-1a hash.
 fn checksum(bytes: &[u8]) -> u32 {
     bytes.iter().fold(0x811c_9dc5, |hash, &byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     })
 }
 
-/// The maximum number of bytes to pack; packing them takes 16 seconds.
+/// The maximum number of bytes, which take 16 seconds.
 pub const LONGEST: usize = 1 << 24;
 
 /// An error: the packed data is damaged.

@@ -1,15 +1,13 @@
 //! Blanks panic locations.
 //!
-//! A `Location` is a record of 24 bytes in `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column. Code
-//! that panics passes its address. Zeros pack to nearly nothing: this saves 1,091 of 66,047 bytes.
+//! A `Location` is a record of 24 bytes in `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column. Zeros
+//! pack to nearly nothing: this saves 1,091 of 66,047 bytes.
 //!
 //! # Why this is safe
 //!
-//! - Only panic messages read a location. `build::redirect` has replaced their code by an abort that takes no arguments. Programs
-//!   whose panic handler is not redirected stay unchanged.
-//! - A record is recognised by all of its fields: an address in `.rodata`, the length of a name there that ends in `.rs`, a line
-//!   and a column of 1 or more. So a program must not have such records of its own, nor read the names; the intro has no other
-//!   names of source files.
+//! - Only panic messages read a location, and `build::redirect` has replaced their code. Other programs stay unchanged.
+//! - All fields identify a record: an address in `.rodata`, the length of a name there that ends in `.rs`, a line and a column of 1
+//!   or more. The intro has no other such records or names.
 
 use std::ops::Range;
 
@@ -26,7 +24,6 @@ pub const ABORT: &str = "eightfold_abort";
 /// The end of the panic handler's mangled name.
 const HANDLER: &str = "17rust_begin_unwind";
 
-/// The size of a `Location` in bytes.
 const RECORD: usize = 24;
 
 /// Blanks the locations and their files' names if panics go to [`ABORT`].

@@ -20,7 +20,6 @@ pub const BASE_ALIGNMENT: u64 = 1 << 16;
 /// The alignment of each part of a file.
 const FILE_ALIGNMENT: usize = 512;
 
-// Section permissions.
 pub const CODE: SectionFlags =
     SectionFlags(IMAGE_SCN_CNT_CODE.0 | IMAGE_SCN_MEM_EXECUTE.0 | IMAGE_SCN_MEM_READ.0);
 pub const MEMORY: SectionFlags =
@@ -45,7 +44,6 @@ pub struct Executable {
     pub directories: Vec<(usize, Range<u64>)>,
 }
 
-/// A GUI program: Windows opens no console.
 const SUBSYSTEM: pe::Subsystem = pe::IMAGE_SUBSYSTEM_WINDOWS_GUI;
 
 /// The first thread's stack: the same size as the pool's threads have on Linux. The committed part is larger than any function's
@@ -53,7 +51,6 @@ const SUBSYSTEM: pe::Subsystem = pe::IMAGE_SUBSYSTEM_WINDOWS_GUI;
 const STACK: u64 = 1 << 20;
 const STACK_AT_ONCE: u64 = 1 << 17;
 
-/// The number of data directories.
 const DIRECTORIES: usize = 16;
 
 /// The file offset of the checksum in the optional header, after the DOS and COFF headers.
@@ -65,7 +62,6 @@ impl Executable {
         let mut file = Vec::new();
         let alignment = FILE_ALIGNMENT as u32;
         let mut writer = Writer::new(true, PAGE as u32, alignment, &mut file);
-        // Lay out the headers and the sections.
         writer.reserve_dos_header();
         writer.reserve_nt_headers(DIRECTORIES);
         writer.reserve_section_headers(self.sections.len() as u16);

@@ -9,14 +9,12 @@ use object::{
 
 use crate::{Error, elf};
 
-/// The stub's first section, and the loader's.
 pub const FIRST: &str = ".text.first";
 pub const LOADER: &str = ".text.loader";
 
 /// A part of the stub's object file, with its sections laid out from address 0 on.
 pub struct Stub<'a> {
     file: object::File<'a>,
-    /// The needed sections and their offsets, in order.
     sections: Vec<(SectionIndex, usize)>,
     size: usize,
 }
@@ -51,12 +49,10 @@ impl<'a> Stub<'a> {
         })
     }
 
-    /// Returns the size in bytes.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Returns the size of the first section in bytes.
     pub fn first_size(&self) -> usize {
         self.sections.get(1).map_or(self.size, |&(_, start)| start)
     }

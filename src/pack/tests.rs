@@ -1,5 +1,3 @@
-//! Properties of packing and unpacking.
-
 use proptest::{collection::vec, prelude::*};
 
 use crate::{

@@ -1,12 +1,12 @@
-//! When captions of the show appear.
+//! Timed captions.
 
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Caption, Scene};
 
-/// A caption and the time for which it is shown.
-pub(super) struct Line {
+/// A caption and its time.
+pub(super) struct Cue {
     pub text: &'static str,
-    /// The beat of its scene, counted from 0, at which it begins to fade in.
+    /// The beat of its scene, counted from 0, when it begins to fade in.
     pub first: f32,
     /// The beats until it has faded out.
     pub beats: f32,
@@ -16,12 +16,12 @@ pub(super) struct Line {
     pub size: f32,
 }
 
-/// Replaces a scene's captions by these, as they are `beat` beats after the scene of the show began.
-pub(super) fn apply(lines: &[Line], beat: f32, scene: &mut Scene) {
+/// Replaces a scene's captions by the ones visible `beat` beats after the show's scene began.
+pub(super) fn apply(lines: &[Cue], beat: f32, scene: &mut Scene) {
     scene.captions.clear();
     for line in lines {
         let since = beat - line.first;
-        // Each fades in and out within a beat.
+        // Fade in and out within a beat.
         let brightness = smooth_step(since.min(line.beats - since));
         if brightness > 0.0 {
             scene.captions.push(Caption {

@@ -1,6 +1,4 @@
-//! A field of small spheres: the model scene's floor and lights with any number of spheres on the floor.
-//!
-//! It serves to measure how the time of a frame grows with the number of objects.
+//! A field of small spheres, with the model scene's floor and lights, to measure how frame time grows with the number of objects.
 
 use super::model::{ORBIT_SPEED, model};
 use super::path::orbit;
@@ -9,20 +7,19 @@ use glam::{Vec3, vec3};
 
 /// The side of a full field, in scene units. The floor's side is 24.
 const SIDE: f32 = 16.0;
-/// The largest side of the cell that one sphere has for itself, in scene units, so that a few spheres stay in the middle of the
-/// picture.
+/// The maximum side of a sphere's cell in scene units, which keeps a few spheres in the centre of the picture.
 const CELL: f32 = 4.0;
-/// The smallest radius, and the largest random addition to it, in scene units. Even 320 of the largest spheres fit side by side.
+/// The minimum radius, and the maximum random addition, in scene units. Even 320 of the largest spheres fit.
 const RADIUS: (f32, f32) = (0.2, 0.2);
-/// The seed of the random numbers: another seed gives another field.
+/// The seed of the random numbers.
 const SEED: u32 = 2008;
 
-/// The field at `time` seconds with `count` spheres, at most [`MAX_SPHERES`]. No two touch. Each is plastic with probability 0.6,
-/// a mirror with 0.2 and glass with 0.2. The same count always gives the same spheres.
+/// Returns the field at `time` seconds with `count` spheres, at most [`MAX_SPHERES`], that do not touch. A sphere is plastic with
+/// probability 0.6, a mirror with 0.2 and glass with 0.2. Equal counts give equal spheres.
 #[must_use]
 pub fn field(count: usize, time: f32) -> Scene {
     let count = count.min(MAX_SPHERES);
-    // Each sphere lies in its own cell of a square grid.
+    // Each sphere has its own cell of a square grid.
     let cells = (1..).find(|n| n * n >= count).unwrap_or(1);
     let cell = (SIDE / cells as f32).min(CELL);
     let mut random = Random(SEED);
@@ -44,12 +41,11 @@ pub fn field(count: usize, time: f32) -> Scene {
     scene
 }
 
-/// A random material of one of the model scene's kinds, in a random colour.
+/// Returns a random material of a random colour.
 fn material(random: &mut Random) -> Material {
     let kind = random.fraction();
     let mut channel = || 0.12 + 0.8 * random.fraction();
     let colour = vec3(channel(), channel(), channel());
-    // Choose plastic, a mirror or glass.
     if kind < 0.6 {
         Material {
             colour,
@@ -82,12 +78,11 @@ fn material(random: &mut Random) -> Material {
     }
 }
 
-/// Pseudorandom numbers that repeat for each seed, which is the state: SplitMix of Steele, Lea and Flood with the 32-bit mixer of
-/// Wellons and Mulvey.
+/// Pseudorandom numbers: SplitMix of Steele, Lea and Flood with the 32-bit mixer of Wellons and Mulvey.
 struct Random(u32);
 
 impl Random {
-    /// The next number, from 0 to below 1, uniformly distributed.
+    /// Returns a uniform number from 0 to below 1.
     fn fraction(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9);
         let mut h = self.0;

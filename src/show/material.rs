@@ -3,18 +3,18 @@
 use eightfold_tracer::scene::{Material, Pattern};
 use glam::{Vec3, vec3};
 
-/// The base of the others: opaque and without reflection.
+/// The base of the others: opaque, without reflection.
 const MATT: Material = Material {
     index: 1.5,
     ..Material::BLACK
 };
 
-/// The tint of the shadow of bluish glass with transmission coefficient `kt`.
+/// Returns the shadow tint of bluish glass with transmission coefficient `kt`.
 const fn tint(kt: f32) -> Vec3 {
     vec3(0.65 * kt, 0.88 * kt, 1.1 * kt)
 }
 
-/// The floor of the model scene.
+/// The model scene's floor.
 pub(super) static PAPER: Material = Material {
     colour: vec3(0.55, 0.55, 0.6),
     kd: 0.8,
@@ -24,7 +24,7 @@ pub(super) static PAPER: Material = Material {
     ..MATT
 };
 
-/// Red plastic of the model scene.
+/// The model scene's red plastic.
 pub(super) static RED: Material = Material {
     colour: vec3(0.9, 0.15, 0.12),
     kd: 0.7,
@@ -34,7 +34,7 @@ pub(super) static RED: Material = Material {
     ..MATT
 };
 
-/// The mirror of the model scene.
+/// The model scene's mirror.
 pub(super) static MIRROR: Material = Material {
     colour: vec3(0.9, 0.9, 0.95),
     kd: 0.2,
@@ -44,7 +44,7 @@ pub(super) static MIRROR: Material = Material {
     ..MATT
 };
 
-/// Blue plastic of the model scene.
+/// The model scene's blue plastic.
 pub(super) static BLUE: Material = Material {
     colour: vec3(0.15, 0.35, 0.9),
     kd: 0.7,
@@ -66,7 +66,7 @@ pub(super) static GLASS: Material = Material {
     ..MATT
 };
 
-/// Glass without reflections: they would be faint and take a fifth of the time of a frame that the sphere fills.
+/// Glass without reflections, which would be faint and take a fifth of the time of a frame that the sphere fills.
 pub(super) static CRYSTAL: Material = Material {
     colour: vec3(0.95, 0.95, 0.95),
     kd: 0.05,
@@ -77,7 +77,6 @@ pub(super) static CRYSTAL: Material = Material {
     ..MATT
 };
 
-/// Gold.
 pub(super) static GOLD: Material = Material {
     colour: vec3(0.98, 0.73, 0.38),
     kd: 0.45,
@@ -88,7 +87,7 @@ pub(super) static GOLD: Material = Material {
     ..MATT
 };
 
-/// Brushed brass without reflections: on what is thin or small they would be hardly visible.
+/// Brushed brass. Reflections on thin or small objects would be hardly visible.
 pub(super) static BRASS: Material = Material {
     kd: 0.4,
     ks: 0.75,
@@ -98,7 +97,6 @@ pub(super) static BRASS: Material = Material {
     ..GOLD
 };
 
-/// Silver.
 pub(super) static SILVER: Material = Material {
     colour: vec3(0.85, 0.88, 0.95),
     kd: 0.4,
@@ -108,7 +106,7 @@ pub(super) static SILVER: Material = Material {
     ..MATT
 };
 
-/// Turned steel without reflections, which were hardly visible.
+/// Turned steel, without hardly visible reflections.
 pub(super) static STEEL: Material = Material {
     colour: vec3(0.55, 0.62, 0.75),
     kd: 0.4,
@@ -119,7 +117,6 @@ pub(super) static STEEL: Material = Material {
     ..MATT
 };
 
-/// Scarlet plastic.
 pub(super) static SCARLET: Material = Material {
     colour: vec3(0.8, 0.11, 0.08),
     kd: 0.8,
@@ -128,7 +125,7 @@ pub(super) static SCARLET: Material = Material {
     ..MATT
 };
 
-/// Yellow plastic with dark, level stripes.
+/// Yellow plastic with dark horizontal stripes.
 pub(super) static STRIPED: Material = Material {
     colour: vec3(0.9, 0.62, 0.1),
     kd: 0.8,
@@ -160,7 +157,6 @@ pub(super) static MARBLE: Material = Material {
     ..MATT
 };
 
-/// Sandstone.
 pub(super) static SANDSTONE: Material = Material {
     colour: vec3(0.62, 0.52, 0.44),
     kd: 0.8,
@@ -169,7 +165,7 @@ pub(super) static SANDSTONE: Material = Material {
     ..MATT
 };
 
-/// Dark water, which mirrors lamps as it does the sky: the floor of the title, the machine and the finale.
+/// Dark water that reflects lights and sky: the floor of the title, the machine and the finale.
 pub(super) static WATER: Material = Material {
     colour: vec3(0.2, 0.2, 0.27),
     kd: 0.8,
@@ -180,7 +176,7 @@ pub(super) static WATER: Material = Material {
     ..MATT
 };
 
-/// The floor of the swarm, which reflects a little.
+/// The swarm's floor, slightly reflective.
 pub(super) static NIGHT: Material = Material {
     colour: vec3(0.22, 0.24, 0.34),
     kd: 0.8,

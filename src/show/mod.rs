@@ -1,26 +1,26 @@
-//! The show: the scene as a function of time. So are the model scene and the field, which serve measurements.
+//! The show, a function from time to a scene, and two scenes for measurements: the model scene and the field.
 //!
-//! The show is a list of scenes that are played one after another (`scenes`), each in a file of its own: its air, floor, lamps and
-//! props, its shots and its captions. A new scene is such a file, its place in the list, and its bars in the song.
+//! The show is a list of scenes in `scenes`, each in a file with its environment, shots and captions. A new scene needs such a
+//! file, an entry in the list, and bars in the song.
 //!
-//! | what | module |
+//! | part | module |
 //! | --- | --- |
-//! | the scenes of the show; their names, cuts and length | `scenes` |
-//! | the record of a scene, and of a shot | `act` |
-//! | what is set up: air, floor, lamps, props | `set`, `props`, `material` |
+//! | the show's scenes; their names, cuts and length | `scenes` |
+//! | the structure of a scene and of a shot | `scene` |
+//! | air, floor, lights, props | `environment`, `props`, `material` |
 //! | camera and overlay | `path` |
 //! | captions | `captions` |
-//! | the show as a function of time | `timeline` |
+//! | the show at a time | `timeline` |
 
-mod act;
 mod captions;
+mod environment;
 mod field;
 mod material;
 mod model;
 mod path;
 mod props;
+mod scene;
 mod scenes;
-mod set;
 mod timeline;
 
 #[doc(no_inline)]
@@ -28,4 +28,4 @@ pub use crate::grid;
 pub use field::field;
 pub use model::{MODEL_LENGTH, model, model_scene};
 pub use scenes::{BARS, CUTS, LENGTH, NAMES, cut};
-pub use timeline::{at, whole};
+pub use timeline::{at, without_transition};

@@ -1,6 +1,4 @@
-//! The model scene of measurements: the set of the show's scene of that name, around which the camera circles.
-//!
-//! Unless another is named, every measurement uses it.
+//! The model scene, the default of all measurements: the environment of the show's scene of that name, with an orbiting camera.
 
 use super::path::orbit;
 use super::scenes;
@@ -8,22 +6,22 @@ use crate::grid::BEAT;
 use eightfold_tracer::scene::{Method, Scene};
 use glam::vec3;
 
-/// Seconds of one orbit: a full turn at 0.25 radians a second.
+/// Seconds of one orbit: a full turn at 0.25 radians per second.
 pub const MODEL_LENGTH: f32 = 8.0 * core::f32::consts::PI;
 
 /// The camera's angular speed, in radians per second.
 pub(super) const ORBIT_SPEED: f32 = 0.25;
 
-/// Sets a scene to the model scene at `time` seconds. The camera's way repeats every [`MODEL_LENGTH`].
+/// Sets a scene to the model scene at `time` seconds. The camera's path repeats every [`MODEL_LENGTH`].
 pub fn model(time: f32, scene: &mut Scene) {
-    scenes::model::SET.apply(time / BEAT, scene);
+    scenes::model::ENVIRONMENT.apply(time / BEAT, scene);
     scene.camera = orbit(vec3(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
     scene.exposure = 1.0;
     scene.method = Method::default();
     scene.captions.clear();
 }
 
-/// The model scene at `time` seconds, see [`model`].
+/// Returns the model scene at `time` seconds, see [`model`].
 #[must_use]
 pub fn model_scene(time: f32) -> Scene {
     let mut scene = Scene::default();

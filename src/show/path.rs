@@ -1,27 +1,31 @@
-//! The camera's way: a curve through the keys of a shot, in scene coordinates.
+//! The camera's path: a curve through a shot's keyframes, in scene coordinates.
 
 use eightfold_tracer::maths::{cos, sin};
 use eightfold_tracer::scene::{Camera, Method, Scene};
 use glam::{FloatExt, Vec3, Vec4, vec3, vec4};
 
-/// Where the camera is at some time of a shot, and what is drawn over the picture. Its position is relative to the point that it
-/// looks at.
+/// The camera, relative to its target, and the overlay at a time of a shot.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Key {
-    /// The point in the middle of the picture, in scene units.
+pub(super) struct Keyframe {
+    /// The point in the centre of the picture, in scene units.
     look_at: Vec3,
-    /// The angle about the y axis in radians, at 0 the camera looks along z; the horizontal distance and the height, in scene
-    /// units; the roll, as the slope of the horizon, which is lower on the left if it is positive.
+    /// The angle about the y axis in radians, where 0 looks along z; the horizontal distance and the height in scene units; the
+    /// roll as the slope of the horizon, positive if lower on the left.
     away: Vec4,
-    /// The points, the squares, the picture and the coarseness of a [`Method`].
+    /// The points, squares, picture and coarseness of a [`Method`].
     overlay: Vec4,
     /// The front of a [`Method`].
     front: f32,
 }
 
-/// A key without roll and overlay.
-pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f32) -> Key {
-    Key {
+/// Creates a keyframe without roll and overlay.
+pub(super) const fn keyframe(
+    look_at: [f32; 3],
+    angle: f32,
+    distance: f32,
+    height: f32,
+) -> Keyframe {
+    Keyframe {
         look_at: Vec3::from_array(look_at),
         away: vec4(angle, distance, height, 0.0),
         overlay: Vec4::Z,
@@ -29,8 +33,8 @@ pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f3
     }
 }
 
-impl Key {
-    /// The same key with an overlay, see [`Method`].
+impl Keyframe {
+    /// Adds an overlay, see [`Method`].
     pub const fn overlaid(self, points: f32, squares: f32, picture: f32, coarse: f32) -> Self {
         Self {
             overlay: vec4(points, squares, picture, coarse),
@@ -38,12 +42,12 @@ impl Key {
         }
     }
 
-    /// The same key with a front, see [`Method`].
+    /// Adds a front, see [`Method`].
     pub const fn swept(self, front: f32) -> Self {
         Self { front, ..self }
     }
 
-    /// The same key with a roll.
+    /// Adds a roll.
     pub const fn rolled(self, roll: f32) -> Self {
         let [angle, distance, height, _] = self.away.to_array();
         Self {
@@ -53,19 +57,18 @@ impl Key {
     }
 }
 
-/// Sets a scene's camera and overlay to those of a shot at `time`, 0 to 1 from its start to its end. `push` is the share by which
-/// the camera is closer to what it looks at than its way says.
+/// Sets a scene's camera and overlay to a shot at `time`, 0 to 1 from its start to its end. `push` is the fraction by which the
+/// camera moves closer to its target.
 ///
-/// The keys are evenly spaced in time. Between them runs a Catmull-Rom spline, whose speed does not jump. At either end the last
-/// key counts twice: the camera sets off, and arrives, at about half of its speed, so that it eases into a shot and out of it
-/// without standing still at a cut. Overlay and front change linearly.
-pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
-    let last = keys.len() - 1;
+/// Keyframes are evenly spaced in time, on a Catmull-Rom spline with continuous speed. The first and last keyframes count twice:
+/// the camera starts and arrives at about half of its speed, and does not stand still at a cut. Overlay and front change linearly.
+pub(super) fn move_camera(keyframes: &[Keyframe], time: f32, push: f32, scene: &mut Scene) {
+    let last = keyframes.len() - 1;
     let time = time * last as f32;
     let from = (time as usize).min(last - 1);
     let u = time - from as f32;
     let four = [from.saturating_sub(1), from, from + 1, (from + 2).min(last)];
-    let [a, b, c, d] = four.map(|number| &keys[number]);
+    let [a, b, c, d] = four.map(|number| &keyframes[number]);
     let [wa, wb, wc, wd] = catmull_rom(u);
     let look_at = a.look_at * wa + b.look_at * wb + c.look_at * wc + d.look_at * wd;
     let away = a.away * wa + b.away * wb + c.away * wc + d.away * wd;
@@ -81,8 +84,8 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
     };
 }
 
-/// The weights of four neighbouring keys `u` of the way from the second to the third, 0 to 1, by the uniform Catmull-Rom spline:
-/// a cubic that passes through these two, and whose slope at either is half the difference of its neighbours.
+/// Returns the weights of four consecutive keyframes of the uniform Catmull-Rom spline at `u`, 0 to 1 between the second and the
+/// third. The cubic passes through these two; its slope at each is half the difference of its neighbours.
 fn catmull_rom(u: f32) -> [f32; 4] {
     [
         ((2.0 - u) * u - 1.0) * u * 0.5,
@@ -92,7 +95,7 @@ fn catmull_rom(u: f32) -> [f32; 4] {
     ]
 }
 
-/// A camera that looks at a point from an angle, a distance and a height as those of a [`Key`].
+/// Returns a camera that looks at a point from a [`Keyframe`]'s angle, distance and height.
 pub(super) fn orbit(look_at: Vec3, angle: f32, distance: f32, height: f32) -> Camera {
     let away = vec3(distance * sin(angle), height, -distance * cos(angle));
     Camera::new(look_at + away, look_at, core::f32::consts::FRAC_PI_4)
@@ -100,44 +103,44 @@ pub(super) fn orbit(look_at: Vec3, angle: f32, distance: f32, height: f32) -> Ca
 
 #[cfg(test)]
 mod tests {
-    use super::{Key, catmull_rom, film, key, orbit};
+    use super::{Keyframe, catmull_rom, keyframe, move_camera, orbit};
     use eightfold_tracer::scene::{Camera, Method, Scene};
     use proptest::array::uniform5;
     use proptest::prelude::*;
 
-    fn keys() -> impl Strategy<Value = [Key; 5]> {
+    fn keyframes() -> impl Strategy<Value = [Keyframe; 5]> {
         let coordinate = || -5.0_f32..5.0;
         let way = (coordinate(), coordinate(), coordinate(), -3.0_f32..3.0);
         let any = (way, 1.0_f32..20.0, 0.0_f32..5.0, -0.2_f32..0.2);
         let any = any.prop_map(|((x, y, z, angle), distance, height, roll)| {
-            key([x, y, z], angle, distance, height)
+            keyframe([x, y, z], angle, distance, height)
                 .rolled(roll)
                 .overlaid(roll.abs(), 0.5, 1.0, 0.0)
         });
         uniform5(any)
     }
 
-    fn at(keys: &[Key], time: f32) -> (Camera, Method) {
+    fn at(keyframes: &[Keyframe], time: f32) -> (Camera, Method) {
         let mut scene = Scene::default();
-        film(keys, time, 0.0, &mut scene);
+        move_camera(keyframes, time, 0.0, &mut scene);
         (scene.camera, scene.method)
     }
 
     proptest! {
         #[test]
-        fn camera_passes_through_keys(keys in keys(), count in 2_usize..6) {
-            let keys = &keys[..count];
-            for (number, key) in keys.iter().enumerate() {
-                let (camera, method) = at(keys, number as f32 / (keys.len() - 1) as f32);
-                let wanted = orbit(key.look_at, key.away.x, key.away.y, key.away.z);
+        fn camera_passes_through_keys(keyframes in keyframes(), count in 2_usize..6) {
+            let keyframes = &keyframes[..count];
+            for (number, keyframe) in keyframes.iter().enumerate() {
+                let (camera, method) = at(keyframes, number as f32 / (keyframes.len() - 1) as f32);
+                let wanted = orbit(keyframe.look_at, keyframe.away.x, keyframe.away.y, keyframe.away.z);
                 prop_assert!(camera.eye.abs_diff_eq(wanted.eye, 1e-3));
                 prop_assert!(camera.look_at.abs_diff_eq(wanted.look_at, 1e-3));
-                prop_assert!((method.points - key.away.w.abs()).abs() < 1e-3);
+                prop_assert!((method.points - keyframe.away.w.abs()).abs() < 1e-3);
                 // The picture's right has the slope of the roll.
                 let forward = (camera.look_at - camera.eye).with_y(0.0);
                 let right = forward.cross(camera.up).normalize();
                 let slope = right.y / right.with_y(0.0).length();
-                prop_assert!((slope.abs() - key.away.w.abs()).abs() < 1e-3);
+                prop_assert!((slope.abs() - keyframe.away.w.abs()).abs() < 1e-3);
             }
         }
     }
@@ -150,10 +153,10 @@ mod tests {
             core::array::from_fn::<f32, 4, _>(|i| (to[i] - from[i]) / STEP)
         };
         let (arriving, leaving) = (slope(1.0 - STEP), slope(0.0));
-        // The first of four keys is behind it when the camera leaves the third, and a fifth one comes in.
+        // When the camera passes the third keyframe, the first one drops out and a fifth comes in.
         assert!(arriving[0].abs() < 0.01 && leaving[3].abs() < 0.01);
         for i in 1..4 {
-            assert!((arriving[i] - leaving[i - 1]).abs() < 0.01, "key {i}");
+            assert!((arriving[i] - leaving[i - 1]).abs() < 0.01, "keyframe {i}");
         }
     }
 }

@@ -1,22 +1,22 @@
-//! Spheres, boxes, cylinders and rods that stand in rows, and how they move. Coordinates are the scene's.
+//! Spheres, boxes, cylinders and rods in rows, and their motion. Coordinates are the scene's.
 
 use core::f32::consts::TAU;
 use eightfold_tracer::maths::{cos, round, sin, smooth_step};
 use eightfold_tracer::scene::{self, Block, Material, Scene, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// One object, or a grid of objects that are alike.
+/// One object, or a grid of equal objects.
 pub(super) struct Prop {
     shape: Shape,
     material: &'static Material,
     motion: Motion,
     /// The centre of the first object, in scene units.
     centre: Vec3,
-    /// The extent along the object's own axes, in scene units. A sphere's three extents are its diameter.
+    /// The extents along the object's axes in scene units; a sphere's are its diameter.
     size: Vec3,
-    /// The number of objects along x, and of such rows along z.
+    /// The numbers of objects along x and z.
     count: [u8; 2],
-    /// The distance between neighbours along x and along z, in scene units.
+    /// The spacing along x and z, in scene units.
     spacing: [f32; 2],
 }
 
@@ -35,18 +35,17 @@ pub(super) enum Motion {
     },
 }
 
-/// A sphere.
 pub(super) const fn sphere(material: &'static Material, centre: [f32; 3], diameter: f32) -> Prop {
     let size = [diameter, diameter, diameter];
     prop(Shape::Sphere, material, centre, size)
 }
 
-/// A box, aligned with the scene's axes.
+/// Creates a box, aligned with the scene's axes.
 pub(super) const fn cuboid(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     prop(Shape::Block(scene::Shape::Box), material, centre, size)
 }
 
-/// An upright cylinder.
+/// Creates an upright cylinder.
 pub(super) const fn cylinder(
     material: &'static Material,
     centre: [f32; 3],
@@ -55,7 +54,6 @@ pub(super) const fn cylinder(
     prop(Shape::Block(scene::Shape::Cylinder), material, centre, size)
 }
 
-/// One object that does not move.
 const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     Prop {
         shape,
@@ -69,7 +67,7 @@ const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size:
 }
 
 impl Prop {
-    /// The same objects in a grid: `count` along x and z, `spacing` scene units apart.
+    /// Repeats the object in a grid of `count` along x and z, `spacing` scene units apart.
     pub const fn repeat(self, count: [u8; 2], spacing: [f32; 2]) -> Self {
         Self {
             count,
@@ -78,12 +76,11 @@ impl Prop {
         }
     }
 
-    /// The same objects, in motion.
     pub const fn moving(self, motion: Motion) -> Self {
         Self { motion, ..self }
     }
 
-    /// Adds the objects to a scene, as they are `beat` beats after the set was first shown.
+    /// Adds the objects to a scene, `beat` beats after the environment was first shown.
     pub fn add_all(&self, beat: f32, scene: &mut Scene) {
         let [columns, rows] = self.count;
         for row in 0..rows {
@@ -93,7 +90,6 @@ impl Prop {
         }
     }
 
-    /// Adds the object in a column and a row of the grid.
     fn add(&self, column: u8, row: u8, beat: f32, scene: &mut Scene) {
         let [dx, dz] = self.spacing;
         let mut centre = self.centre + vec3(f32::from(column) * dx, 0.0, f32::from(row) * dz);
@@ -111,13 +107,12 @@ impl Prop {
     }
 }
 
-/// Adds a sphere.
 #[inline(never)]
 pub(super) fn add_sphere(centre: Vec3, radius: f32, material: &Material, scene: &mut Scene) {
     scene.spheres.push(Sphere::new(centre, radius, *material));
 }
 
-/// Adds a rod, round at its ends, whose axis goes from one point to another one; `side` is a direction square to it.
+/// Adds a capsule with its axis between two points; `side` is a direction perpendicular to it.
 pub(super) fn add_rod(
     [from, to]: [Vec3; 2],
     side: Vec3,
@@ -134,7 +129,6 @@ pub(super) fn add_rod(
     add_block(scene::Shape::Capsule, middle, half, axes, material, scene);
 }
 
-/// Adds a box, a cylinder or a capsule, see [`Block`].
 #[inline(never)]
 pub(super) fn add_block(
     shape: scene::Shape,
@@ -153,14 +147,14 @@ pub(super) fn add_block(
     });
 }
 
-/// Time in beats for what goes on by ticks: on each beat by one, within 0.625 beats.
+/// Returns the number of ticks after `beat` beats: one on each beat, within 0.625 beats.
 pub(super) fn ticks(beat: f32) -> f32 {
-    // Rounding to even, the beat itself may count as the one before: either is where the next tick begins.
+    // Rounding to even may give the previous beat at a beat itself: both agree there.
     let whole = round(beat - 0.5);
     whole + smooth_step((beat - whole) * 1.6)
 }
 
-/// The horizontal direction at an angle, in turns, from the z axis towards the x axis.
+/// Returns the horizontal direction at an angle in turns, from z towards x.
 pub(super) fn around(turns: f32) -> Vec3 {
     vec3(sin(TAU * turns), 0.0, cos(TAU * turns))
 }

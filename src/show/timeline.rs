@@ -1,57 +1,55 @@
-//! The show at a time: which scene is played, and which of its shots.
+//! The show at a time.
 
 use super::captions;
-use super::path::film;
-use super::scenes::{ACTS, LENGTH};
+use super::path::move_camera;
+use super::scenes::{ALL, LENGTH};
 use crate::grid::{BAR, BEATS_PER_BAR};
 use crate::sound::pulse;
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::Scene;
 
-/// Seconds in which the show fades out at its end.
+/// Seconds of the final fade-out.
 const FADE_OUT: f32 = 2.0;
 
-/// The share by which lights get brighter on the loudest kick where a set follows the drum: visible, but not dazzling.
+/// The increase of lights on the loudest kick, in environments that respond to it: visible, but not dazzling.
 const FLASH: f32 = 0.3;
-/// The share by which the camera is closer then: felt rather than seen.
+/// The camera's approach to its target on the loudest kick: felt rather than seen.
 const PUSH: f32 = 0.02;
 
-/// Beats per bar, for times in beats.
 const BEATS: f32 = BEATS_PER_BAR as f32;
 
-/// Sets a scene to that of the show at `time` seconds, 0 to [`LENGTH`].
+/// Sets a scene to the show at `time` seconds, 0 to [`LENGTH`].
 pub fn at(time: f32, scene: &mut Scene) {
-    transition(whole(time, scene), scene);
+    transition(without_transition(time, scene), scene);
 }
 
-/// Sets a scene like [`at`], but without the coarse squares of the transition between two scenes. Returns how often these are halved
-/// there.
-pub fn whole(time: f32, scene: &mut Scene) -> f32 {
-    // Set up the act that is played.
-    let (act, bar) = playing(&ACTS, |act| act.bars(), time / BAR);
-    act.set.apply((bar + act.set_since as f32) * BEATS, scene);
+/// Sets a scene like [`at`], without the coarse squares of a transition between scenes. Returns the transition's number of
+/// halvings.
+pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
+    // Find the scene, and set its environment.
+    let (shown, bar) = playing(&ALL, |scene| scene.bars(), time / BAR);
+    shown
+        .environment
+        .apply((bar + shown.environment_since as f32) * BEATS, scene);
     // Flash lights and copper bars with the kick.
-    let kick = act.set.hit * pulse(time).kick;
+    let kick = shown.environment.kick_response * pulse(time).kick;
     for light in scene.lights.iter_mut() {
         light.colour *= 1.0 + FLASH * kick;
     }
     for bar in scene.copper_bars.iter_mut() {
         bar.brightness *= kick;
     }
-    // Set captions and camera.
-    captions::apply(act.captions, bar * BEATS, scene);
-    let (shot, bar_of_shot) = playing(act.shots, |shot| shot.bars.into(), bar);
+    captions::apply(shown.captions, bar * BEATS, scene);
+    let (shot, bar_of_shot) = playing(shown.shots, |shot| shot.bars.into(), bar);
     let time_of_shot = bar_of_shot / f32::from(shot.bars);
-    film(shot.keys, time_of_shot, PUSH * kick, scene);
-    // Fade out at the end of the show.
+    move_camera(shot.keyframes, time_of_shot, PUSH * kick, scene);
     scene.exposure = 1.0 - smooth_step((time - LENGTH) / FADE_OUT + 1.0);
-    // Squares are halved on eighths, and doubled on sixteenths.
-    let bars_left = act.bars() as f32 - bar;
+    // Halve squares on eighths, and double them on sixteenths.
+    let bars_left = shown.bars() as f32 - bar;
     BEATS * f32::min(2.0 * bar, 4.0 * bars_left)
 }
 
-/// Has a scene begin and end with squares of 32 pixels. `halvings` is how often they have been halved since the scene began, or
-/// will be doubled before it ends.
+/// Coarsens a scene's beginning and end, from squares of 32 pixels. `halvings` counts from the beginning, or to the end.
 fn transition(halvings: f32, scene: &mut Scene) {
     // No squares of a single pixel.
     let side = (32 >> (halvings as u32).min(6) & !1) as f32;
@@ -60,8 +58,8 @@ fn transition(halvings: f32, scene: &mut Scene) {
     method.squares = method.squares.max(side / 128.0);
 }
 
-/// Which of several scenes or shots, that are played one after another, is played at a bar counted from the start of the first;
-/// and the bars since its own start. `bars` tells their lengths. The last one has no end.
+/// Returns the item, a scene or a shot, at a bar counted from the start of the first, and the bars since its own start. `bars`
+/// returns an item's length. The last one has no end.
 fn playing<T>(all: &[T], bars: impl Fn(&T) -> u32, mut bar: f32) -> (&T, f32) {
     let mut playing = &all[0];
     for next in &all[1..] {

@@ -4,16 +4,16 @@ use super::RATE;
 use super::song::TRACKS;
 use core::f32::consts::PI;
 
-/// How a pattern's digits choose an instrument's notes. Notes have MIDI numbers: 69 is 440 Hz, and 12 make an octave.
+/// The meaning of a pattern's digits. Notes are MIDI numbers: 69 is 440 Hz, and an octave has 12.
 pub(super) enum Notes {
-    /// Always this note; the digit is its loudness, 1 to 15.
+    /// This note; the digit is its loudness, 1 to 15.
     Drum(u8),
     /// The digit's note of the melody's scale.
     Scale,
-    /// A note of the bar's chord, this many semitones up: digits 1 to 4 are the chord's notes from the root up, 5 to 8 the same
-    /// an octave higher, and so on.
+    /// A note of the bar's chord, this number of semitones up: digits 1 to 4 are the chord's notes from the root up, 5 to 8 the
+    /// same an octave higher, and so on.
     Tone(u8),
-    /// Four notes at once: the one that [`Notes::Tone`] gives, and the three above it.
+    /// Four notes at once: the one of [`Notes::Tone`], and the three above it.
     Chord(u8),
 }
 
@@ -26,54 +26,53 @@ pub(super) struct Instrument {
     pub sine: f32,
     /// The amplitude of the noise, before [`LOUDNESS`].
     pub noise: f32,
-    /// The detuning of the outermost oscillators, as a share of the pitch.
+    /// The detuning of the outermost oscillators, as a fraction of the pitch.
     pub detune: f32,
-    /// How far above its note the pitch starts, as a share of the pitch.
+    /// The initial deviation from the note, as a fraction of the pitch.
     pub bend: f32,
-    /// The modulation index at the start of a note: the amplitude, in turns, with which another sine modulates the sine's phase.
+    /// The initial modulation index: the amplitude, in turns, by which another sine modulates the sine's phase.
     pub index: f32,
     /// The modulating sine's pitch, as a multiple of the note's.
     pub ratio: f32,
-    /// The attack rate: 1 / the number of samples in which the level rises by 1 - 1/e of the way.
+    /// The inverse of the attack's time constant in samples.
     pub attack: f32,
-    /// The decay rate while the note is held: 1 / the number of samples in which the level falls to 1/e.
+    /// The inverse of the decay's time constant, while the note is held.
     pub decay: f32,
-    /// The release rate after that, in the same unit.
+    /// The inverse of the release's time constant.
     pub release: f32,
-    /// The time for which a note is held, in beats.
+    /// The duration of a note, in beats.
     pub gate: f32,
-    /// The rate at which pitch, modulation index and filter move from their start to their end: 1 / the number of samples in
-    /// which the difference falls to 1/e.
+    /// The inverse of the time constant of pitch, modulation index and filter, in samples.
     pub sweep: f32,
-    /// The filter's cutoff frequency at the start of a note, as an angle: pi stands for the sampling rate.
+    /// The filter's cutoff frequency at the start of a note, as an angle: pi is the sampling rate.
     pub cutoff_start: f32,
-    /// The cutoff frequency that it moves to, as an angle.
+    /// The final cutoff frequency, as an angle.
     pub cutoff_end: f32,
-    /// How much the bar's brightness opens the filter: at full brightness the cutoff is multiplied by 1 + this.
+    /// The effect of the bar's brightness on the filter: full brightness multiplies the cutoff by 1 + this.
     pub light: f32,
     /// The filter's damping: 2 has no resonance, values towards 0 whistle.
     pub damping: f32,
-    /// The share of high pass in the filter's output, 0 to 1; the rest is low pass.
+    /// The fraction of high pass in the filter's output, 0 to 1; the rest is low pass.
     pub high: f32,
-    /// The share of the way to its note that the pitch glides in each [block](super::CHUNK).
+    /// The fraction of the distance to its note that the pitch glides in each [chunk](super::CHUNK).
     pub glide: f32,
-    /// The amplitude of what is sent to the echo.
+    /// The amplitude of the echo's input.
     pub echo: f32,
-    /// The amplitude of what is sent to the reverberation.
+    /// The amplitude of the reverberation's input.
     pub room: f32,
-    /// The share by which a kick makes it quieter, 0 to 1.
+    /// The fraction by which a kick attenuates it, 0 to 1.
     pub duck: f32,
 }
 
-/// The factor on all amplitudes. With it the loudness of the soundtrack is between -16 and -12 LUFS, which a test checks.
+/// The factor on all amplitudes, for a soundtrack between -16 and -12 LUFS, which a test checks.
 pub(super) const LOUDNESS: f32 = 0.44;
 
-/// A frequency in Hz as an angle of the filter.
+/// Converts a frequency in Hz to an angle.
 const fn hz(frequency: f32) -> f32 {
     frequency * PI / RATE as f32
 }
 
-/// A time in seconds as a rate.
+/// Converts a time constant in seconds to its inverse in samples.
 const fn s(time: f32) -> f32 {
     1.0 / (time * RATE as f32)
 }
@@ -104,7 +103,7 @@ const SILENT: Instrument = Instrument {
     duck: 0.0,
 };
 
-/// A pad, which two tracks play.
+/// A pad for two tracks.
 const PAD: Instrument = Instrument {
     notes: Notes::Chord(24),
     saw: 0.1,
@@ -218,7 +217,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         ..SILENT
     },
     PAD,
-    // The same, a little more detuned. The song starts its chords on another note, so that the notes swap sides in stereo.
+    // The second pad, a little more detuned. Its chords start on another note, which swaps the notes' sides in stereo.
     Instrument {
         detune: 0.007,
         ..PAD

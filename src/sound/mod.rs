@@ -1,15 +1,15 @@
-//! The soundtrack: a song and the synthesizer that plays it, in stereo at 48 kHz.
+//! The soundtrack: a song and its synthesizer, in stereo at 48 kHz.
 //!
-//! | what | module |
+//! | part | module |
 //! | --- | --- |
 //! | patterns, arrangement and harmony | `song` |
 //! | the parameters of each instrument | `instruments` |
 //! | oscillators, envelopes and filter of one instrument | `voice` |
 //! | echo and reverberation | `space` |
-//! | the mix of all of them, block by block | [`Synthesizer`] |
+//! | the mix, chunk by chunk | [`Synthesizer`] |
 //! | the beat, for the picture | [`pulse()`] |
 //!
-//! A sample depends on its position in the song alone, not on how many samples are asked for at once.
+//! A sample depends only on its position in the song, and not on the number of samples that are requested at once.
 
 mod instruments;
 mod pulse;
@@ -29,7 +29,7 @@ pub const RATE: u32 = 48_000;
 /// The length of a sixteenth, the song's shortest step, in samples: 6,000.
 pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
 
-/// The samples of a block: a millisecond. Slow changes, such as those of the filters, are made once per block.
+/// Samples in a chunk: a millisecond. Slow parameters, such as the filters', are updated once per chunk.
 const CHUNK: usize = 48;
 
 /// Sixteenths in a bar.

@@ -1,23 +1,23 @@
-//! The beat of the song, for movements and flashes of the picture.
+//! The song's beat, for movements and flashes of the picture.
 
 use super::{STEPS_PER_BAR, song};
 use crate::grid;
 
-/// A position in the song, and how loud its kick drum is there.
+/// A position in the song, and the loudness of its kick drum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulse {
     /// The bar, counted from 0.
     pub bar: u32,
-    /// The beats since the start of the bar, 0 to below 4.
+    /// Beats since the start of the bar, 0 to below 4.
     pub beat: f32,
-    /// 1 at the start of a beat with a kick, halved every twelfth of a second from there; 0 in a beat without one.
+    /// 1 at the start of a beat with a kick, halved every twelfth of a second; 0 in a beat without one.
     pub kick: f32,
 }
 
-/// The pulse at `time` seconds, from 0 up. After the end of the song there is no kick.
+/// Returns the pulse at `time` seconds, from 0 up. After the end of the song there is no kick.
 #[must_use]
 pub fn pulse(time: f32) -> Pulse {
-    /// How often a kick halves within a beat, so that 1.6 % of it are left at the next.
+    /// Halvings of a kick in a beat, so that 1.6 % remain at the next.
     const HALVINGS: f32 = 6.0;
     const STEPS_PER_BEAT: u32 = STEPS_PER_BAR / grid::BEATS_PER_BAR;
     let beats = time / grid::BEAT;

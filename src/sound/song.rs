@@ -1,22 +1,22 @@
-//! The song: which instrument plays which note when.
+//! The song: each instrument's notes.
 //!
-//! It is in A minor. The title's eight notes return in every scene but one; the melody of the colonnade returns in the swarm,
-//! louder, and resolves in the finale. The last bar of each scene leads into the next one.
+//! It is in A minor. The title's eight notes return in every scene but one; the colonnade's melody returns in the swarm, louder,
+//! and resolves in the finale. Each scene's last bar leads into the next scene.
 //!
-//! The song is written as text, which the compiler parses. Spaces separate the scenes and the beats for the reader.
+//! The song is written as text, which the compiler parses. Spaces separate scenes and beats for the reader.
 
 use super::STEPS_PER_BAR;
 
-/// The number of tracks; each is played by one instrument with one voice.
+/// The number of tracks, each an instrument with one voice.
 pub(super) const TRACKS: usize = 14;
 
-/// The track of the kick drum, on which the others get quieter.
+/// The kick drum's track, which attenuates the others.
 pub(super) const KICK: usize = 0;
 
-/// The length of the song in bars. The compiler holds every track to it, and the show, too.
+/// The length of the song in bars. The compiler checks it against every track, and against the show.
 pub(super) const BARS: usize = letters(HARMONY_TEXT);
 
-/// The chords as MIDI notes: the bass, and three upper voices, which move little from chord to chord. 33 is A1, 55 Hz.
+/// Chords as MIDI notes: the bass, and three upper voices that move little from chord to chord. 33 is A1, 55 Hz.
 static CHORDS: [[u8; 4]; 8] = [
     [33, 36, 40, 43], // a: A minor 7
     [29, 36, 40, 45], // f: F major 7
@@ -37,7 +37,7 @@ const HARMONY_TEXT: &[u8] = b"aaffdE aaffdE afcgafdE fgeafgEE aaaafE afcgdE ddaa
 /// The index in [`CHORDS`] of each bar's chord.
 static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 
-/// The brightness of each bar, 0 to 15: filters open with it.
+/// The brightness of each bar, 0 to 15, which opens the filters.
 #[rustfmt::skip]
 static LIGHT: [u8; BARS] = indices_of(
     b"012246 445678 66778898 54456789 889aab 99aabb 543468 eeffff b86421", DIGITS);
@@ -47,10 +47,9 @@ static SCALE: [u8; 16] = [
     0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93,
 ];
 
-/// The notes of a track: for each bar a pattern of sixteen digits, one for each step.
+/// A track: for each bar a pattern of sixteen digits, one for each step.
 ///
-/// A digit from 1 to 15 starts a note; what it means depends on the instrument's [`Notes`](super::instruments::Notes). With 0 no
-/// note starts.
+/// A digit from 1 to 15 starts a note, by the instrument's [`Notes`](super::instruments::Notes); 0 does not.
 struct Part {
     /// The number of each bar's pattern, counted from 1; 0 is silence.
     bars: [u8; BARS],
@@ -58,7 +57,6 @@ struct Part {
     patterns: &'static [[u8; STEPS]],
 }
 
-/// Steps in a bar.
 const STEPS: usize = STEPS_PER_BAR as usize;
 
 #[rustfmt::skip]
@@ -103,7 +101,7 @@ static PARTS: [Part; TRACKS] = [
             pattern(b".111 .111 .111 .115"),
         ],
     },
-    // Pad, and the same with its notes on other sides.
+    // Pad, and its copy with swapped sides.
     Part {
         bars: bars(b"aaaaaa aaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaaaa aaaaaa aaaa.."),
         patterns: &[pattern(b"1... .... .... ....")],
@@ -157,7 +155,7 @@ static PARTS: [Part; TRACKS] = [
         bars: bars(b"a.a.a. a..... a....... a....... a..... aaaa.. a..... a..... a..a.."),
         patterns: &[pattern(b"f... .... .... ....")],
     },
-    // Squares, which are halved where a scene begins, and doubled where it ends: an octave for each step.
+    // Squares, halved where a scene begins, and doubled where it ends: an octave for each step.
     Part {
         bars: bars(b".....b a....b a......b a......b a....b a....b a....b a....b a....."),
         patterns: &[
@@ -170,7 +168,7 @@ static PARTS: [Part; TRACKS] = [
 /// Hexadecimal digits, for [`LIGHT`].
 const DIGITS: &[u8] = b"0123456789abcdef";
 
-/// The digit of a track at a step of the song; 0 after the end of the song.
+/// Returns the digit of a track at a step of the song; 0 after its end.
 pub(super) fn step(track: usize, step: u32) -> u8 {
     let part = &PARTS[track];
     match part.bars.get((step / STEPS_PER_BAR) as usize) {
@@ -179,19 +177,19 @@ pub(super) fn step(track: usize, step: u32) -> u8 {
     }
 }
 
-/// A bar's brightness, 0 to 1, and the notes of its chord.
+/// Returns a bar's brightness, 0 to 1, and its chord's notes.
 pub(super) fn mood(bar: u32) -> (f32, [u8; 4]) {
     let bar = bar as usize;
     let chord = CHORDS[usize::from(HARMONY[bar])];
     (f32::from(LIGHT[bar]) / 15.0, chord)
 }
 
-/// The MIDI note of a digit of the melody.
+/// Returns the MIDI note of a digit of the melody.
 pub(super) fn scale(digit: u8) -> u8 {
     SCALE[usize::from(digit)]
 }
 
-/// The index of a letter in a list that contains it.
+/// Returns the index of a letter in a list that contains it.
 const fn index_of(letter: u8, among: &[u8]) -> u8 {
     let mut i = 0;
     while among[i] != letter {
@@ -200,17 +198,17 @@ const fn index_of(letter: u8, among: &[u8]) -> u8 {
     i as u8
 }
 
-/// Parses the pattern numbers of a part's bars: `a` stands for the first pattern, `.` for silence.
+/// Parses a part's pattern numbers: `a` is the first pattern, `.` silence.
 const fn bars(text: &[u8]) -> [u8; BARS] {
     indices_of(text, b".abcdefghijklmnopqrstuvwxyz")
 }
 
-/// Parses a pattern's sixteen digits; `.` stands for 0.
+/// Parses a pattern's sixteen digits; `.` is 0.
 const fn pattern(text: &[u8]) -> [u8; STEPS] {
     indices_of(text, b".123456789abcdef")
 }
 
-/// The number of a text's letters; spaces are skipped.
+/// Returns the number of letters, without spaces.
 const fn letters(text: &[u8]) -> usize {
     let (mut i, mut count) = (0, 0);
     while i < text.len() {
@@ -220,7 +218,7 @@ const fn letters(text: &[u8]) -> usize {
     count
 }
 
-/// The indices of a text's letters in a list; spaces are skipped.
+/// Returns the indices of a text's letters in a list, without spaces.
 const fn indices_of<const N: usize>(text: &[u8], among: &[u8]) -> [u8; N] {
     let mut indices = [0; N];
     let (mut i, mut count) = (0, 0);

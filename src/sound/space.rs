@@ -3,29 +3,28 @@
 use super::{STEP, voice::Mix};
 use glam::{Vec4, Vec4Swizzles};
 
-/// The length of the echo's ring buffer in samples: longer than [`DELAY`], and a power of two, so that taking the remainder is
-/// cheap.
+/// The length of the echo's ring buffer in samples: above [`DELAY`], and a power of two for fast remainders.
 const ECHO: usize = 1 << 15;
 
-/// The delay of the echo in samples: three sixteenths, so that it falls between the beats.
+/// The delay of the echo in samples: three sixteenths, between the beats.
 const DELAY: usize = 3 * STEP as usize;
 
-/// The amplitude of each echo relative to the one before.
+/// The amplitude of each echo relative to the previous one.
 const FEEDBACK: f32 = 0.5;
 
-/// The length of the reverberation's ring buffers in samples: longer than the longest of [`LENGTHS`].
+/// The length of the reverberation's ring buffers in samples, above the longest of [`LENGTHS`].
 const ROOM: usize = 1 << 12;
 
-/// The reverberation's delays in samples, 30 to 83 ms: primes, so that their echoes rarely coincide.
+/// The reverberation's delays in samples, 30 to 83 ms: primes, whose echoes rarely coincide.
 const LENGTHS: [usize; 6] = [1433, 1801, 2269, 2749, 3323, 4001];
 
-/// The feedback of the delays. With 54 ms per round on average, it takes 2.5 s to fall by 60 dB.
+/// The feedback of the delays. With 54 ms per round on average, the sound falls by 60 dB in 2.5 s.
 const DECAY: f32 = 0.86;
 
 /// The coefficient of the one-pole low pass in each delay's feedback: 5 kHz.
 const WALL: f32 = 0.5;
 
-/// Echo, and reverberation by a feedback delay network. In silence all of its state is zero. For the lanes see [`Mix`].
+/// Echo, and reverberation by a feedback delay network. Silence is all zeros. [`Mix`] explains the lanes.
 pub(super) struct Space {
     echo: [Vec4; ECHO],
     room: [[Vec4; LENGTHS.len()]; ROOM],
@@ -48,8 +47,8 @@ impl Space {
         for (line, &length) in LENGTHS.iter().enumerate() {
             taps += self.room[(position + ROOM - length) % ROOM][line];
         }
-        // A Householder reflection mixes all delays with each other and preserves the energy. Rotating the lanes spreads the
-        // sound between left and right.
+        // A Householder reflection mixes all delays and preserves the energy. Rotating the lanes spreads the sound between left and
+        // right.
         let reflected = taps * (-2.0 / LENGTHS.len() as f32);
         let sent = mix.room + echo * 0.5;
         for (line, &length) in LENGTHS.iter().enumerate() {

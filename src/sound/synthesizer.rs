@@ -1,4 +1,4 @@
-//! The synthesizer, which plays the song block by block.
+//! The synthesizer.
 
 use super::instruments::INSTRUMENTS;
 use super::space::Space;
@@ -6,29 +6,29 @@ use super::voice::{Mix, Mood, Voice};
 use super::{CHUNK, SONG_LENGTH, STEP, STEPS_PER_BAR, song};
 use glam::{Vec4, Vec4Swizzles};
 
-/// The delay of every other sixteenth, in blocks: a slight swing.
+/// The delay of every other sixteenth, in chunks: a slight swing.
 const SWING: u32 = 8;
 
-/// The share of the way to the bar's brightness that is covered in a block: 63 % in a second.
+/// The fraction of the distance to the bar's brightness in each chunk: 63 % in a second.
 const BRIGHTENING: f32 = 0.001;
 
-/// The largest sample: -1.3 dB of full scale.
+/// The maximum sample: -1.3 dB of full scale.
 const CEILING: f32 = 0.86;
 
-/// Plays the song. It takes 1 MB of memory, which is all zeros at the start.
+/// A synthesizer of the song, with 1 MB of memory, initially zero.
 pub struct Synthesizer {
     mood: Mood,
-    /// A running mean of the output, which is subtracted from it to remove the DC offset.
+    /// A running mean of the output, subtracted to remove the DC offset.
     mean: Vec4,
-    /// The position of the next block in the song, in samples.
+    /// The position of the next chunk in the song, in samples.
     position: u32,
     /// The next step of the song.
     step: u32,
-    /// The blocks until then.
+    /// The chunks until then.
     wait: u32,
     /// The state of the noise generator.
     seed: i32,
-    /// The samples of the block that [`Synthesizer::play`] has returned.
+    /// The number of samples in `chunk` that [`Synthesizer::play`] has returned.
     taken: usize,
     chunk: [[f32; 2]; CHUNK],
     voices: [Voice; song::TRACKS],
@@ -37,7 +37,7 @@ pub struct Synthesizer {
 }
 
 impl Synthesizer {
-    /// A synthesizer at the start of the song.
+    /// Creates a synthesizer at the start of the song.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -72,8 +72,8 @@ impl Synthesizer {
 
     /// Moves to a position of the song, in samples from its start.
     ///
-    /// Since the sound there depends on everything before it, the song is synthesized up to there, which takes some milliseconds
-    /// for each second of it.
+    /// A sound depends on all sound before it. So the song is synthesized up to there, which takes some milliseconds for each of
+    /// its seconds.
     pub fn seek(&mut self, position: u32) {
         *self = const { Self::new() };
         for _ in 0..position % SONG_LENGTH {
@@ -81,7 +81,7 @@ impl Synthesizer {
         }
     }
 
-    /// The next block of a millisecond: a faster alternative to [`Synthesizer::play`]. The song repeats.
+    /// Returns the next chunk of a millisecond: a faster alternative to [`Synthesizer::play`]. The song repeats.
     pub fn chunk(&mut self) -> &[[f32; 2]] {
         if self.position == SONG_LENGTH {
             *self = const { Self::new() };
@@ -104,11 +104,11 @@ impl Synthesizer {
         &self.chunk
     }
 
-    /// Updates the mood and starts the notes of the next block.
+    /// Updates the mood and starts the notes of the next chunk.
     fn follow(&mut self) {
-        /// Blocks in a step.
+        /// Chunks in a step.
         const CHUNKS: u32 = STEP / CHUNK as u32;
-        /// The factor on the kick's level from block to block: it halves in 50 ms.
+        /// The factor on the kick's level in each chunk: it halves in 50 ms.
         const FADE: f32 = 0.986;
         let mood = &mut self.mood;
         let (light, chord) = song::mood(self.position / (STEP * STEPS_PER_BAR));
@@ -142,13 +142,13 @@ impl Default for Synthesizer {
     }
 }
 
-/// A pseudorandom number from -1 to 1, by the linear congruential generator of Knuth and Lewis ("Numerical Recipes").
+/// Returns a pseudorandom number from -1 to 1, by the linear congruential generator of Knuth and Lewis ("Numerical Recipes").
 fn random(seed: &mut i32) -> f32 {
     *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
     *seed as f32 / (1_u32 << 31) as f32
 }
 
-/// A soft limiter for left and right, the first two lanes: quiet sounds pass unchanged, and nothing exceeds [`CEILING`].
+/// Limits left and right, the first two lanes, to [`CEILING`]; quiet sounds pass unchanged.
 fn limit(heard: Vec4) -> [f32; 2] {
     // x - x^3 / (3 top^2) rises to 2/3 of the top, with slope 0 there.
     const TOP: f32 = 1.5 * CEILING;

@@ -1,18 +1,18 @@
-//! The voice of one instrument: four oscillators, an amplitude envelope, a sweep and a filter.
+//! An instrument's voice: four oscillators, an amplitude envelope, a sweep and a filter.
 
 use super::instruments::{Instrument, LOUDNESS, Notes};
 use super::{CHUNK, song};
 use eightfold_tracer::maths::ROUND_TO_INTEGER;
 use glam::{Vec4, vec4};
 
-/// The sum of all voices for one sample. Lanes 0 and 2 are heard on the left, 1 and 3 on the right.
+/// The sum of all voices for one sample. Lanes 0 and 2 are left, 1 and 3 right.
 #[derive(Clone, Copy)]
 pub(super) struct Mix {
-    /// The part that is heard directly.
+    /// The direct sound.
     pub dry: Vec4,
-    /// The part that is sent to the echo.
+    /// The echo's input.
     pub echo: Vec4,
-    /// The part that is sent to the reverberation.
+    /// The reverberation's input.
     pub room: Vec4,
     /// Noise from -1 to 1, the same for all voices.
     pub noise: [f32; 4],
@@ -27,37 +27,37 @@ impl Mix {
     };
 }
 
-/// Settings that influence all voices in a block. Each number is the same in all four lanes.
+/// Common settings of all voices in a chunk. All four lanes are equal.
 pub(super) struct Mood {
-    /// The kick's level at the start of the block, 0 to 1.
+    /// The kick's level at the start of the chunk, 0 to 1.
     pub kick: Vec4,
-    /// The kick's level at the start of the next block.
+    /// The kick's level at the start of the next chunk.
     pub next_kick: Vec4,
     /// The brightness, 0 to 1.
     pub light: Vec4,
 }
 
-/// The state of an instrument's four oscillators, one in each lane; all zeros before the first note.
+/// The state of an instrument's four oscillators, one in each lane; zero before the first note.
 #[derive(Clone, Copy)]
 pub(super) struct Voice {
     /// The oscillators' phases, in turns from -1/2 to 1/2.
     phase: Vec4,
-    /// The phases of the sines that modulate the phase of the sine oscillators, in turns.
+    /// The phases of the modulating sines, in turns.
     modulator: Vec4,
     /// The oscillators' pitches, in turns per sample.
     pitch: Vec4,
-    /// The pitches of the note, to which `pitch` glides.
+    /// The note's pitches, to which `pitch` glides.
     target: Vec4,
-    /// The filter's state: its band-pass and its low-pass integrator.
+    /// The filter's band-pass and low-pass integrators.
     band: Vec4,
     low: Vec4,
-    /// The amplitude envelope, the same in all lanes.
+    /// The amplitude envelope, equal in all lanes.
     level: Vec4,
     /// The level at the end of the attack.
     peak: Vec4,
     /// The sweep's envelope: 1 at the start of a note, falling to 0.
     sweep: Vec4,
-    /// Blocks since the note started.
+    /// Chunks since the note started.
     age: f32,
 }
 
@@ -81,7 +81,7 @@ impl Voice {
         age: 0.0,
     };
 
-    /// Starts the note of a pattern's digit, 1 to 15, in a bar with the given chord.
+    /// Starts the note of a pattern's digit, 1 to 15, in a bar with this chord.
     pub fn start(&mut self, instrument: &Instrument, digit: u8, chord: [u8; 4]) {
         let tone = |number: u8| chord[usize::from(number % 4)] + number / 4 * 12;
         let first = digit - 1;
@@ -108,9 +108,9 @@ impl Voice {
         self.age = 0.0;
     }
 
-    /// Adds a block of the voice's sound to the mix.
+    /// Adds a chunk of the voice's sound to the mix.
     pub fn play(&mut self, instrument: &Instrument, mood: &Mood, mixes: &mut [Mix; CHUNK]) {
-        /// Blocks in a beat.
+        /// Chunks in a beat.
         const BEAT: f32 = (super::STEP * 4) as f32 / CHUNK as f32;
         /// The attack lasts for two time constants: the level rises to 1 - 1/e^2 of its peak.
         const ATTACK: f32 = 2.0 / CHUNK as f32;
@@ -156,15 +156,13 @@ fn wrap(phase: Vec4) -> Vec4 {
     phase - (phase + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
-/// Approximately the sine of an angle from -1/2 to 1/2 turns, by two parabolas. Its amplitude is 1, its overtones are below -28
-/// dB.
+/// Approximates the sine of an angle from -1/2 to 1/2 turns by two parabolas, with overtones below -28 dB.
 #[inline(always)]
 fn sine(phase: Vec4) -> Vec4 {
     phase * (8.0 - phase.abs() * 16.0)
 }
 
-/// A sawtooth whose phase advances by `turn` turns per sample. Two parabolas smooth its step (PolyBLEP), which suppresses most of
-/// the aliasing.
+/// Returns a sawtooth whose phase advances by `turn` turns per sample. Two parabolas smooth its step (PolyBLEP), against aliasing.
 #[inline(always)]
 fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
     let per_turn = turn.recip();
@@ -173,8 +171,8 @@ fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
     phase + phase + after * after - before * before
 }
 
-/// The coefficients of a state-variable filter with 12 dB per octave, integrated by the trapezoidal rule (Simper, "Linear
-/// trapezoidal integrated SVF", 2011).
+/// The coefficients of a state-variable filter with 12 dB per octave, by the trapezoidal rule (Simper, "Linear trapezoidal
+/// integrated SVF", 2011).
 struct Filter {
     a1: Vec4,
     a2: Vec4,
@@ -182,13 +180,13 @@ struct Filter {
 }
 
 impl Filter {
-    /// The filter of a block, at the given sweep and brightness.
+    /// Returns a chunk's filter for a sweep and a brightness.
     #[inline(always)]
     fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
         let end = instrument.cutoff_end;
         let angle =
             (end + (instrument.cutoff_start - end) * sweep) * (light * instrument.light + 1.0);
-        // The cutoff is at most 15 kHz. The tangent is approximated to within 4 %.
+        // The cutoff is at most 15 kHz. The tangent is accurate to 4 %.
         let x = angle.min(Vec4::ONE);
         let g = x / (1.0 + x * x * (-1.0 / 3.0));
         let damping = instrument.damping;

@@ -1,16 +1,16 @@
-//! The fate of the squares that a pixel is in, in words.
+//! Explains the squares around a pixel.
 
 use eightfold_tracer::Counts;
 use eightfold_tracer::observe::{Fill, Observer, Split};
 use std::sync::{Mutex, PoisonError};
 
-/// Listens for the squares of one pixel, and for the points around it.
+/// Records the squares that contain a pixel, and the points around it.
 pub struct Inspector {
     pixel: [usize; 2],
     heard: Mutex<Heard>,
 }
 
-/// Squares and points that it has heard of, each as JSON.
+/// Squares and points as JSON.
 #[derive(Default)]
 struct Heard {
     squares: Vec<String>,
@@ -18,10 +18,10 @@ struct Heard {
 }
 
 impl Inspector {
-    /// How far from the pixel a point may be to be told, in pixels.
+    /// The maximum distance of recorded points in pixels.
     const NEAR: usize = 32;
 
-    /// Listens for the squares that the pixel (x, y) is in.
+    /// Creates an inspector for the pixel (x, y).
     pub fn new(x: usize, y: usize) -> Self {
         Self {
             pixel: [x, y],
@@ -29,8 +29,8 @@ impl Inspector {
         }
     }
 
-    /// All that it has heard of, as JSON: the squares from the largest to the smallest, each with its corner, its sides and a sentence,
-    /// and the points that were traced.
+    /// Returns, as JSON, the squares from the largest to the smallest, each with its corner, its sides and a sentence, and the
+    /// traced points.
     pub fn json(self) -> String {
         let heard = self.heard.into_inner();
         let Heard { squares, points } = heard.unwrap_or_else(PoisonError::into_inner);
@@ -38,12 +38,11 @@ impl Inspector {
         format!(r#"{{"squares":[{squares}],"points":[{points}]}}"#)
     }
 
-    /// Notes something.
     fn hear(&self, note: impl FnOnce(&mut Heard)) {
         note(&mut self.heard.lock().unwrap_or_else(PoisonError::into_inner));
     }
 
-    /// Notes what happens to a square, if the pixel is in it.
+    /// Records a square that contains the pixel.
     fn note(&self, [x, y]: [usize; 2], [w, h]: [usize; 2], what: &str) {
         let [px, py] = self.pixel;
         if (x..x + w).contains(&px) && (y..y + h).contains(&py) {

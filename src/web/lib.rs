@@ -1,12 +1,11 @@
-//! The show for browsers: what a page calls by WebAssembly, and reads from its memory.
+//! The show for browsers: WebAssembly functions, and memory that the page reads.
 //!
-//! A page has an instance of this module for each of its workers, one for its sound, and one for itself. Each instance draws a share
-//! of a frame's bands (`share`); workers give each other the rows that smoothing takes. Functions are called one at a time: an
-//! instance has one thread, and the mutex around its state is never waited for.
+//! A page has an instance of this module for each of its workers, one for its sound, and one for itself. Each draws a share of a
+//! frame's bands (`share`); workers exchange the rows that antialiasing needs. An instance has one thread, so the mutexes never
+//! wait.
 //!
-//! It is `extern "C"` and a view of memory: what crosses the border are numbers, pixels and samples, for which wasm-bindgen would
-//! make a second script that has to be loaded. None has the name of a function of C's library, which it would replace where it is
-//! compiled for another system, as for its tests.
+//! The interface is `extern "C"` and a view of memory. Only numbers, pixels and samples cross it; wasm-bindgen would add a second
+//! script to load. No function has the name of a function of C's library, which it would replace on other systems, as in its tests.
 
 mod inspector;
 mod share;
@@ -21,7 +20,7 @@ use share::Share;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// The working memory of an instance. It is all zeros at first, so that it takes no room in the module's file.
+/// The working memory of an instance. It is initially zero, so it takes no space in the module's file.
 struct Workspace {
     memory: Memory,
     worker: Worker,
@@ -30,22 +29,22 @@ struct Workspace {
     samples: [[f32; 2]; SAMPLES],
 }
 
-/// All else that an instance remembers between calls.
+/// The rest of an instance's state.
 struct State {
     quality: Quality,
     width: usize,
     height: usize,
     pixels: Vec<u32>,
-    /// The work of the last [`draw`], see [`figures`].
+    /// The results of the last [`draw`], see [`figures`].
     figures: [f64; 7],
     governor: Option<Governor>,
-    /// A text that goes in or out.
+    /// The text of the last call.
     text: Vec<u8>,
     file: Option<SceneFile>,
 }
 
 impl State {
-    /// The address of a text, ended by a zero, until the next one.
+    /// Returns the address of a zero-terminated text, valid until the next one.
     fn tell(&mut self, text: String) -> *const u8 {
         self.text = text.into_bytes();
         self.text.push(0);
@@ -53,7 +52,7 @@ impl State {
     }
 }
 
-/// The most samples that [`play`] gives at once: as many as a browser asks for.
+/// The maximum number of samples of [`play`], which is the number that browsers request.
 const SAMPLES: usize = 128;
 
 static WORKSPACE: Mutex<Workspace> = Mutex::new(Workspace {
@@ -83,8 +82,8 @@ fn state() -> MutexGuard<'static, State> {
     STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The facts that a page shows, as JSON: the show's length in seconds, its scenes with the seconds at which they begin, the names of
-/// the qualities from the most accurate to the fastest, the probes of a frame that is played, and the rate of the samples. It is ended by a zero.
+/// Returns the page's constants as zero-terminated JSON: the show's length in seconds, its scenes with their starts in seconds, the
+/// names of the qualities from the most accurate to the fastest, the default quality, a frame's probes, and the sampling rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
@@ -105,8 +104,8 @@ pub extern "C" fn about() -> *const u8 {
     state().tell(text)
 }
 
-/// Sets the size of the next frames. Returns the address of their pixels, a word each, row after row from the top; it stays until the
-/// size is another one.
+/// Sets the size of the next frames. Returns the address of their pixels, a word each, in rows from the top; it is valid until the
+/// size changes.
 #[unsafe(no_mangle)]
 pub extern "C" fn resize(width: usize, height: usize) -> *mut u32 {
     let mut state = state();
@@ -116,12 +115,12 @@ pub extern "C" fn resize(width: usize, height: usize) -> *mut u32 {
     state.pixels.as_mut_ptr()
 }
 
-/// Sets the scene to the show's at a time in seconds: without the squares of transitions for a picture that rests.
+/// Sets the scene to the show's at a time in seconds; a resting picture has no transition.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_show(time: f32, is_resting: bool) {
     let scene = &mut workspace().scene;
     if is_resting {
-        show::whole(time, scene);
+        show::without_transition(time, scene);
     } else {
         show::at(time, scene);
     }
@@ -133,7 +132,7 @@ pub extern "C" fn set_model(time: f32) {
     show::model(time, &mut workspace().scene);
 }
 
-/// The address of room for a text of so many bytes of UTF-8.
+/// Returns the address of space for a UTF-8 text of this size.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(bytes: usize) -> *mut u8 {
     let mut state = state();
@@ -141,8 +140,8 @@ pub extern "C" fn room(bytes: usize) -> *mut u8 {
     state.text.as_mut_ptr()
 }
 
-/// Reads the text that was put into the [`room`] as a scene file. Returns the address of a sentence that says what is wrong with it,
-/// with line and column; it is empty if nothing is, and ended by a zero.
+/// Parses the text in [`room`] as a scene file. Returns the address of a zero-terminated error with line and column, or of an empty
+/// text.
 #[unsafe(no_mangle)]
 pub extern "C" fn read_file() -> *const u8 {
     let mut state = state();
@@ -157,13 +156,13 @@ pub extern "C" fn read_file() -> *const u8 {
     state.tell(message)
 }
 
-/// The length of the scene file that was read, in seconds: 0 if there is none.
+/// Returns the length of the scene file in seconds; 0 without one.
 #[unsafe(no_mangle)]
 pub extern "C" fn length() -> f32 {
     state().file.as_ref().map_or(0.0, |file| file.length)
 }
 
-/// Sets the scene to that of the file that was read, at a time in seconds.
+/// Sets the scene to the scene file's at a time in seconds.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_file(time: f32) {
     if let Some(file) = &state().file {
@@ -171,7 +170,7 @@ pub extern "C" fn set_file(time: f32) {
     }
 }
 
-/// Explains the scene's frame: see [`Method`].
+/// Sets the scene's overlay, see [`Method`].
 #[unsafe(no_mangle)]
 pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f32) {
     let scene = &mut workspace().scene;
@@ -185,8 +184,7 @@ pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f3
     scene.captions.clear();
 }
 
-/// Sets the quality of the next frames by its place in [`about`]; `is_reference` has the frame drawn that its error is measured
-/// against.
+/// Sets the quality of the next frames by its index in [`about`]; `is_reference` selects the reference of its error.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_quality(place: usize, is_reference: bool) {
     let quality = match place {
@@ -200,9 +198,9 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) {
     };
 }
 
-/// Draws the bands that begin in some rows, in one pass over the frame: see `share`. `before` are the points that all workers
-/// have traced in the passes before. The seed says which pixels are probed. Returns how many passes the frame has; [`figures`] tells what
-/// was done.
+/// Draws the bands that begin in some rows, in one pass over the frame, see `share`. `before` is the number of points in the
+/// previous passes of all workers. The seed selects the probed pixels. Returns the frame's number of passes; [`figures`] has the
+/// results.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
     from: usize,
@@ -245,20 +243,20 @@ pub extern "C" fn draw(
     share.passes
 }
 
-/// The address of seven numbers about the last [`draw`]: the first of its own rows, and the first that is not, which comes first if there
-/// are none; its points, its rays; the pixels that were probed, the sum of their squared errors, and the sum of the squares of these.
+/// Returns the address of seven numbers about the last [`draw`]: its first row, and the first row after it (smaller if it drew
+/// none); its points and rays; the probed pixels, the sum of their squared errors, and the sum of these errors' squares.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
     state().figures.as_ptr()
 }
 
-/// Returns the PSNR in dB by the sums of the probes, see [`Probes::psnr`].
+/// Returns the PSNR in dB from the probes' sums, see [`Probes::psnr`].
 #[unsafe(no_mangle)]
 pub extern "C" fn psnr(pixels: f64, squares: f64, fourths: f64) -> f32 {
     probes(pixels, squares, fourths).psnr()
 }
 
-/// Returns the half width in dB of the interval around the PSNR of a picture that has `all` pixels, see [`Probes::margin_at_rest`].
+/// Returns the half width in dB of the PSNR's interval for a picture of `all` pixels, see [`Probes::margin_at_rest`].
 #[unsafe(no_mangle)]
 pub extern "C" fn margin(pixels: f64, squares: f64, fourths: f64, all: f64) -> f32 {
     probes(pixels, squares, fourths).margin_at_rest(all as u64)
@@ -271,8 +269,8 @@ fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {
     probes
 }
 
-/// Draws the bands that begin in some rows, and listens. Returns the address of what became of the squares that the pixel (x, y) is in,
-/// as JSON, ended by a zero.
+/// Draws the bands that begin in some rows. Returns the address of zero-terminated JSON about the squares that contain the pixel
+/// (x, y).
 #[unsafe(no_mangle)]
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
     let Workspace {
@@ -284,7 +282,7 @@ pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const 
     let state = &mut *state();
     let inspector = Inspector::new(x, y);
     let frame = Frame::new(state.width, state.height, &mut state.pixels);
-    // A scene is valid here: the show's, or of a file that has been read.
+    // Scenes are valid here: from the show, or from a validated file.
     let _ = Renderer::narrow(Level::baseline(), memory).render_observed(
         scene,
         &state.quality,
@@ -295,7 +293,7 @@ pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const 
     state.tell(inspector.json())
 }
 
-/// Turns some rows into what a canvas takes, bytes for red, green, blue and opacity. They have to be drawn anew before the next time.
+/// Converts some rows to a canvas' RGBA bytes. They must be drawn again before the next call.
 #[unsafe(no_mangle)]
 pub extern "C" fn colour(from: usize, to: usize) {
     let state = &mut *state();
@@ -310,7 +308,7 @@ pub extern "C" fn restart_sound() {
     workspace().synthesizer.seek(0);
 }
 
-/// The address of the next samples, left and right in turns, at most 128 of each. The song repeats.
+/// Returns the address of the next samples, at most 128, left and right alternating. The song repeats.
 #[unsafe(no_mangle)]
 pub extern "C" fn play(count: usize) -> *const f32 {
     let Workspace {
@@ -322,14 +320,14 @@ pub extern "C" fn play(count: usize) -> *const f32 {
     samples.as_flattened().as_ptr()
 }
 
-/// Has a governor hold so many frames a second from now on.
+/// Creates a governor for a frame rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn govern(frames_per_second: u32) {
     let budget = Duration::from_secs(1) / frames_per_second.max(1);
     state().governor = Some(Governor::new(budget));
 }
 
-/// Tells the governor how long the last frame took, in nanoseconds. Returns the place of the next frame's quality in [`about`].
+/// Passes the last frame's time in nanoseconds to the governor. Returns the index of the next frame's quality in [`about`].
 #[unsafe(no_mangle)]
 pub extern "C" fn governed(nanoseconds: f64) -> usize {
     let mut state = state();

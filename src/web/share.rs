@@ -1,31 +1,31 @@
-//! The part of a frame that one of several workers draws.
+//! The share of a frame that one of several workers draws.
 
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
 
-/// Draws the bands that begin in some rows, in one of the passes over a frame, and leaves all other bands and passes to others.
+/// Draws the bands that begin in some rows, in one of a frame's passes, and skips all others.
 ///
-/// A frame has a pass that draws, one that smooths edges if the quality is antialiased, and one that writes captions if there are
-/// any. Each takes the pixels of the pass before, and smoothing takes a row of each neighbour as well: they have to be there.
+/// The passes are: drawing; antialiasing, if enabled; captions, if any. Each needs the pixels of the previous pass, and
+/// antialiasing also needs a row of each neighbour.
 pub struct Share<'a> {
     /// The working memory.
     pub worker: &'a mut Worker,
     /// The rows in which its bands begin.
     pub rows: Range<usize>,
-    /// The pass that is drawn, counted from 0.
+    /// The pass to draw, counted from 0.
     pub pass: usize,
-    /// The work of all workers in the passes before, which captions tell.
+    /// The previous passes' work of all workers, for the captions.
     pub before: Counts,
-    /// The passes that the frame has.
+    /// The frame's number of passes.
     pub passes: usize,
-    /// The first row of its bands, and the first one after them; the other way round if it has none.
+    /// The first row of its bands, and the first row after them; reversed if it has none.
     pub drawn: [usize; 2],
     /// Its own work in this pass.
     pub counts: Counts,
 }
 
 impl<'a> Share<'a> {
-    /// A share of a pass that begins.
+    /// Creates a share of a pass.
     pub fn new(worker: &'a mut Worker, rows: Range<usize>, pass: usize, before: Counts) -> Self {
         Self {
             worker,
@@ -72,7 +72,7 @@ mod tests {
     const WIDTH: usize = 161;
     const HEIGHT: usize = 120;
 
-    /// One of several that draw a frame, with its own memory and pixels.
+    /// A worker with its own memory and pixels.
     struct Part {
         renderer: Renderer<Box<Memory>>,
         worker: Box<Worker>,
@@ -89,7 +89,7 @@ mod tests {
             }
         }
 
-        /// Draws some rows in a pass. Returns how many passes there are, the rows of its bands, and the points that were traced.
+        /// Draws some rows in a pass. Returns the number of passes, the rows of its bands, and its points.
         fn draw(
             &mut self,
             scene: &Scene,
@@ -107,7 +107,7 @@ mod tests {
         }
     }
 
-    /// A frame in parts whose bands begin in these rows, as workers of a page draw it.
+    /// Draws a frame in parts whose bands begin in these rows, as a page's workers do.
     fn in_parts(scene: &Scene, quality: &Quality, cuts: &[usize]) -> Vec<u32> {
         let mut parts: Vec<Part> = cuts[1..].iter().map(|_| Part::new()).collect();
         let (mut pass, mut passes, mut before) = (0, 1, Counts::NONE);
@@ -123,7 +123,7 @@ mod tests {
             }
             before.points += points;
             pass += 1;
-            // Give each the row above its own, and the one below.
+            // Exchange the rows at the cuts.
             let row = |y: usize| y * WIDTH..(y + 1) * WIDTH;
             for below in 1..parts.len() {
                 let (start, above) = (drawn[below].start, below - 1);
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn frame_in_parts_has_same_bits() {
         let mut scene = Box::<Scene>::default();
-        // With edges, with a caption that tells the points, with squares of 32.
+        // With edges, with a caption that shows the points, with squares of 32.
         for time in [62.3, 37.5, 24.05] {
             show::at(time, &mut scene);
             for quality in [Quality::DEFAULT, Quality::LADDER[6], Quality::EXHAUSTIVE] {

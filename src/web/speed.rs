@@ -1,5 +1,5 @@
-//! Draws frames of the model scene as `speed.mjs` asks for them, by the same functions as the page, compiled for this machine. A line of
-//! input is the place of a quality and a time in seconds, a line of output the milliseconds that the frame took of a processor.
+//! Draws frames of the model scene for `speed.mjs`, by the page's functions compiled for this machine. A line of input has the
+//! index of a quality and a time in seconds; a line of output has the frame's processor time in milliseconds.
 
 use cpu_time::ThreadTime;
 use eightfold_tracer::Frame;

@@ -1,7 +1,5 @@
-//! Replacements for functions of std in the intro.
-//!
-//! std's code that explains a panic is larger than the rest of the intro. `src/pack/build/redirect.rs` redirects the functions that
-//! lead there to these; other programs do not call them. Only bugs panic: errors never do.
+//! Replacements for functions of std in the intro, by `src/pack/build/redirect.rs`. Other programs do not call them. Only bugs
+//! panic: errors never do.
 
 use crate::{line, terminal};
 
@@ -9,11 +7,7 @@ use crate::{line, terminal};
 #[unsafe(no_mangle)]
 pub extern "C" fn eightfold_abort() -> ! {
     terminal::restore();
-    line::write(
-        line::ERROR,
-        b"eightfold: a mistake in the program ended it\n",
-    );
-    // The exit code of C's `abort`.
+    line::write(line::ERROR, b"eightfold: internal error\n");
     #[cfg(feature = "windows")]
     super::arguments::end(3);
     // SAFETY: it may be called at any time.
@@ -26,10 +20,8 @@ pub extern "C" fn eightfold_abort() -> ! {
 /// Replaces the function that counts the characters of texts from 32 bytes on, for padding.
 #[unsafe(no_mangle)]
 pub fn eightfold_count_chars(text: &str) -> usize {
-    text.bytes().fold(0, |count, byte| {
-        // Skip continuation bytes, which are 10xxxxxx.
-        count + usize::from(byte & 0xc0 != 0x80)
-    })
+    text.bytes()
+        .fold(0, |count, byte| count + usize::from(byte & 0xc0 != 0x80))
 }
 
 #[cfg(test)]

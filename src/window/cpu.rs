@@ -12,14 +12,13 @@ pub struct Isa {
 }
 
 /// The names of the intro's instruction sets for this architecture, best first.
-#[cfg(target_arch = "x86_64")]
-pub const NAMES: &[&str] = &["avx2", "sse2"];
-/// The names of the intro's instruction sets for this architecture, best first.
-#[cfg(target_arch = "aarch64")]
-pub const NAMES: &[&str] = &["neon"];
-/// The names of the intro's instruction sets for this architecture, best first.
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-pub const NAMES: &[&str] = &["portable"];
+pub const NAMES: &[&str] = if cfg!(target_arch = "x86_64") {
+    &["avx2", "sse2"]
+} else if cfg!(target_arch = "aarch64") {
+    &["neon"]
+} else {
+    &["portable"]
+};
 
 /// Returns this machine's instruction sets with kernels in the library, best first: AVX-512 and [`shipped`].
 pub fn instruction_sets() -> impl Iterator<Item = Isa> {
@@ -76,7 +75,6 @@ mod x86_64 {
     };
     use fearless_simd::x86::Avx2;
 
-    /// Returns a word with these bits set.
     const fn bits(mut numbers: &[u32]) -> u32 {
         let mut word = 0;
         while let [number, rest @ ..] = numbers {
@@ -86,7 +84,6 @@ mod x86_64 {
         word
     }
 
-    /// Returns whether `word` contains all `bits`.
     fn has(word: u32, bits: u32) -> bool {
         word & bits == bits
     }

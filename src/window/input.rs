@@ -75,12 +75,10 @@ pub enum Press {
 }
 
 impl Press {
-    /// Returns whether the key repeats while it is held.
     pub(crate) fn repeats(self) -> bool {
         matches!(self, Press::Left | Press::Right)
     }
 
-    /// Returns the key with this number.
     pub(crate) fn of(key: c_uint) -> Option<Press> {
         Some(match key {
             LEFT => Press::Left,

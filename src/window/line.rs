@@ -14,7 +14,6 @@ pub use crate::system::{ERROR, OUTPUT, write};
 pub struct Writer {
     file: i32,
     has_failed: bool,
-    /// Bytes in the buffer.
     length: usize,
     buffer: [u8; 1024],
 }

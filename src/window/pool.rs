@@ -42,12 +42,10 @@ struct Shared {
     inside: AtomicU32,
     /// The current run's work; only valid for threads inside.
     work: UnsafeCell<MaybeUninit<Work<'static>>>,
-    /// The number of the next thread to start.
     next: AtomicUsize,
     over: AtomicBool,
 }
 
-/// See [`Shared::inside`].
 const OPEN: u32 = 1 << 31;
 
 // SAFETY: all is atomic except `work`. The pool's owner writes it while no run is open and no thread is inside; threads read it
@@ -175,7 +173,6 @@ impl Drop for Run<'_> {
 }
 
 impl Shared {
-    /// Wakes all threads.
     fn wake(&self) {
         self.run.fetch_add(1, SeqCst);
         if self.sleeping.load(SeqCst) != 0 {

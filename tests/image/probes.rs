@@ -97,7 +97,7 @@ fn long_interval_holds_the_true_error() {
     let (mut inside, mut pictures, mut far) = (0, 0, 0);
     let mut scene = Box::new(Scene::ZEROED);
     for time in [2.4, 10.0, 21.3, 47.7, 55.0, 62.5, 75.0, 90.1, 105.0] {
-        show::whole(time, &mut scene);
+        show::without_transition(time, &mut scene);
         scene.captions.clear();
         for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::LADDER[6]] {
             let error = error(&scene, &quality, SIZE);

@@ -43,8 +43,14 @@ fn bad_argument_is_named_in_one_line() {
         (&["--psnr", "100"], "--psnr DB"),
         (&["--quality", "best"], "--quality NAME"),
         (&["--quality"], &qualities),
-        (&["--quality", "fast", "--exhaustive"], "two qualities"),
-        (&["--quality", "fast", "--quality=fine"], "two qualities"),
+        (
+            &["--quality", "fast", "--exhaustive"],
+            "more than one quality",
+        ),
+        (
+            &["--quality", "fast", "--quality=fine"],
+            "more than one quality",
+        ),
         (&["--isa", "neon"], "avx2 sse2"),
         (&["--still", &length], "--still S"),
         (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),

@@ -95,7 +95,7 @@ fn silent_display_is_given_up_after_some_seconds() {
 
 #[test]
 fn missing_linker_or_descriptors_are_told_in_one_line() {
-    let told = "eightfold: the system loads no dynamic linker for it\n";
+    let told = "eightfold: cannot load the dynamic linker\n";
     let folder = tempfile::tempdir().unwrap();
     let copied = Command::new("install")
         .arg(intro())
@@ -266,7 +266,7 @@ fn small_stack_is_enough_or_told_in_one_line() {
             let play = format!("exec INTRO --silent {options} --size 64x48 > /dev/null");
             let (code, errors) = shell(&format!("ulimit -s {kilobytes}; {play}"));
             assert_eq!(code, Some(expected), "{kilobytes} {options}: {errors}");
-            let is_told = errors.contains("of stack");
+            let is_told = errors.contains("stack limit");
             assert_eq!(is_told, expected != 0, "{kilobytes} {options}: {errors}");
         }
     }

@@ -116,7 +116,7 @@ fn damaged_or_cut_intro_says_so() {
 /// Without a word Linux would end a program that has more memory in its headers than it may have.
 #[test]
 fn too_little_memory_is_told_in_one_line() {
-    let told = "eightfold: there are no 105 MB of memory for it\n";
+    let told = "eightfold: needs 105 MB of memory\n";
     for (kilobytes, told) in [(80_000, told), (105_000_000_u32.div_ceil(1024), "")] {
         let mut bash = Command::new("bash");
         let limited = format!("ulimit -d {kilobytes}; exec \"$0\" --version");

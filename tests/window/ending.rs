@@ -46,7 +46,7 @@ fn the_end_of_the_server_is_an_error_and_no_crash() {
         server.kill();
         let (_, code, output, errors) = intro.end();
         assert_eq!(code, Some(1), "{manager}: {output}{errors}");
-        assert_eq!(errors, "eightfold: the display is gone\n");
+        assert_eq!(errors, "eightfold: display lost\n");
     }
 }
 

@@ -14,7 +14,6 @@ use crate::{Error, System, Version, executable::packed_size, pack_executable};
 /// The size limit of a 64 kB intro.
 const LIMIT: usize = 65_536;
 
-/// The stub's object file.
 pub const STUB: &str = "stub.o";
 const SETTINGS: &str = "settings";
 /// The object file with replacements for functions of std.
@@ -24,11 +23,9 @@ const ORDER: &str = "order";
 
 /// The build script's settings, in a file in the linker's folder.
 pub struct Settings {
-    /// The real linker's path or name.
     pub linker: String,
     /// The folder for the unpacked program.
     pub unpacked: String,
-    /// The target system.
     pub system: System,
 }
 
@@ -63,7 +60,6 @@ impl Settings {
         matches!(self.system, System::Windows(_))
     }
 
-    /// Returns whether the linker accepts an order of functions.
     fn is_lld(&self) -> bool {
         let version = Command::new(&self.linker).arg("--version").output();
         version.is_ok_and(|version| String::from_utf8_lossy(&version.stdout).starts_with("LLD"))
@@ -80,7 +76,6 @@ impl Settings {
     }
 }
 
-/// Links with these arguments and packs the output. Returns the exit code.
 pub fn run(arguments: &[OsString]) -> i32 {
     link(arguments).unwrap_or_else(|error| {
         eprintln!("error: {error}");
@@ -96,7 +91,6 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     let output = output(&words);
     let mut more = Vec::new();
     if output.is_some() {
-        // Put the replacements first.
         let (object, missing) = redirect::redirections(&words)?;
         if !missing.is_empty() {
             let missing = missing.join(", ");
@@ -151,7 +145,6 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         let size = file.len();
         eprintln!("warning: program size is {size} bytes; a 64 kB intro has at most {LIMIT}");
     }
-    // Overwrite the file to keep its permissions.
     fs::write(&path, &file)?;
     if settings.is_for_windows() {
         fs::write(name_for_windows(&path)?, &file)?;
@@ -176,7 +169,6 @@ fn name_for_windows(path: &Path) -> Result<PathBuf, Error> {
     Ok(folder.join(name).with_extension("exe"))
 }
 
-/// Returns the link's arguments, with response files expanded.
 fn expand(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
     let mut words = Vec::new();
     for argument in arguments {
@@ -195,7 +187,6 @@ fn expand(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
     Ok(words)
 }
 
-/// Returns the link's output file.
 fn output(words: &[OsString]) -> Option<PathBuf> {
     let place = words.iter().position(|word| word == "-o")?;
     words.get(place + 1).map(PathBuf::from)

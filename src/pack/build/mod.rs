@@ -1,18 +1,17 @@
 //! The intro's build script.
 //!
-//! `cargo build --release` runs the script, which compiles the stub and tells cargo how to link the intro. rustc links with a C
-//! compiler; an option makes that look for its linker in `OUT_DIR/linker`, where the script's own executable has a linker's name.
-//! Called by this name, it runs the real linker, and packs the output in place.
+//! `cargo build --release` runs it. It compiles the stub, and has rustc's C compiler use the script's own executable, under a
+//! linker's name in `OUT_DIR/linker`. Called by this name, it runs the real linker, and packs the output in place.
 //!
 //! `OUT_DIR` then contains
 //!
 //! | file | content |
 //! | --- | --- |
-//! | `eightfold-*.unpacked` | the unpacked program of this name in `deps`, with symbols for debuggers, profilers and [`costs`](crate::costs) |
+//! | `eightfold-*.unpacked` | the unpacked program in `deps`, with symbols for debuggers and [`costs`](crate::costs) |
 //! | `eightfold.map` | the latest link's map |
 //! | `linker/` | the linker and the stub |
 //!
-//! If a program cannot be packed, it is linked as usual, with a warning that gives the reason.
+//! A program that cannot be packed is linked as usual, with a warning.
 
 mod linker;
 mod order;
@@ -28,7 +27,7 @@ use std::{
 use crate::{Error, System, Version};
 use toolchain::Toolchain;
 
-/// The linker's file name, by which the C compiler and this program recognise it.
+/// The linker's file name.
 const LINKER: &str = "ld.bfd";
 
 /// This crate's folder, with the stub's source.
@@ -55,7 +54,6 @@ pub fn main(program: &str) {
     }
 }
 
-/// Prints the options for linking.
 fn prepare(program: &str) -> Result<(), Error> {
     let toolchain = Toolchain::find()?;
     let output = PathBuf::from(env::var("OUT_DIR")?);
@@ -68,7 +66,6 @@ fn prepare(program: &str) -> Result<(), Error> {
     } else {
         System::Linux
     };
-    // Put this program where the C compiler looks for a linker.
     let directory = output.join("linker");
     fs::create_dir_all(&directory)?;
     let own = env::current_exe()?;
@@ -77,7 +74,6 @@ fn prepare(program: &str) -> Result<(), Error> {
         fs::remove_file(&linker)?;
     }
     fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
-    // Write the settings and the stub for it.
     let text = |path: PathBuf| {
         let path = path.into_os_string().into_string();
         path.map_err(|path| format!("path {path:?} is not UTF-8"))
@@ -94,15 +90,14 @@ fn prepare(program: &str) -> Result<(), Error> {
         &[
             // No dynamic linker on Windows.
             "-Wl,--no-dynamic-linker",
-            // The space below this address is for the packed file, which begins at 0x400000, as Windows programs do by convention.
+            // Leaves space for the packed file, which by convention begins at 0x400000.
             &format!("-Wl,{}=0x420000", toolchain.base()),
         ]
     } else {
-        // Functions of libraries are found at the start, which makes the code for lazy binding superfluous.
+        // Binds functions at the start, without the code for lazy binding.
         &["-Wl,-z,now"]
     };
     let for_all = [
-        // The intro has an entry point of its own.
         "-nostartfiles",
         "-Wl,--entry=eightfold_start",
         // Fixed addresses need no relocations, and leave room for the packed file.
@@ -123,7 +118,7 @@ fn prepare(program: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Compiles a system's stub to an object file, without the user's flags for rustc.
+/// Compiles a system's stub, without the user's flags for rustc.
 fn compile_stub(toolchain: &Toolchain, is_for_windows: bool, object: &Path) -> Result<(), Error> {
     let system = if is_for_windows { "windows" } else { "linux" };
     let source = Path::new(SOURCE).join("stub").join(system).join("main.rs");

@@ -18,7 +18,6 @@ const LENGTH: usize = 3;
 /// The number of orders to try; packing them all takes three seconds.
 const ORDERS: usize = 6;
 
-/// A function's sequences in order, with their weights.
 type Terms<'a> = Vec<(&'a [u8], f64)>;
 
 /// Returns orders of a program's functions by similarity. Each begins with one of the largest functions.
@@ -74,7 +73,6 @@ fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     order
 }
 
-/// Returns the similarity of each pair of functions.
 fn likeness(codes: &[&[u8]]) -> Vec<Vec<f64>> {
     let terms = terms(codes);
     let to_all = |a| terms.iter().map(|b| product(a, b)).collect();
@@ -113,7 +111,6 @@ fn terms<'a>(codes: &[&'a [u8]]) -> Vec<Terms<'a>> {
     weighed.collect()
 }
 
-/// Returns the scalar product.
 fn product(a: &Terms<'_>, b: &Terms<'_>) -> f64 {
     let (mut a, mut b) = (a.iter().peekable(), b.iter().peekable());
     let mut sum = 0.0;

@@ -1,26 +1,25 @@
-//! Replaces the functions of std that explain a panic.
+//! Replaces the functions of std that explain a panic: formatting, a backtrace, a reader of debugging information and a demangler
+//! are most of a program's bytes.
 //!
-//! A panic brings formatting, a backtrace, a reader of debugging information and a demangler: most of a program's bytes. This
-//! module finds the functions that lead there by their names in the archives on the linker's command line. It writes an object that
-//! defines each of them as a jump. The object precedes the archives, the linker keeps the first definition, and drops all code that
-//! only the second one needs. `src/window/abort.rs` has the replacements.
+//! The functions are found by name in the archives on the linker's command line. An object in front of these archives defines them
+//! as jumps to `src/window/abort.rs`; the linker keeps the first definition, and drops code that only the second one needs.
 //!
 //! Packed bytes that each measure saves, found by leaving it out, of 53,456 bytes unless stated:
 //!
 //! | measure | where | bytes |
 //! | --- | --- | ---: |
 //! | `rust_begin_unwind` and the rows below, together | [`REPLACEMENTS`] | 83,356 |
-//! | `str::slice_error_fail`, which formats the string | [`REPLACEMENTS`] | 3,433 |
-//! | `handle_alloc_error`, which prints | [`REPLACEMENTS`] | 2,122 |
-//! | `rust_eh_personality`, which reads unwind tables | [`REPLACEMENTS`] | 936 |
-//! | the other panicking functions, with the arguments of their messages | [`REPLACEMENTS`] | 975 |
-//! | `str::count::do_count_chars`, which counts eight bytes at a time (of 64,400) | [`REPLACEMENTS`] | 405 |
+//! | `str::slice_error_fail`, which formats the string | | 3,433 |
+//! | `handle_alloc_error`, which prints | | 2,122 |
+//! | `rust_eh_personality`, which reads unwind tables | | 936 |
+//! | the other panicking functions, with their messages' arguments | | 975 |
+//! | `str::count::do_count_chars`, which counts eight bytes at a time (of 64,400) | | 405 |
 //! | C's `main`, not Rust's (of 59,633) | `main!` in `src/window/arguments.rs` | 9,564 |
 //! | C's arguments, not std's (of 59,633) | the same | 432 |
 //! | `opt-level = 2`, as fast as 3 (of 72,726) | `Cargo.toml` | 6,566 |
 //!
-//! Tried and rejected: an allocator by `malloc` saves 105 bytes; `Display::fmt` redirected saves 1,587 but leaves no formatting;
-//! the window's crates at `opt-level = "s"` save 104.
+//! Rejected: an allocator by `malloc` saves 105 bytes; `Display::fmt` redirected saves 1,587 but leaves no formatting; the window's
+//! crates at `opt-level = "s"` save 104.
 
 use std::{collections::HashSet, ffi::OsString, fs, path::PathBuf};
 
@@ -32,7 +31,7 @@ use object::{
 
 use crate::{Error, panics::ABORT};
 
-/// The crates to redirect functions in. The last three have inlined copies of the others' functions.
+/// The last three have inlined copies of the others' functions.
 const CRATES: [&str; 6] = [
     "core",
     "alloc",
@@ -42,7 +41,7 @@ const CRATES: [&str; 6] = [
     "rustc_demangle",
 ];
 
-/// Replacements, and the functions of std that they replace (parts of paths). The linker warns of functions that std does not have.
+/// Replacements, and parts of the paths of std's functions. The linker warns of missing ones.
 const REPLACEMENTS: [(&str, &[&str]); 2] = [
     (
         ABORT,
@@ -63,7 +62,7 @@ const REPLACEMENTS: [(&str, &[&str]); 2] = [
     ),
 ];
 
-/// Returns an object that defines the replaced functions, and the names from [`REPLACEMENTS`] that are missing in the link's std.
+/// Returns an object with the redirections, and the missing functions.
 pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), Error> {
     let names = symbols(&libraries(words))?;
     let mut object =
@@ -73,7 +72,6 @@ pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), 
     let mut missing = Vec::new();
     let mut done = HashSet::new();
     for (target, paths) in REPLACEMENTS {
-        // One jump in a section of its own.
         let name = format!(".text.{target}_redirection").into_bytes();
         let section = object.add_section(Vec::new(), name, SectionKind::Text);
         object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);
@@ -122,7 +120,6 @@ pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), 
     Ok((object.write()?, missing))
 }
 
-/// Returns the archives of [`CRATES`] among the link's arguments.
 fn libraries(words: &[OsString]) -> Vec<PathBuf> {
     let mut libraries: Vec<_> = words.iter().map(PathBuf::from).collect();
     libraries.retain(|path| {
@@ -133,7 +130,6 @@ fn libraries(words: &[OsString]) -> Vec<PathBuf> {
     libraries
 }
 
-/// Returns the names of the archives' global functions.
 fn symbols(libraries: &[PathBuf]) -> Result<Vec<String>, Error> {
     let mut names = Vec::new();
     for library in libraries {

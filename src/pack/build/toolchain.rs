@@ -19,7 +19,6 @@ pub struct Toolchain {
 }
 
 impl Toolchain {
-    /// Finds them, or explains why the program cannot be packed.
     pub fn find() -> Result<Toolchain, Error> {
         let target = env::var("TARGET")?;
         if target != TARGET {
@@ -56,7 +55,6 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
         .replace("--codegen\x1f", "-C")
         .replace("-C\x1f", "-C");
     let options = flags.split('\x1f');
-    // Later options override earlier ones.
     let (mut compiler, mut chosen, mut own) = (compiler, None, own);
     for (name, value) in options.filter_map(|option| option.strip_prefix("-C")?.split_once('=')) {
         match name {
@@ -86,7 +84,6 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
     if name.ends_with("ld") || name.ends_with("ld.lld") || name == "mold" {
         return Err(format!("linker is {compiler}; must be called by a C compiler").into());
     }
-    // Return the linker that the C compiler would call.
     Ok(match (chosen, own) {
         (Some(path), _) if path.contains('/') => path.into(),
         (Some(name), _) => format!("ld.{name}"),

@@ -23,7 +23,6 @@ const HEAD: usize = (elf::HEADER_SIZE + 2 * Segment::SIZE).next_multiple_of(16);
 /// The file offset of the checksum: the second program header's address field.
 const SUM: usize = elf::HEADER_SIZE + Segment::SIZE + 16;
 
-/// Packs a stripped executable, with the stub's object file.
 pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let segments = elf::segments(stripped)?;
     for kind in [elf::INTERPRETER, elf::PROGRAM_HEADERS] {
@@ -31,7 +30,6 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
             return Err("program has no dynamic linker".into());
         }
     }
-    // Append the loader to the program.
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [stripped, &loader].concat();
     let packed = encode_both(&unpacked)?;
@@ -52,11 +50,9 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         ("PROGRAM", start),
         ("PROGRAM_SIZE", end - start),
     ]);
-    // Link the stub to its address.
     let linked = stub.link(entry, &names)?;
     let (first, rest) = linked.split_at(stub.first_size());
     let checked = [rest, &packed].concat();
-    // Write the headers, the stub and the packed bytes.
     let mut file = elf::header(entry, 2);
     let file_itself = Segment {
         kind: elf::LOAD,
@@ -66,8 +62,8 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         size,
         ..Segment::default()
     };
-    // Linux reads only this header's flags. The other fields hold the packed bytes' offset, the number of bytes that the checksum
-    // covers, the checksum, and the unpacked length.
+    // Linux reads only this header's flags. The rest are the packed bytes' offset, the size that the checksum covers, the checksum,
+    // and the unpacked length.
     let stack = Segment {
         kind: elf::STACK,
         flags: elf::READ | elf::WRITE,

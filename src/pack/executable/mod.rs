@@ -1,7 +1,5 @@
-//! Packs executables.
-//!
-//! The packed content is an ELF file, stripped to the parts that starting needs, and the stub's loader. The stub and the headers of
-//! the target system, [`linux`] or [`windows`], surround it.
+//! Packs executables: a stripped ELF file and the stub's loader, surrounded by the stub and the headers of [`linux`] or
+//! [`windows`].
 
 mod linux;
 mod strip;
@@ -34,7 +32,6 @@ struct Memory {
 }
 
 impl Memory {
-    /// Returns the addresses of a program that can be loaded.
     fn of(segments: &[Segment]) -> Result<Memory, Error> {
         let loads = segments.iter().filter(|segment| segment.kind == elf::LOAD);
         let starts = loads.clone().map(|load| load.address);
@@ -76,7 +73,6 @@ pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
     } else {
         linux::unpack(file)?
     };
-    // Cut off the loader.
     let ends = elf::segments(&unpacked)?
         .into_iter()
         .map(|segment| segment.range().end);

@@ -21,7 +21,6 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     if elf::kind(program)? != elf::EXECUTABLE {
         return Err("program is not linked at fixed addresses".into());
     }
-    // Find the unwind tables and the segments.
     let file = object::File::parse(program)?;
     let range = |name| Some(Section::find(&file, name)?.range);
     let names = [".eh_frame", ".eh_frame_hdr", ".gcc_except_table"];
@@ -33,7 +32,6 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         let mut fields = entries.map(|entry| [number(entry, 0, 8), number(entry, 8, 8)]);
         fields.any(|[tag, value]| tag == FLAGS && value & BIND_NOW != 0)
     });
-    // Blank the sections that nothing reads.
     let mut program = program.to_vec();
     panics::blank_locations(&mut program)?;
     if let [Some(calls), Some(slots)] = lookups
@@ -45,7 +43,6 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         let bytes = program.get_mut(section.clone());
         bytes.ok_or("section is outside the file")?.fill(0);
     }
-    // Copy the loaded segments, one behind the other.
     let mut stripped = Vec::new();
     let before = segments.clone();
     for load in segments
@@ -70,7 +67,6 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         load.offset = stripped.len() as u64;
         stripped.extend(program.get(range).ok_or("segment is outside the file")?);
     }
-    // Update the offsets of the other segments.
     let loads: Vec<_> = segments
         .iter()
         .filter(|segment| segment.kind == elf::LOAD)

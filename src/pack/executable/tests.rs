@@ -61,7 +61,6 @@ fn program() -> Vec<u8> {
     bytes
 }
 
-/// A stub and a loader that do nothing.
 fn stub() -> Vec<u8> {
     let mut object =
         write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
@@ -132,7 +131,6 @@ fn windows_file_is_valid() {
     let entry = optional.address_of_entry_point.get(LE);
     let is_code = |section: &pe::ImageSectionHeader| section.contains_rva(entry);
     assert!(parsed.section_table().iter().position(is_code) == Some(0));
-    // It imports the functions of one library by name.
     let table = parsed.import_table().expect("a table").expect("imports");
     let mut libraries = table.descriptors().expect("libraries");
     let library = libraries.next().expect("a library").expect("one at least");

@@ -72,7 +72,6 @@ impl Version {
                 node(key, true, text.len() / 2, text, &[])
             })
             .collect();
-        // US English in UTF-16 (code page 1200).
         let table = node("040904b0", true, 0, Vec::new(), &strings);
         let translation = [0x409_u16, 1200].map(u16::to_le_bytes).concat();
         let children = [
@@ -90,7 +89,6 @@ impl Version {
     }
 }
 
-/// Returns a text in UTF-16 with its terminating 0.
 fn to_utf16(text: &str) -> Vec<u8> {
     let units = text.encode_utf16().chain([0]);
     units.flat_map(u16::to_le_bytes).collect()

@@ -1,20 +1,19 @@
-//! Packs Windows executables. The input is linked for Linux, but calls no function of Linux.
+//! Packs Windows executables, which are linked for Linux but call no function of Linux.
 //!
-//! As for Linux, the packed content is an ELF file and the stub's loader. The packed file has
+//! The packed content is an ELF file and the stub's loader. The packed file has
 //!
 //! | bytes | content |
 //! | ---: | --- |
 //! | 512 | the headers; their last 24 bytes are for [`unpack`] |
 //! | | the section `.text`, for reading and executing: |
-//! | 80 | addresses of the functions that the stub calls, filled in by Windows |
+//! | 80 | addresses of the stub's functions, filled in by Windows |
 //! | 172 | the stub's first section, which verifies the rest |
 //! | 3,800 | the stub |
 //! | 640 | the functions' names, and the version information |
 //! | the rest | the packed program |
 //!
-//! A second section, `.bss`, for reading and writing, has no bytes in the file. It reserves the program's memory at a fixed
-//! address, so the program needs no relocations. After unpacking, code is made executable and constants are made read-only: no
-//! memory is ever both writable and executable.
+//! A second section, `.bss`, reserves the program's memory at a fixed address, so it needs no relocations. After unpacking, code
+//! becomes executable and constants become read-only: no memory is ever both writable and executable.
 
 use std::collections::HashMap;
 
@@ -53,8 +52,8 @@ const fn addresses_size(functions: usize) -> u64 {
 const START: u64 = PAGE;
 const HEAD: usize = 512;
 
-/// The number of 32-bit fields at the end of the headers: offset of the packed bytes, their length, the unpacked length, offset of
-/// the bytes that the checksum covers, checksum.
+/// The number of 32-bit fields at the end of the headers: the packed bytes' offset and length, the unpacked length, the offset of
+/// the checked bytes, the checksum.
 const RECORD: usize = 5;
 const SUM: usize = HEAD - 4;
 
@@ -74,12 +73,10 @@ impl Memory {
     }
 }
 
-/// Packs a stripped executable, with the stub's object file.
 pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, Error> {
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [stripped, &loader].concat();
     let packed = encode_both(&unpacked)?;
-    // Lay out the first section, which ends where the program begins.
     let stub = Stub::read(stub, FIRST)?;
     let entry = START + addresses_size(FUNCTIONS.len());
     let names_at = entry + stub.size().next_multiple_of(4) as u64;
@@ -99,7 +96,6 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
         ("PROGRAM_LENGTH", stripped.len() as u64),
         ("SYSTEM", base + START),
     ]);
-    // Link the stub to its address.
     let mut bytes = imports.addresses;
     bytes.extend(stub.link(base + entry, &names)?);
     bytes.resize((names_at - START) as usize, 0);

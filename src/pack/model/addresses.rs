@@ -1,14 +1,12 @@
-//! Converts the relative offsets in instructions to addresses and back, so that all references to one place are the same four
-//! bytes.
-//!
+//! Converts relative offsets in instructions to addresses and back, so that references to one place are the same four bytes.
 //! Addresses count from the program's first byte.
 
-/// Replaces the offset at `offset` by an address. `bytes` ends with the instruction.
+/// Replaces the offset in an instruction that ends with `bytes`.
 pub fn to_address(bytes: &mut [u8], offset: usize) {
     add(bytes, offset, bytes.len() as u32);
 }
 
-/// Replaces the address at `offset` by an offset.
+/// Reverts [`to_address`].
 #[inline(always)]
 pub fn to_offset(bytes: &mut [u8], offset: usize) {
     add(bytes, offset, (bytes.len() as u32).wrapping_neg());

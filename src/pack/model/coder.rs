@@ -1,12 +1,10 @@
 //! The arithmetic decoder; `encoder.rs` has the encoder.
 
-/// Codes bits by their probability.
 pub trait Coder {
     /// Codes the next bit; the probability of a 1 is in 65,536ths.
     fn bit(&mut self, probability: u32) -> u32;
 }
 
-/// Decodes bits from bytes.
 pub struct Decoder<'a> {
     bytes: &'a [u8],
     /// The width of the interval.

@@ -1,6 +1,5 @@
 //! Vectors of eight 16-bit integers, by SSE2, which every x86-64 processor has, or by loops elsewhere.
 
-/// Eight 16-bit integers.
 #[derive(Clone, Copy)]
 #[cfg(target_arch = "x86_64")]
 pub struct Lanes(core::arch::x86_64::__m128i);
@@ -8,7 +7,6 @@ pub struct Lanes(core::arch::x86_64::__m128i);
 #[cfg(target_arch = "x86_64")]
 use core::arch::x86_64::*;
 
-/// Calls an SSE2 intrinsic.
 #[cfg(target_arch = "x86_64")]
 macro_rules! sse2 {
     ($call:expr) => {
@@ -17,7 +15,6 @@ macro_rules! sse2 {
     };
 }
 
-/// Implements lane-wise operations on two vectors.
 #[cfg(target_arch = "x86_64")]
 macro_rules! operations {
     ($($(#[$doc:meta])* $name:ident: $instruction:ident,)*) => {
@@ -81,7 +78,6 @@ impl Lanes {
         /// Wraps around.
         subtract: _mm_sub_epi16,
         saturating_add: _mm_adds_epi16,
-        /// Returns the upper 16 bits of the products.
         multiply_high: _mm_mulhi_epi16,
         /// The same for unsigned numbers.
         multiply_high_unsigned: _mm_mulhi_epu16,
@@ -94,19 +90,16 @@ impl Lanes {
         Lanes(sse2!(_mm_max_epi16(_mm_min_epi16(self.0, most), least)))
     }
 
-    /// Halves, rounding down.
     #[inline(always)]
     pub fn halve(self) -> Lanes {
         Lanes(sse2!(_mm_srai_epi16(self.0, 1)))
     }
 
-    /// Shifts 32-bit lanes.
     #[inline(always)]
     pub fn shift_left<const BITS: i32>(self) -> Lanes {
         Lanes(sse2!(_mm_slli_epi32::<BITS>(self.0)))
     }
 
-    /// Shifts signed 32-bit lanes.
     #[inline(always)]
     pub fn shift_right<const BITS: i32>(self) -> Lanes {
         Lanes(sse2!(_mm_srai_epi32::<BITS>(self.0)))

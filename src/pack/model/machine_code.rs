@@ -1,22 +1,18 @@
-//! Parses x86-64 machine code byte by byte, to tell the model which field the next byte belongs to.
+//! Parses x86-64 machine code byte by byte, to tell the model the next byte's field.
 //!
-//! It only follows the length of instructions. Data is parsed like code: that only affects the prediction, and packer and unpacker
-//! agree.
+//! It only follows the length of instructions. Data is parsed like code, which only affects the prediction.
 
 use super::operands::operands_by_runs;
 
-/// The number of features for prediction, a power of two with some spare. Contexts are sets of features. Features 0 to 3 are the
-/// last bytes, newest first.
+/// The number of features, with some spare, a power of two. Contexts are sets of features. Features 0 to 3 are the last bytes,
+/// newest first.
 pub const FEATURES: usize = 32;
-/// The number of last bytes.
 const LAST: usize = 4;
 /// The next byte's kind; see the kinds below.
 pub const KIND: usize = 4;
-/// The instruction's opcode so far, plus 0x100 times its map, plus 0x400 times the value of `pp` in VEX for its prefix: an
-/// operation has one number in SSE2, AVX2 and AVX-512. The three previous instructions' opcodes follow at distances of [`STEP`], as
-/// do the next three features of two.
+/// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2,
+/// AVX2 and AVX-512. The three previous opcodes follow at distances of [`STEP`], as do the next three features of two.
 pub const OPCODE: usize = 5;
-/// The ModRM byte: a register and an operand.
 pub const MODRM: usize = 6;
 /// All prefixes, 8 bits each.
 pub const PREFIXES: usize = 7;
@@ -24,14 +20,12 @@ pub const PREFIXES: usize = 7;
 pub const DESTINATION: usize = 8;
 /// The number of features per instruction.
 const STEP: usize = 4;
-/// The end of these features.
 const HISTORY_END: usize = OPCODE + 3 * STEP + 1;
 /// The position modulo 4, for tables of 32-bit words.
 pub const PLACE: usize = HISTORY_END;
 /// The position divided by 256: many jumps end nearby.
 pub const PAGE: usize = 19;
-/// The distance to the next target of an earlier jump or call, at most [`FAR`]. An instruction begins there, and the previous one
-/// is often a jump.
+/// The distance to the next target of an earlier jump or call, at most [`FAR`]. An instruction begins there, often after a jump.
 pub const TARGET: usize = 20;
 /// The operand in the ModRM and SIB bytes.
 pub const OPERAND: usize = 21;
@@ -39,11 +33,10 @@ pub const OPERAND: usize = 21;
 pub const EXTENSION: usize = 22;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 23;
-/// The instruction's length so far.
 pub const LENGTH: usize = 24;
 /// The register in VEX and EVEX.
 pub const SOURCE: usize = 25;
-/// The length of the match before [`AFTER_MATCH`], at most [`LONGEST_MATCH`], times 0x100.
+/// The match length before [`AFTER_MATCH`], at most [`LONGEST_MATCH`], times 0x100.
 pub const MATCH: usize = 26;
 /// The last two bytes of this kind after the same opcode, the newer in the lower bits.
 pub const SAME_OPCODE: usize = 27;
@@ -58,7 +51,6 @@ pub const fn before(feature: usize, instructions: usize) -> usize {
 }
 
 // Kinds of bytes. In a field of several bytes the kind counts down.
-/// Prefix or opcode.
 const START: u32 = 0;
 /// Opcode after a prefix.
 const AFTER_PREFIX: u32 = 1;
@@ -72,9 +64,7 @@ const RELATIVE_DISPLACEMENT: u32 = 12;
 const IMMEDIATE: u32 = 16;
 /// Offset of a jump or call.
 const RELATIVE_JUMP: u32 = 20;
-/// The number of kinds.
 pub const MORE_KINDS: u32 = RELATIVE_JUMP + 4;
-/// The next power of two.
 pub const KINDS: usize = 32;
 
 /// Features that, with the kind, identify a field.
@@ -82,22 +72,18 @@ const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
 /// The number of fields: each map, `pp` and opcode by each kind. Operands lose the upper bits of SIB.
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
-/// The maximum of [`TARGET`].
 const FAR: u32 = 7;
 /// The maximum distance of remembered jumps. (Offsets of four bytes are addresses here.)
 const TARGETS: usize = 1 << 16;
 
 /// The size of the byte history; the intro has 200 kB. Longer programs wrap around.
 const BYTES: usize = 1 << 18;
-/// Bits of a three-byte hash.
 const PLACES: u32 = 16;
-/// The maximum match length.
 const LONGEST_MATCH: u32 = 15;
 
 /// The parser's state, initially zero. Small fields come first: instructions reach them by 8-bit offsets.
 #[repr(C)]
 pub struct Reader {
-    /// The number of bytes read.
     place: u32,
     /// The position of the instruction's relative offset; 0 without one.
     offset: u32,
@@ -105,7 +91,6 @@ pub struct Reader {
     displacement: u32,
     /// The kind of the immediate after ModRM, SIB and displacement; 0 without one.
     operand: u32,
-    /// The fields of the next byte.
     next: [u32; FIELD_FEATURES.len()],
     /// The position of [`AFTER_MATCH`].
     matching: u32,
@@ -121,7 +106,6 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// Returns a feature of the next byte.
     #[inline(always)]
     pub fn feature(&self, number: usize) -> u32 {
         self.features[number % FEATURES]
@@ -137,7 +121,6 @@ impl Reader {
         (offset != 0).then_some(offset as usize)
     }
 
-    /// Parses the next byte.
     #[inline(never)]
     pub fn read(&mut self, byte: u32) {
         let features = &mut self.features;
@@ -153,7 +136,6 @@ impl Reader {
         self.place += 1;
         features[PLACE] = self.place & 3;
         features[PAGE] = self.place >> 8;
-        // Find the kind of the next byte.
         let mut next = match kind {
             START | AFTER_PREFIX => self.read_opcode(byte),
             IS_MODRM => self.read_modrm(byte),
@@ -172,13 +154,11 @@ impl Reader {
             self.end_instruction();
         }
         self.features[KIND] = next;
-        // Find the distance to the next jump target.
         let mut distance = 0;
         while distance < FAR && self.targets[(self.place + distance) as usize % TARGETS] == 0 {
             distance += 1;
         }
         self.features[TARGET] = distance;
-        // Update the match and the history of fields.
         self.find_match(byte);
         for (i, &feature) in FIELD_FEATURES.iter().enumerate() {
             let field = &mut self.fields[i][self.next[i] as usize % FIELDS];
@@ -222,7 +202,6 @@ impl Reader {
                 return AFTER_PREFIX;
             }
         }
-        // Look up the operands of the opcode.
         features[OPCODE] += byte;
         let opcode = features[OPCODE] & 0x3ff;
         let operands = operands_by_runs(opcode, byte);
@@ -278,7 +257,6 @@ impl Reader {
         self.displacement
     }
 
-    /// Parses a byte of a VEX or EVEX prefix.
     #[inline(always)]
     fn read_vex(&mut self, byte: u32, kind: u32) -> u32 {
         let features = &mut self.features;
@@ -325,7 +303,6 @@ impl Reader {
         self.features[AFTER_MATCH] = self.bytes[self.matching as usize % BYTES].into();
     }
 
-    /// Marks the target of a jump that ends with `byte`.
     #[inline(always)]
     fn mark_target(&mut self, byte: u32, kind: u32) {
         let features = &self.features;

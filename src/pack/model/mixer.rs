@@ -5,7 +5,6 @@ use super::{
     machine_code::{KINDS, MORE_KINDS},
 };
 
-/// Rows of inputs.
 pub const ROWS: usize = 3;
 
 /// A weight for each input, in 65,536ths.
@@ -14,17 +13,15 @@ type Weights = [Lanes; ROWS];
 /// The initial sum of two weights: all 24 inputs together have a weight of three eighths.
 const FIRST_WEIGHT: i16 = 1000;
 
-/// The number of weight sets: by kind and beginning of the byte, where beginning 0 is for the kind as a whole; by kind and previous
-/// byte; and, in the numbers of unused kinds, by kind and number of inputs with experience.
+/// The number of weight sets: by kind and beginning of the byte (0 for the kind as a whole); by kind and previous byte; and, in the
+/// numbers of unused kinds, by kind and number of inputs with experience.
 const SETS: usize = (2 * KINDS) << 8;
 
 /// The limit of a pair's logit in 256ths: a probability of 94 %. Without it the intro is 120 bytes larger. Contexts have no limit.
 const PAIR_LIMIT: i16 = 700;
 
-/// The learning rate.
 const RATE: i32 = 18;
 
-/// The size of the tables of probabilities and logits.
 const STEPS: usize = 4096;
 
 /// The mixer's memory. Probabilities are in 65,536ths; logits, ln(p / (1 - p)), in 256ths, from -2048 to 2047.
@@ -32,9 +29,7 @@ const STEPS: usize = 4096;
 pub struct Mixer {
     /// The inputs' logits; the last row is for pairs.
     inputs: [[i16; 8]; ROWS],
-    /// The last prediction.
     probability: i32,
-    /// The probability of each logit.
     probabilities: [i32; STEPS],
     /// The logit of each probability in steps of 16, from one half on, in the format of slots.
     logits: [i16; STEPS],
@@ -43,7 +38,6 @@ pub struct Mixer {
 }
 
 impl Mixer {
-    /// Initialises zeroed memory.
     #[inline(always)]
     pub fn fill(&mut self) {
         // Integrate p' = p (1 - p), the equation of the logistic function, from p(-8) on, in 2^-32nds, by steps of 1/256.
@@ -102,11 +96,9 @@ impl Mixer {
     }
 }
 
-/// The indices of the weight sets of a bit.
 pub type Sets = [u32; 4];
 
-/// Returns the weight sets for a bit, by the byte's kind and `beginning`, the byte `before`, and the number of inputs with
-/// experience.
+/// Returns a bit's weight sets, by the byte's kind and `beginning`, the byte `before`, and the number of inputs with experience.
 #[inline(always)]
 pub fn sets(kind: u32, beginning: u32, before: u32, seen: u32) -> Sets {
     let of_kind = kind << 8;

@@ -1,11 +1,9 @@
-//! A model of x86-64 programs that predicts the next bit, for the packer and the unpacker.
+//! A model of x86-64 programs that predicts the next bit, by context mixing as in PAQ.
 //!
-//! It is context mixing, as in PAQ. A context is a set of features: the last bytes, parts of the [instruction](machine_code). It
-//! has a [slot](slot) for every beginning of the next byte, with a probability and the last bits. Each pair of contexts predicts
-//! from the combination of both slots' last bits. A context may expect a byte, such as the byte after the last occurrence of the
-//! same bytes; its slots then predict differences from this byte. A [mixer] weighs all predictions.
-//!
-//! All arithmetic is in integers, for the same bytes on every machine.
+//! A context is a set of features: the last bytes, parts of the [instruction](machine_code). It has a [slot](slot) for every
+//! beginning of the next byte, with a probability and the last bits. Each pair of contexts predicts from both slots' last bits. A
+//! context may expect a byte, such as the one after the last occurrence of the same bytes; its slots then predict differences from
+//! this byte. A [mixer] weighs all predictions.
 
 mod addresses;
 mod coder;
@@ -26,8 +24,7 @@ use machine_code::{
 use mixer::Mixer;
 use slot::{HISTORIES, OPPOSITE, Rates, Slot, Slots};
 
-/// The contexts, as bit sets of features, found by random changes that improve the packed intro. Two neighbours at an even index
-/// form a pair.
+/// Bit sets of features, found by random changes that improve the packed intro. Two neighbours at an even index form a pair.
 static CONTEXTS: [u32; COUNT] = [
     context(&[
         KIND,
@@ -91,7 +88,6 @@ static CONTEXTS: [u32; COUNT] = [
 const COUNT: usize = 18;
 const PAIRS: usize = 6;
 const INPUTS: usize = COUNT + PAIRS;
-/// Rows of four contexts.
 const ROWS: usize = COUNT.div_ceil(4);
 
 /// The lowest bit of the expected feature's number in a context. The number counts from [`MATCH`], whose lowest byte is 0.
@@ -106,7 +102,7 @@ const fn context(mut features: &[usize]) -> u32 {
     set
 }
 
-/// Returns a context that learns the differences from the byte in `feature`: this shares the experience of all expected bytes.
+/// Returns a context that learns differences from the byte in `feature`, which shares the experience of all expected bytes.
 const fn expecting(feature: usize, features: &[usize]) -> u32 {
     context(features) | ((feature - MATCH) as u32) << EXPECTED
 }
@@ -135,7 +131,6 @@ pub struct Model {
     /// The mask for each slot after learning: 0, or [`OPPOSITE`] where a 1 is expected.
     opposites: [[u32; 4]; slot::ROWS],
     pub reader: Reader,
-    /// Copies of the slots.
     slots: Slots,
     mixer: Mixer,
     rates: Rates,
@@ -143,14 +138,12 @@ pub struct Model {
 }
 
 impl Model {
-    /// Initialises zeroed memory.
     #[inline(always)]
     pub fn fill(&mut self) {
         self.mixer.fill();
         self.rates.fill();
     }
 
-    /// Codes a byte and learns from it.
     #[inline(always)]
     pub fn byte(&mut self, coder: &mut impl Coder) -> u8 {
         let mut byte = 1;
@@ -218,7 +211,6 @@ impl Model {
         &mut self.table.0[place as usize % SLOTS]
     }
 
-    /// Finds the slots for the next bit.
     #[inline(always)]
     fn find_slots(&mut self, nibble: u32) {
         for row in 0..ROWS {

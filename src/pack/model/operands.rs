@@ -1,5 +1,3 @@
-//! The operands of opcodes.
-
 /// Returns the bytes that follow an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; plus 4 if ModRM comes
 /// first.
 const fn operands(map: u32, opcode: u32) -> u32 {
@@ -52,7 +50,6 @@ const fn runs<const N: usize>() -> ([u8; N], usize) {
     (runs, count)
 }
 
-/// Looks up [`operands`] in the runs.
 pub fn operands_by_runs(map_and_opcode: u32, byte: u32) -> u32 {
     let mut left = if map_and_opcode < REPEATING {
         (byte & 7) as i32

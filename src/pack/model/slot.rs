@@ -38,13 +38,11 @@ impl Slot {
         self.0 as u16
     }
 
-    /// Returns the last bits.
     #[inline(always)]
     pub fn history(self) -> usize {
         (self.0 >> 16) as usize & (HISTORIES - 1)
     }
 
-    /// Returns the number of bits seen.
     #[inline(always)]
     pub fn count(self) -> usize {
         (self.0 >> 24) as usize
@@ -58,7 +56,6 @@ const LOWEST_RATE: u32 = 2200;
 pub struct Rates([u32; 256]);
 
 impl Rates {
-    /// Initialises zeroed memory.
     #[inline(always)]
     pub fn fill(&mut self) {
         for (count, rate) in self.0.iter_mut().enumerate() {
@@ -67,7 +64,6 @@ impl Rates {
     }
 }
 
-/// Rows of slots.
 pub const ROWS: usize = 6;
 
 /// Copies of slots that learn together, four at a time.

@@ -2,7 +2,6 @@
 
 use core::arch::asm;
 
-/// The header of an ELF file.
 #[repr(C)]
 pub struct FileHeader {
     unused: [u8; 24],
@@ -13,7 +12,6 @@ pub struct FileHeader {
     pub header_count: u16,
 }
 
-/// A program header.
 #[repr(C)]
 pub struct ProgramHeader {
     pub kind: u32,
@@ -28,7 +26,6 @@ pub struct ProgramHeader {
     alignment: usize,
 }
 
-/// The type of loaded segments.
 pub const LOAD: u32 = 1;
 
 pub const PAGE: usize = 4096;
@@ -66,7 +63,6 @@ impl FileHeader {
 }
 
 impl ProgramHeader {
-    /// Returns the segment's offset in its first page.
     #[inline(always)]
     pub fn lead(&self) -> usize {
         self.address % PAGE

@@ -15,13 +15,11 @@ unsafe extern "C" {
     pub safe fn fail(line: *const u8, length: usize) -> !;
 }
 
-/// Returns the unpacked length.
 #[inline(always)]
 pub fn length() -> usize {
     (&raw const LENGTH).addr()
 }
 
-/// Returns the program's length.
 #[inline(always)]
 pub fn program_length() -> usize {
     (&raw const PROGRAM_LENGTH).addr()

@@ -1,21 +1,20 @@
-//! Credits and greetings at dusk: a glass ball before the sun, on water with waves, from which eight arms of spheres go out.
+//! Credits and greetings at dusk: a glass ball before the sun, on water with waves, with eight arms of spheres around it.
 
-use crate::show::act::{Act, Shot, shot};
-use crate::show::captions::Line;
+use crate::show::captions::Cue;
+use crate::show::environment::{Environment, FAR, SHOW, point};
 use crate::show::material;
-use crate::show::path::key;
+use crate::show::path::keyframe;
 use crate::show::props::{Prop, add_sphere, around, sphere};
-use crate::show::set::{FAR, SHOW, Set, point};
+use crate::show::scene::{Shot, ShowScene, shot};
 use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Vec3, vec3};
 
-/// The scene as a record.
-pub(in crate::show) const ACT: Act = Act {
+pub(in crate::show) const SCENE: ShowScene = ShowScene {
     captions: CAPTIONS,
-    ..Act::new(&SET, SHOTS)
+    ..ShowScene::new(&ENVIRONMENT, SHOTS)
 };
 
-static SET: Set = Set {
+static ENVIRONMENT: Environment = Environment {
     background: vec3(0.98, 0.50, 0.22),
     sky: vec3(-0.97, -0.44, 0.20),
     ambient: vec3(0.12, 0.11, 0.16),
@@ -36,9 +35,9 @@ static SET: Set = Set {
             ..point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72])
         },
     ],
-    hit: 0.0,
+    kick_response: 0.0,
     props: PROPS,
-    special: Some(add),
+    procedural: Some(add),
 };
 
 static PROPS: &[Prop] = &[sphere(&material::GLASS, [0.0, 1.5, 0.0], 2.6)];
@@ -46,33 +45,33 @@ static PROPS: &[Prop] = &[sphere(&material::GLASS, [0.0, 1.5, 0.0], 2.6)];
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
     shot(6, &[
-        key([0.0, 1.9, 0.0], -0.08, 6.0, -0.4),
-        key([0.0, 2.2, 0.0], -0.16, 7.5, 0.0),
-        key([0.0, 2.4, 0.0], -0.24, 9.0, 0.9),
-        key([0.0, 2.6, 0.0], -0.31, 10.5, 1.7),
-        key([0.0, 2.6, 0.0], -0.36, 11.5, 2.4),
+        keyframe([0.0, 1.9, 0.0], -0.08, 6.0, -0.4),
+        keyframe([0.0, 2.2, 0.0], -0.16, 7.5, 0.0),
+        keyframe([0.0, 2.4, 0.0], -0.24, 9.0, 0.9),
+        keyframe([0.0, 2.6, 0.0], -0.31, 10.5, 1.7),
+        keyframe([0.0, 2.6, 0.0], -0.36, 11.5, 2.4),
     ]),
 ];
 
 #[rustfmt::skip]
-static CAPTIONS: &[Line] = &[
-    Line { first: 2.0, beats: 7.0, middle: 0.18, size: 0.090, text: "EIGHTFOLD" },
-    Line { first: 9.0, beats: 7.0, middle: 0.07, size: 0.040, text: "GREETINGS TO" },
-    Line { first: 10.0, beats: 6.0, middle: 0.14, size: 0.055, text: "HEAVEN SEVEN" },
-    Line { first: 11.0, beats: 5.0, middle: 0.22, size: 0.055, text: "REALSTORM" },
-    Line { first: 16.0, beats: 7.0, middle: 0.07, size: 0.040, text: "AND THE 2008 THESIS" },
-    Line { first: 16.0, beats: 7.0, middle: 0.14, size: 0.040, text: "ON ADAPTIVE RAY TRACING" },
+static CAPTIONS: &[Cue] = &[
+    Cue { first: 2.0, beats: 7.0, middle: 0.18, size: 0.090, text: "EIGHTFOLD" },
+    Cue { first: 9.0, beats: 7.0, middle: 0.07, size: 0.040, text: "GREETINGS TO" },
+    Cue { first: 10.0, beats: 6.0, middle: 0.14, size: 0.055, text: "HEAVEN SEVEN" },
+    Cue { first: 11.0, beats: 5.0, middle: 0.22, size: 0.055, text: "REALSTORM" },
+    Cue { first: 16.0, beats: 7.0, middle: 0.07, size: 0.040, text: "AND THE 2008 THESIS" },
+    Cue { first: 16.0, beats: 7.0, middle: 0.14, size: 0.040, text: "ON ADAPTIVE RAY TRACING" },
 ];
 
-/// Arms, and the spheres of each.
+/// The number of arms, and of each arm's spheres.
 const ARMS: u8 = 8;
 const SPHERES: u8 = 16;
 
-/// The colour of the first sphere of an arm, and what is added to it for the last: from gold to violet.
+/// The colour of an arm's first sphere, and the difference to its last: from gold to violet.
 const GOLD: Vec3 = vec3(0.95, 0.66, 0.25);
 const TO_VIOLET: Vec3 = vec3(-0.60, -0.58, 0.30);
 
-/// Adds the arms, as they are `beat` beats after the act began: logarithmic spirals, which turn slowly.
+/// Adds the arms, slowly turning logarithmic spirals.
 fn add(beat: f32, scene: &mut Scene) {
     for arm in 0..ARMS {
         let mut out = 2.0;

@@ -1,20 +1,19 @@
 //! A sphereflake: a sphere with five of half its size on it, each of these with four or five, and so on.
 //!
-//! After Eric Haines' sphereflake of 1987, by which ray tracers have been measured since.
+//! After Eric Haines' sphereflake of 1987, a benchmark of ray tracers since.
 
-use crate::show::act::{Act, Shot, shot};
+use crate::show::environment::{Environment, FAR, SHOW, point};
 use crate::show::material;
-use crate::show::path::key;
+use crate::show::path::keyframe;
 use crate::show::props::add_sphere;
-use crate::show::set::{FAR, SHOW, Set, point};
+use crate::show::scene::{Shot, ShowScene, shot};
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Vec3, vec3};
 
-/// The scene as a record.
-pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
-static SET: Set = Set {
+static ENVIRONMENT: Environment = Environment {
     background: vec3(0.84, 0.76, 0.72),
     sky: vec3(-0.70, -0.44, -0.10),
     ambient: vec3(0.22, 0.24, 0.30),
@@ -30,44 +29,42 @@ static SET: Set = Set {
         },
         point([-8.0, 3.0, -2.0], [0.20, 0.34, 0.62]),
     ],
-    hit: 1.0,
+    kick_response: 1.0,
     props: &[],
-    special: Some(add),
+    procedural: Some(add),
 };
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
     shot(4, &[
-        key([0.0, 1.5, 0.0], 0.9, 5.4, -0.4),
-        key([0.0, 1.6, 0.0], 0.4, 6.0, 0.2).rolled(0.04),
-        key([0.0, 1.7, 0.0], -0.3, 6.6, 1.2).rolled(0.04),
-        key([0.0, 1.7, 0.0], -1.1, 6.8, 2.4),
+        keyframe([0.0, 1.5, 0.0], 0.9, 5.4, -0.4),
+        keyframe([0.0, 1.6, 0.0], 0.4, 6.0, 0.2).rolled(0.04),
+        keyframe([0.0, 1.7, 0.0], -0.3, 6.6, 1.2).rolled(0.04),
+        keyframe([0.0, 1.7, 0.0], -1.1, 6.8, 2.4),
     ]),
     shot(2, &[
-        key([0.3, 1.8, -0.5], 0.5, 4.2, 1.0).rolled(-0.06),
-        key([0.2, 1.8, -0.3], 0.1, 4.8, 0.7),
-        key([0.0, 1.9, 0.0], -0.3, 7.8, 0.3),
+        keyframe([0.3, 1.8, -0.5], 0.5, 4.2, 1.0).rolled(-0.06),
+        keyframe([0.2, 1.8, -0.3], 0.1, 4.8, 0.7),
+        keyframe([0.0, 1.9, 0.0], -0.3, 7.8, 0.3),
     ]),
 ];
 
-/// The radius of the first sphere; each is half as large as the one that it is on.
+/// The radius of the first sphere; each generation has half the radius of the one before.
 const RADIUS: f32 = 1.1;
-/// Generations of spheres on the first.
+/// The number of generations after the first sphere.
 const GENERATIONS: u8 = 3;
-/// The beats from one to the next, which grows within a beat: on bars.
+/// The beats between generations, which grow within a beat: on bars.
 const BEATS: f32 = 4.0;
 
-/// The colour of the first sphere, and what is added to it for each generation: from silver to orange.
+/// The colour of the first sphere, and the difference of a generation: from silver to orange.
 const SILVER: Vec3 = vec3(0.78, 0.80, 0.90);
 const TO_ORANGE: Vec3 = vec3(0.05, -0.15, -0.27);
 
-/// Adds the flake, as it is `beat` beats after the act began.
 fn add(beat: f32, scene: &mut Scene) {
     add_flake(Vec3::Y * RADIUS, RADIUS, Vec3::ZERO, 0, beat, scene);
 }
 
-/// Adds a sphere of a generation, and those on it: one in each direction of an axis but downwards, and none in the direction of
-/// `back`, where it is on another itself.
+/// Adds a sphere and its descendants: one in each axis direction except down, and except `back`, towards its parent.
 fn add_flake(centre: Vec3, radius: f32, back: Vec3, generation: u8, beat: f32, scene: &mut Scene) {
     let number = f32::from(generation);
     let material = Material {

@@ -1,17 +1,16 @@
-//! An orrery: planets on arms of brass, which a clockwork moves on by the beat around a sun that flashes.
+//! An orrery: planets on brass arms, moved by a clockwork on the beat, around a flashing sun.
 
-use crate::show::act::{Act, Shot, shot};
+use crate::show::environment::{Environment, FAR, SHOW, point};
 use crate::show::material;
-use crate::show::path::key;
+use crate::show::path::keyframe;
 use crate::show::props::{Prop, add_block, add_rod, add_sphere, around, cylinder, ticks};
-use crate::show::set::{FAR, SHOW, Set, point};
+use crate::show::scene::{Shot, ShowScene, shot};
 use eightfold_tracer::scene::{Light, Material, Scene, Shape, Spot};
 use glam::{Mat3, Vec3, vec3};
 
-/// The scene as a record.
-pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
-static SET: Set = Set {
+static ENVIRONMENT: Environment = Environment {
     background: vec3(0.34, 0.18, 0.14),
     sky: vec3(-0.32, -0.16, -0.08),
     ambient: vec3(0.10, 0.11, 0.15),
@@ -21,7 +20,7 @@ static SET: Set = Set {
     floor_half: FAR,
     swell: 0.0,
     lights: &[
-        // The sun of the orrery.
+        // The orrery's sun.
         Light {
             drawn_radius: 0.5,
             glow: 0.6,
@@ -37,14 +36,14 @@ static SET: Set = Set {
             ..point([-5.0, 10.0, -6.0], [0.45, 0.50, 0.70])
         },
     ],
-    hit: 1.0,
+    kick_response: 1.0,
     props: PROPS,
-    special: Some(add),
+    procedural: Some(add),
 };
 
 #[rustfmt::skip]
 static PROPS: &[Prop] = &[
-    // The foot, and the column that carries the sun.
+    // The base, and the column under the sun.
     cylinder(&material::STEEL, [0.0, 0.15, 0.0], [3.6, 0.3, 3.6]),
     cylinder(&material::BRASS, [0.0, 1.2, 0.0], [0.3, 2.0, 0.3]),
 ];
@@ -52,32 +51,31 @@ static PROPS: &[Prop] = &[
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
     shot(3, &[
-        key([0.0, 1.3, 0.0], -1.4, 5.5, 1.6).rolled(0.05),
-        key([0.0, 1.5, 0.0], -0.9, 6.5, 1.8),
-        key([0.0, 1.7, 0.0], -0.3, 8.4, 2.0),
-        key([0.0, 1.7, 0.0], 0.2, 10.4, 3.0),
+        keyframe([0.0, 1.3, 0.0], -1.4, 5.5, 1.6).rolled(0.05),
+        keyframe([0.0, 1.5, 0.0], -0.9, 6.5, 1.8),
+        keyframe([0.0, 1.7, 0.0], -0.3, 8.4, 2.0),
+        keyframe([0.0, 1.7, 0.0], 0.2, 10.4, 3.0),
     ]),
     shot(3, &[
-        key([0.0, 2.0, 0.0], 4.0, 6.0, 0.4).rolled(-0.05),
-        key([0.0, 1.9, 0.0], 3.7, 7.0, 1.6),
-        key([0.0, 1.8, 0.0], 3.3, 8.8, 3.4),
-        key([0.0, 1.7, 0.0], 3.0, 9.2, 4.4),
+        keyframe([0.0, 2.0, 0.0], 4.0, 6.0, 0.4).rolled(-0.05),
+        keyframe([0.0, 1.9, 0.0], 3.7, 7.0, 1.6),
+        keyframe([0.0, 1.8, 0.0], 3.3, 8.8, 3.4),
+        keyframe([0.0, 1.7, 0.0], 3.0, 9.2, 4.4),
     ]),
 ];
 
-/// The height of the sun and of the planets above the floor, in scene units.
+/// The height of the sun and the planets above the floor, in scene units.
 const HEIGHT: f32 = 2.7;
 
 /// The radius of arms, in scene units.
 const ROD: f32 = 0.06;
 
-/// A planet, which an arm carries about the column and a stem holds up.
+/// A planet, on an arm about the column and a stem.
 struct Planet {
-    /// Its surface.
     material: &'static Material,
-    /// The radius of its orbit, in scene units.
+    /// The orbit's radius, in scene units.
     orbit: f32,
-    /// Its own radius, in scene units.
+    /// The planet's radius, in scene units.
     radius: f32,
     /// Turns per beat.
     speed: f32,
@@ -93,20 +91,20 @@ static PLANETS: [Planet; 6] = [
     Planet { material: &material::GOLD, orbit: 4.0, radius: 0.42, speed: 0.03125 },
 ];
 
-/// The axes of the ring, which leans to one side.
+/// The axes of the tilted ring.
 const TILTED: Mat3 = Mat3::from_cols(
     vec3(0.96, 0.28, 0.0),
     vec3(-0.28, 0.96, 0.0),
     vec3(0.0, 0.0, 1.0),
 );
 
-/// Adds planets and wheels, as they are `beat` beats after the act began.
+/// Adds planets and wheels, `beat` beats after the scene began.
 fn add(beat: f32, scene: &mut Scene) {
     let ticks = ticks(beat);
     for (number, planet) in (0..).zip(&PLANETS) {
         planet.add(number as f32, ticks, scene);
     }
-    // The ring of the last one.
+    // The ring of the last planet.
     let ringed = scene.spheres[PLANETS.len() - 1].centre;
     let ring = vec3(0.8, 0.02, 0.8);
     add_block(
@@ -117,18 +115,18 @@ fn add(beat: f32, scene: &mut Scene) {
         &material::SILVER,
         scene,
     );
-    // Two wheels that go on by a tooth; where they meet, teeth of one stand between those of the other.
+    // Two wheels that advance by a tooth, and mesh.
     add_wheel(Vec3::Y * 0.5, 1.5, 16, ticks / 16.0, scene);
     add_wheel(vec3(2.25, 0.5, 0.0), 0.65, 8, 0.0625 - ticks / 8.0, scene);
 }
 
 impl Planet {
-    /// Adds the planet with its arm, so many ticks after the act began. There are `number` planets between it and the sun.
+    /// Adds a planet with its arm; `number` planets are closer to the sun.
     fn add(&self, number: f32, ticks: f32, scene: &mut Scene) {
-        // They begin apart from each other by the golden angle, which 0.38 turns are nearly.
+        // The planets start at intervals of about the golden angle, 0.38 turns.
         let out = around(self.speed * ticks + 0.38 * number);
         let place = out * self.orbit;
-        // Longer arms lie below shorter ones, so that none meets another's stem.
+        // Longer arms are lower than shorter ones, to avoid their stems.
         let low = 1.65 - 0.15 * number;
         let [hub, elbow, top] = [
             Vec3::Y * low,
@@ -136,7 +134,7 @@ impl Planet {
             place + Vec3::Y * HEIGHT,
         ];
         let side = Vec3::Y.cross(out);
-        // The stem is a little thinner, so that its end is hidden in the arm's.
+        // The stem is slightly thinner, so that its end is hidden in the arm's.
         for (ends, radius) in [([hub, elbow], ROD), ([elbow, top], 0.98 * ROD)] {
             add_rod(ends, side, radius, &material::BRASS, scene);
         }
@@ -144,7 +142,7 @@ impl Planet {
     }
 }
 
-/// Adds a toothed wheel about an upright axle, turned by so many turns.
+/// Adds a toothed wheel with a vertical axis, rotated by `turns`.
 fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene) {
     let mut add = |shape, centre, half, axes| {
         add_block(shape, centre, half, axes, &material::BRASS, scene);
@@ -162,7 +160,7 @@ fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene
     }
 }
 
-/// The axes of a block whose z axis points in a horizontal direction.
+/// Returns the axes of a block whose z axis has a horizontal direction.
 fn axes(z: Vec3) -> Mat3 {
     Mat3::from_cols(Vec3::Y.cross(z), Vec3::Y, z)
 }

@@ -1,23 +1,22 @@
-//! A room of mirrors, in which a light walks about: four walls make endless halls of it.
+//! A room of four mirror walls, in which a light moves: endless halls.
 
-use crate::show::act::{Act, Shot, shot};
+use crate::show::environment::{Environment, FAR, SHOW, point};
 use crate::show::material;
-use crate::show::path::key;
+use crate::show::path::keyframe;
 use crate::show::props::{Motion::Bouncing, Prop, around, cuboid, cylinder, sphere, ticks};
-use crate::show::set::{FAR, SHOW, Set, point};
+use crate::show::scene::{Shot, ShowScene, shot};
 use eightfold_tracer::scene::{Film, Light, Material, Pattern, Scene};
 use glam::{Vec3, vec3};
 
-/// The scene as a record.
-pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
-static SET: Set = Set {
+static ENVIRONMENT: Environment = Environment {
     background: vec3(0.30, 0.20, 0.34),
     sky: vec3(-0.27, -0.16, -0.16),
     ambient: vec3(0.20, 0.18, 0.26),
     haze: 0.06,
     film: Film {
-        // Mirrors of mirrors are dark, and full of edges.
+        // Reflections of reflections are dark, and full of edges.
         tolerance: 0.6,
         ..SHOW
     },
@@ -25,7 +24,7 @@ static SET: Set = Set {
     floor_half: FAR,
     swell: 0.0,
     lights: &[
-        // The light that walks, see `add`.
+        // The moving light, see `add`.
         Light {
             drawn_radius: 0.2,
             glow: 0.3,
@@ -33,15 +32,15 @@ static SET: Set = Set {
         },
         point([2.0, 7.0, -1.0], [0.34, 0.36, 0.52]),
     ],
-    hit: 0.0,
+    kick_response: 0.0,
     props: PROPS,
-    special: Some(add),
+    procedural: Some(add),
 };
 
 /// Half the side of the room, in scene units.
 const HALF: f32 = 5.0;
 
-/// Large tiles without reflections, of which the mirrors show many.
+/// Large tiles. Their reflections would appear in many mirrors.
 static FLOOR: Material = Material {
     colour: vec3(0.62, 0.58, 0.62),
     pattern: Pattern {
@@ -53,7 +52,7 @@ static FLOOR: Material = Material {
     ..material::SANDSTONE
 };
 
-/// A mirror that shows nothing of its own.
+/// A perfect mirror, without a colour of its own.
 static WALL: Material = Material {
     kr: 0.62,
     index: 1.0,
@@ -74,14 +73,14 @@ static PROPS: &[Prop] = &[
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
     shot(6, &[
-        key([0.0, 1.5, 0.0], -0.6, 4.6, -0.4),
-        key([0.0, 1.5, 0.0], -0.2, 4.6, 0.2).rolled(0.03),
-        key([0.0, 1.5, 0.0], 0.3, 4.5, 0.6).rolled(0.03),
-        key([0.0, 1.5, 0.0], 0.8, 4.4, 1.2),
+        keyframe([0.0, 1.5, 0.0], -0.6, 4.6, -0.4),
+        keyframe([0.0, 1.5, 0.0], -0.2, 4.6, 0.2).rolled(0.03),
+        keyframe([0.0, 1.5, 0.0], 0.3, 4.5, 0.6).rolled(0.03),
+        keyframe([0.0, 1.5, 0.0], 0.8, 4.4, 1.2),
     ]),
 ];
 
-/// Has the light walk, `beat` beats after the act began: a step on each beat.
+/// Moves the light, a step on each beat.
 fn add(beat: f32, scene: &mut Scene) {
     scene.lights[0].position = around(0.06 * ticks(beat)) * 1.7 + Vec3::Y * 1.9;
 }

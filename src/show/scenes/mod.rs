@@ -1,6 +1,4 @@
-//! The scenes of the show, a file for each, and the list of them in the order in which they are played.
-//!
-//! How long the show is, where its cuts are and what its scenes are called follows from the list and from their shots.
+//! The show's scenes, a file for each, and their list. The show's length, its cuts and its scenes' names follow from the list.
 
 mod colonnade;
 mod finale;
@@ -12,24 +10,24 @@ pub(super) mod model;
 mod swarm;
 mod title;
 
-use super::act::Act;
+use super::scene::ShowScene;
 use crate::grid::BAR;
 use crate::sound;
 
-/// The scenes in the order in which they are played, with their names.
-const SCENES: &[(&str, Act)] = &[
-    ("title", title::ACT),
-    ("model", model::ACT),
-    ("method", method::ACT),
-    ("colonnade", colonnade::ACT),
-    ("machine", machine::ACT),
-    ("flake", flake::ACT),
-    ("mirrors", mirrors::ACT),
-    ("swarm", swarm::ACT),
-    ("finale", finale::ACT),
+/// The scenes in order, with their names.
+const SCENES: &[(&str, ShowScene)] = &[
+    ("title", title::SCENE),
+    ("model", model::SCENE),
+    ("method", method::SCENE),
+    ("colonnade", colonnade::SCENE),
+    ("machine", machine::SCENE),
+    ("flake", flake::SCENE),
+    ("mirrors", mirrors::SCENE),
+    ("swarm", swarm::SCENE),
+    ("finale", finale::SCENE),
 ];
 
-/// The names of the show's scenes, in the order in which they are played.
+/// The names of the show's scenes, in order.
 pub const NAMES: [&str; SCENES.len()] = {
     let mut names = [""; SCENES.len()];
     let mut i = 0;
@@ -40,30 +38,30 @@ pub const NAMES: [&str; SCENES.len()] = {
     names
 };
 
-/// The scenes themselves. The intro does without their names.
-pub(super) static ACTS: [Act; SCENES.len()] = {
-    let mut acts = [title::ACT; SCENES.len()];
+/// The scenes without their names, for the intro.
+pub(super) static ALL: [ShowScene; SCENES.len()] = {
+    let mut all = [title::SCENE; SCENES.len()];
     let mut i = 0;
-    while i < acts.len() {
-        acts[i] = SCENES[i].1;
+    while i < all.len() {
+        all[i] = SCENES[i].1;
         i += 1;
     }
-    acts
+    all
 };
 
-/// The bars at which these scenes begin, counted from 0. The last one ends with the show.
-pub const CUTS: [u32; ACTS.len()] = {
-    let mut cuts = [0; ACTS.len()];
+/// The bars at which the scenes begin, counted from 0. The last one ends with the show.
+pub const CUTS: [u32; ALL.len()] = {
+    let mut cuts = [0; ALL.len()];
     let mut i = 1;
     while i < cuts.len() {
-        cuts[i] = cuts[i - 1] + ACTS[i - 1].bars();
+        cuts[i] = cuts[i - 1] + ALL[i - 1].bars();
         i += 1;
     }
     cuts
 };
 
 /// The length of the show in bars.
-pub const BARS: u32 = CUTS[ACTS.len() - 1] + ACTS[ACTS.len() - 1].bars();
+pub const BARS: u32 = CUTS[ALL.len() - 1] + ALL[ALL.len() - 1].bars();
 
 const _: () = assert!(
     BARS == sound::BARS,
@@ -73,7 +71,7 @@ const _: () = assert!(
 /// The length of the show in seconds.
 pub const LENGTH: f32 = BAR * BARS as f32;
 
-/// The bar at which the scene of a name begins.
+/// Returns the bar at which the scene of a name begins.
 ///
 /// # Panics
 ///

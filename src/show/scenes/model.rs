@@ -1,20 +1,17 @@
-//! The model scene: four spheres, a plane and two lights.
-//!
-//! It follows the test scene of the 2008 thesis.
+//! The model scene: four spheres, a plane and two lights, after the test scene of the 2008 thesis.
 
-use crate::show::act::{Act, Shot, shot};
+use crate::show::environment::{Environment, point};
 use crate::show::material;
-use crate::show::path::key;
+use crate::show::path::keyframe;
 use crate::show::props::{Motion::Bouncing, Prop, sphere};
-use crate::show::set::{Set, point};
+use crate::show::scene::{Shot, ShowScene, shot};
 use eightfold_tracer::scene::{Film, Light};
 use glam::{Vec3, vec3};
 
-/// The scene as a record.
-pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
-/// The set of this scene, of the method scene, and of measurements.
-pub(in crate::show) static SET: Set = Set {
+/// The environment of this scene, of the method scene, and of measurements.
+pub(in crate::show) static ENVIRONMENT: Environment = Environment {
     background: vec3(0.10, 0.12, 0.20),
     sky: Vec3::ZERO,
     ambient: vec3(0.12, 0.12, 0.14),
@@ -33,9 +30,9 @@ pub(in crate::show) static SET: Set = Set {
             ..point([5.0, 5.0, -2.0], [0.35, 0.40, 0.50])
         },
     ],
-    hit: 0.0,
+    kick_response: 0.0,
     props: PROPS,
-    special: None,
+    procedural: None,
 };
 
 #[rustfmt::skip]
@@ -49,15 +46,15 @@ static PROPS: &[Prop] = &[
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
     shot(4, &[
-        key([0.0, 0.9, 0.0], -1.2, 8.0, 0.5),
-        key([0.0, 0.9, 0.0], -0.5, 7.2, 1.2).rolled(0.04),
-        key([0.0, 0.9, 0.0], 0.3, 7.2, 1.6).rolled(-0.04),
-        key([0.0, 0.9, 0.0], 0.9, 8.0, 1.3),
+        keyframe([0.0, 0.9, 0.0], -1.2, 8.0, 0.5),
+        keyframe([0.0, 0.9, 0.0], -0.5, 7.2, 1.2).rolled(0.04),
+        keyframe([0.0, 0.9, 0.0], 0.3, 7.2, 1.6).rolled(-0.04),
+        keyframe([0.0, 0.9, 0.0], 0.9, 8.0, 1.3),
     ]),
     shot(2, &[
-        key([0.4, 0.8, -0.6], 0.5, 4.0, 0.3).rolled(-0.05),
-        key([0.4, 0.8, -0.5], 0.1, 4.0, 0.5),
-        key([0.1, 0.9, 0.1], -0.5, 6.2, 1.6).rolled(0.04),
-        key([0.0, 0.9, 0.2], -0.9, 8.2, 2.6),
+        keyframe([0.4, 0.8, -0.6], 0.5, 4.0, 0.3).rolled(-0.05),
+        keyframe([0.4, 0.8, -0.5], 0.1, 4.0, 0.5),
+        keyframe([0.1, 0.9, 0.1], -0.5, 6.2, 1.6).rolled(0.04),
+        keyframe([0.0, 0.9, 0.2], -0.9, 8.2, 2.6),
     ]),
 ];

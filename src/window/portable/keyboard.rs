@@ -6,7 +6,7 @@ use minifb::{InputCallback, Key};
 
 use crate::input::{self, Press};
 
-/// KeyQueue pressed since the last call of [`KeyQueue::take`], shared with `minifb`, so that a key that is pressed and released between two
+/// Keys since the last call of [`KeyQueue::take`], shared with `minifb`, so that a key that is pressed and released between two
 /// frames counts.
 #[derive(Clone, Default)]
 pub struct KeyQueue(Rc<RefCell<State>>);
@@ -18,7 +18,6 @@ struct State {
 }
 
 impl KeyQueue {
-    /// Returns the keys' numbers, in order.
     pub fn take(&self) -> Vec<c_uint> {
         take(&mut self.0.borrow_mut().pressed)
     }

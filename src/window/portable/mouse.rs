@@ -22,7 +22,6 @@ const BUTTONS: [(MouseButton, Button); 3] = [
 ];
 
 impl Mouse {
-    /// Adds the events since the last call.
     pub fn ask(&mut self, window: &minifb::Window, inputs: &mut Vec<Input>) {
         // While a button is held, positions outside the window count too.
         let mode = if self.held.contains(&true) {

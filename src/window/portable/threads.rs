@@ -11,18 +11,15 @@ use std::{
 
 use crate::system;
 
-/// A running thread.
 pub struct Thread(JoinHandle<()>);
 
 impl Thread {
-    /// Waits until it has ended.
     pub fn join(self) {
         // `main` aborts on a panic, so there is no error.
         let _ = self.0.join();
     }
 }
 
-/// The pointer for a thread.
 struct Sent(*mut c_void);
 
 // SAFETY: required of the caller of `spawn`.
@@ -31,7 +28,7 @@ unsafe impl Send for Sent {}
 /// Starts a thread, or returns None if the system refuses.
 ///
 /// # Safety
-/// The thread has to use the pointer correctly for as long as it runs.
+/// The pointer has to be valid while the thread runs.
 pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
@@ -50,7 +47,6 @@ pub unsafe fn spawn(
 /// Wakes waiting threads, whichever word they wait on.
 static WAITING: (Mutex<()>, Condvar) = (Mutex::new(()), Condvar::new());
 
-/// Waits while a word has a value. It may return early.
 pub fn wait(word: &AtomicU32, value: u32) {
     let (lock, changed) = &WAITING;
     let guard = lock.lock().unwrap_or_else(PoisonError::into_inner);
@@ -60,7 +56,6 @@ pub fn wait(word: &AtomicU32, value: u32) {
     }
 }
 
-/// Wakes all waiting threads.
 pub fn wake(_: &AtomicU32) {
     let (lock, changed) = &WAITING;
     let _guard = lock.lock().unwrap_or_else(PoisonError::into_inner);

@@ -14,17 +14,14 @@ use crate::{
     render_target::{Next, RenderTarget},
 };
 
-/// A window for frames. KeyQueue: H toggles the numbers, Esc quits. `minifb` has no fullscreen; the desktop may have.
+/// A window for frames. Keys: H toggles the numbers, Esc quits. `minifb` has no fullscreen; the desktop may have.
 pub struct Window {
     shown: minifb::Window,
-    /// The next frame.
     frame: &'static mut [u32],
-    /// Its width and height.
     drawn: (usize, usize),
     keys: KeyQueue,
     /// The mouse, after [`Window::listen`].
     mouse: Option<Mouse>,
-    /// Unread events.
     inputs: Vec<Input>,
 }
 
@@ -80,7 +77,6 @@ impl Window {
         take(&mut self.inputs)
     }
 
-    /// Records keys and the mouse.
     fn note(&mut self, keys: &[c_uint]) {
         let Some(mouse) = &mut self.mouse else {
             return;

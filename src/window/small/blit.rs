@@ -1,8 +1,8 @@
 //! Copies pixels to a window.
 //!
 //! Copying a frame pixel by pixel, and again through a socket, as `minifb` and Xlib do, takes a third of a frame's time at
-//! 1024x768. So the tracer draws into memory shared with the server (MIT-SHM). There are two frames: the server copies one while
-//! the next is drawn. Where memory cannot be shared, as with a display on another machine, frames go through the socket.
+//! 1024x768. So the tracer draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. If
+//! memory cannot be shared, as with a remote display, frames go through the socket.
 
 use core::{
     ffi::{c_int, c_uint, c_ulong},
@@ -29,7 +29,6 @@ pub struct Frames {
     put_image: PutImage,
     /// The first is the next frame.
     frames: [&'static mut [u32]; 2],
-    /// Its width and height.
     drawn: (usize, usize),
 }
 
@@ -71,7 +70,6 @@ impl Frames {
         frames
     }
 
-    /// Returns the pixels of the next frame.
     pub fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
         self.drawn = (width, height);
         &mut self.frames[0][..width * height]
@@ -164,8 +162,8 @@ impl Frames {
     fn share(&mut self, top: &Toplevel) -> Option<&'static mut [u32]> {
         let shared = Xext::load()?;
         let size = 2 * MOST_PIXELS * size_of::<u32>();
-        // SAFETY: the display is open and the image valid. The zeroed segment has this size, and exists as long as the process. The
-        // server only reads it. Zero is valid for all fields of its state.
+        // SAFETY: the display is open and the image valid. The zeroed segment has this size, exists as long as the process, and is
+        // read-only for the server. Zero is valid for all fields of its state.
         unsafe {
             let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
             let memory = libc::shmat(id, null(), 0);
@@ -186,8 +184,8 @@ impl Frames {
                 (shared.XShmAttach)(top.display, segment);
                 finish(top);
             }
-            // Both this process and the server should be attached. In a container the server may not find the memory, or find
-            // another segment of this number.
+            // Both this process and the server should be attached. In a container the server may find no memory, or another segment
+            // of this number.
             let mut state: libc::shmid_ds = zeroed();
             libc::shmctl(id, libc::IPC_STAT, &mut state);
             if state.shm_nattch > 1 {

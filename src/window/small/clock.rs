@@ -4,7 +4,6 @@ use core::ptr::null_mut;
 
 use crate::clock::SECOND;
 
-/// Sleeps until a time, or until a signal arrives.
 pub fn sleep_until(end: u64) {
     let end = libc::timespec {
         tv_sec: (end / SECOND) as libc::time_t,
@@ -16,7 +15,6 @@ pub fn sleep_until(end: u64) {
     }
 }
 
-/// Returns the current time.
 pub fn now() -> u64 {
     let mut now = libc::timespec {
         tv_sec: 0,

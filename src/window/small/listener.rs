@@ -37,7 +37,6 @@ impl Listener {
         (self.note)(&mut self.inputs, x, event, is_repeated);
     }
 
-    /// Returns the events since the last call.
     pub fn take(&mut self) -> Vec<Input> {
         take(&mut self.inputs)
     }

@@ -8,11 +8,9 @@ use core::{
 
 use crate::system;
 
-/// A running thread.
 pub struct Thread(libc::pthread_t);
 
 impl Thread {
-    /// Waits until it has ended.
     pub fn join(self) {
         // SAFETY: it is joined once, and never detached.
         unsafe { libc::pthread_join(self.0, null_mut()) };
@@ -22,7 +20,7 @@ impl Thread {
 /// Starts a thread, or returns None if the system refuses.
 ///
 /// # Safety
-/// The thread has to use the pointer correctly for as long as it runs.
+/// The pointer has to be valid while the thread runs.
 pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,

@@ -53,7 +53,6 @@ impl Window {
                 // The display's pixels are palette indices.
                 return Err("X display without colours");
             }
-            // Create a window of the minimum size, and memory for its frames.
             let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
             let top = Toplevel::new(x, display, window);
             let frames = Frames::new(&top, image, screen.default_gc);

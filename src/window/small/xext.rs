@@ -12,7 +12,6 @@ use x11_dl::{
 use crate::loading::{Table, loaded};
 
 loaded! {
-    /// The functions from libXext.
     Xext, NAMES:
     fn XShmAttach(*mut Display, *mut XShmSegmentInfo) -> Status;
     fn XShmQueryExtension(*mut Display) -> Bool;

@@ -19,7 +19,6 @@ pub struct Pcm {
 type Complain = extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char);
 
 loaded! {
-    /// The functions from libasound.
     Alsa, ALSA_NAMES:
     fn snd_lib_error_set_handler(Complain) -> c_int;
     fn snd_pcm_delay(*mut Pcm, *mut c_long) -> c_int;

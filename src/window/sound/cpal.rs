@@ -45,7 +45,6 @@ pub struct Device {
     rate: i64,
     /// The buffer's length in samples.
     ahead: usize,
-    /// Plays until it is dropped.
     _stream: Stream,
 }
 
@@ -89,7 +88,6 @@ impl Device {
         })
     }
 
-    /// Writes samples to the device, and waits while it has enough. Returns false if the device is lost.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         loop {
             let mut queue = queue();
@@ -105,7 +103,6 @@ impl Device {
         }
     }
 
-    /// Returns the number of written samples that have not been heard.
     pub fn delay(&mut self) -> Option<i64> {
         let queue = queue();
         let time = self.clock.time() as i64 - queue.origin?;

@@ -3,15 +3,13 @@
 /// Converts a clock's time to the sound's time: smooth, monotonic, close to the audible sound.
 ///
 /// A device reports its position every few milliseconds, in steps, with jitter, and by another quartz. So the time follows the
-/// clock, and is pulled to the device's position within a quarter of a second at 60 frames per second. The time waits after an
-/// underrun, and after the process was stopped while the clock went on: samples that were never written do not count as heard.
+/// clock, and is pulled to the device's position within a quarter of a second at 60 frames per second. It waits after an underrun,
+/// and after the process was stopped: samples that were never written do not count.
 #[derive(Default)]
 pub struct Heard {
     /// The time's lead over the clock, in nanoseconds.
     ahead: i64,
-    /// The clock at the last frame.
     clock: i64,
-    /// The sound's time at the last frame.
     time: i64,
 }
 

@@ -1,7 +1,7 @@
 //! Sound and its clock.
 //!
-//! A thread makes samples and writes them to the device 400 ms before they are heard, so slow frames do not interrupt the sound.
-//! Pictures are drawn for the [time](Player::time) that is heard.
+//! A thread writes samples to the device 400 ms before they are heard, so slow frames do not interrupt the sound. Pictures are
+//! drawn for the [time](Player::time) that is heard.
 
 #[cfg_attr(feature = "windows", path = "waveout.rs")]
 #[cfg_attr(all(target_os = "linux", not(feature = "windows")), path = "alsa.rs")]
@@ -57,7 +57,6 @@ pub struct Player {
     heard: Heard,
     /// The clock at the last call of [`Player::time`].
     last: u64,
-    /// The number of stops of the process.
     stops: u32,
     /// Their duration while no sound was heard, in nanoseconds.
     stopped: u64,
@@ -107,8 +106,8 @@ impl Player {
 
     /// Plays a source on an ALSA device; `default` is the desktop's. The thread for this ends with the process.
     ///
-    /// If there is no such device, or it refuses the format, or does not open within three seconds, the time is by the clock, and
-    /// standard error tells the reason.
+    /// If the device is missing, refuses the format, or does not open within three seconds, the time is by the clock, and standard
+    /// error tells the reason.
     pub fn start(device: &'static CStr, source: &'static mut dyn Source) -> Player {
         let work = Box::leak(Box::new(Work { device, source }));
         // SAFETY: the work is never freed, and only this thread uses it.
@@ -138,7 +137,6 @@ impl Player {
     }
 }
 
-/// Returns the duration of samples.
 fn nanoseconds(samples: i64) -> i64 {
     samples * (SECOND as i64 / 1000) / i64::from(RATE / 1000)
 }
@@ -165,7 +163,6 @@ fn wait_for_device() -> u64 {
 extern "C" fn play(work: *mut c_void) -> *mut c_void {
     // SAFETY: `Player::start` passes it, never frees it, and does not use it.
     let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
-    // Open the device, in time.
     let opened = Device::open(device, RATE, LATENCY);
     let clock = Clock::start();
     let begin = |opened| {

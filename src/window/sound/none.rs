@@ -2,11 +2,9 @@
 
 use core::{convert::Infallible, ffi::CStr};
 
-/// A device that does not exist.
 pub struct Device(Infallible);
 
 impl Device {
-    /// Returns the reason.
     pub fn open(_: &CStr, _: u32, _: u32) -> Result<Device, &'static str> {
         Err("no sound on this system")
     }

@@ -26,7 +26,6 @@ const MOST_TURNS: usize = 1000;
 /// The header's flag of queued buffers (`WHDR_INQUEUE`).
 const IN_QUEUE: u32 = 0x10;
 
-/// A buffer of samples.
 struct Buffer {
     header: WaveHeader,
     samples: [[f32; 2]; LENGTH],
@@ -57,7 +56,6 @@ static BUFFERS: StaticCell<[Buffer; COUNT]> = StaticCell::new(
 pub struct Device {
     device: Handle,
     buffers: &'static mut [Buffer; COUNT],
-    /// The number of written samples.
     written: usize,
 }
 
@@ -100,7 +98,6 @@ impl Device {
         })
     }
 
-    /// Writes samples to the device, and waits while it has enough. Returns false if the device is lost.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         samples.iter().all(|&sample| self.add(sample))
     }
@@ -125,7 +122,6 @@ impl Device {
         place + 1 < LENGTH || unsafe { waveOutWrite(self.device, &mut buffer.header, HEADER) } == 0
     }
 
-    /// Returns the number of written samples that have not been heard.
     pub fn delay(&mut self) -> Option<i64> {
         const SAMPLES: u32 = 2;
         let mut position = Position {
@@ -142,5 +138,4 @@ impl Device {
     }
 }
 
-/// The size of a header.
 const HEADER: u32 = size_of::<WaveHeader>() as u32;

@@ -33,5 +33,4 @@ impl RenderTarget for Terminal {
     }
 }
 
-/// Does nothing.
 pub(crate) fn restore() {}

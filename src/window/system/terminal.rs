@@ -22,12 +22,9 @@ use crate::{
 /// The upper half of a cell in the foreground colour; the lower half shows the background.
 const UPPER_HALF: &str = "\u{2580}";
 
-/// The code of a foreground colour.
 const FOREGROUND: &str = "38";
-/// The code of a background colour.
 const BACKGROUND: &str = "48";
 
-/// Resets the colours and clears the screen.
 const CLEAR: &str = "\x1b[0m\x1b[2J";
 
 /// Switches to the alternate screen, hides the cursor, and disables wrapping at the right edge.
@@ -87,7 +84,6 @@ pub struct Terminal {
     is_coarse: bool,
 }
 
-/// Returns an environment variable.
 fn variable(name: &CStr) -> Option<&'static CStr> {
     // SAFETY: nothing changes the environment, whose values are strings.
     unsafe {
@@ -122,7 +118,6 @@ impl Terminal {
         Some(terminal)
     }
 
-    /// Writes the picture.
     fn draw(&mut self) -> fmt::Result {
         let mut text = Writer::new(line::OUTPUT);
         if self.shown != self.size {
@@ -287,7 +282,6 @@ static SIGNAL: AtomicI32 = AtomicI32::new(0);
 /// The timeout of a blocked write in milliseconds: infinite (-1), or a second for a [`Terminal`].
 static PATIENCE: AtomicI32 = AtomicI32::new(-1);
 
-/// Returns [`PATIENCE`].
 pub(crate) fn patience() -> c_int {
     PATIENCE.load(Relaxed)
 }
@@ -333,14 +327,12 @@ pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
     is_known.then_some(mode)
 }
 
-/// Sets a terminal's mode after pending output, and discards pending input.
 fn set_mode(file: c_int, mode: &libc::termios) {
     // SAFETY: the mode outlives the call.
     unsafe { libc::tcsetattr(file, libc::TCSAFLUSH, mode) };
 }
 
 impl Saved {
-    /// Returns the descriptor of the keyboard's terminal, or -1.
     fn keyboard(&self) -> c_int {
         self.keyboard.load(Acquire) - 1
     }
@@ -379,7 +371,7 @@ impl Saved {
     /// Sets the terminal's mode and switches to the alternate screen.
     fn enter(&self) {
         if let Some(mut mode) = self.mode() {
-            // KeyParser without delay and echo, including Ctrl-C.
+            // Keys without delay and echo, including Ctrl-C.
             mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
             mode.c_iflag &= !libc::IXON;
             set_mode(self.keyboard(), &mode);

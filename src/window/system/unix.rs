@@ -39,13 +39,12 @@ pub unsafe fn start() {
         let mut stack: libc::rlimit = zeroed();
         libc::getrlimit(libc::RLIMIT_STACK, &mut stack);
         if stack.rlim_cur < STACK {
-            line::complain(format_args!("it takes 96 kB of stack"));
+            line::complain(format_args!("stack limit is below 96 kB"));
             libc::_exit(1);
         }
     }
 }
 
-/// The number of times that the process was resumed.
 static STOPS: AtomicU32 = AtomicU32::new(0);
 
 extern "C" fn go_on(_: c_int) {
@@ -59,7 +58,6 @@ pub fn heed_stops() {
     unsafe { terminal::on_signal(libc::SIGCONT, go_on as extern "C" fn(c_int) as _) };
 }
 
-/// Returns the number of stops.
 pub fn stops() -> u32 {
     STOPS.load(Relaxed)
 }
@@ -77,7 +75,6 @@ pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     }
 }
 
-/// Returns whether a file descriptor is a terminal.
 pub fn is_terminal(file: c_int) -> bool {
     terminal::mode(file).is_some()
 }

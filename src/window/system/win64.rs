@@ -43,15 +43,12 @@ pub unsafe fn start() {
     }
 }
 
-/// Does nothing: Windows has no stops.
 pub fn heed_stops() {}
 
-/// Returns the number of stops.
 pub fn stops() -> u32 {
     0
 }
 
-/// Returns whether a stream is a console.
 pub fn is_terminal(stream: i32) -> bool {
     // SAFETY: any handle is allowed, and the result is writable.
     unsafe { GetConsoleMode(GetStdHandle(stream), &mut 0) != 0 }

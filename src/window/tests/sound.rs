@@ -19,10 +19,8 @@ use std::{
 #[global_allocator]
 static ALLOCATOR: Counting = Counting::new();
 
-/// Samples in a chunk.
 const CHUNK: usize = 48;
 
-/// Frames per second.
 const FPS: u64 = 60;
 
 /// Seconds played on a simulated device: as long as the show.
@@ -200,7 +198,6 @@ fn picture_follows_fast_and_slow_devices(library: &Path) {
 }
 
 fn underrun_drops_one_chunk(library: &Path) {
-    /// The writer's delay.
     const LATE: u64 = 7 * SECOND / 10;
     let late = 30 * SECOND;
     let (times, played) = simulate(library, 20, ("SIMULATED_LATE", late), None);
@@ -220,7 +217,6 @@ fn underrun_drops_one_chunk(library: &Path) {
 }
 
 fn stop_pauses_the_show(library: &Path) {
-    /// The duration of the stop.
     const STOP: u64 = 3 * SECOND / 2;
     let stop = 30 * SECOND;
     let (times, played) = simulate(library, 20, ("SIMULATED_STOP", stop), None);

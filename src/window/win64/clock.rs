@@ -3,7 +3,6 @@
 use super::functions::{QueryPerformanceCounter, QueryPerformanceFrequency, Sleep};
 use crate::clock::SECOND;
 
-/// Nanoseconds.
 const MILLISECOND: u64 = SECOND / 1000;
 
 /// The maximum duration of a sleep in milliseconds: a day.
@@ -21,7 +20,6 @@ pub fn sleep_until(end: u64) {
     }
 }
 
-/// Returns the current time.
 pub fn now() -> u64 {
     let [mut count, mut rate] = [0; 2];
     // SAFETY: the results are writable.

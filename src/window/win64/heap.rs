@@ -14,7 +14,6 @@ const SIZE: usize = 8192;
 
 const _: () = assert!(SIZE >= (Pool::MOST + 64) * ALIGNMENT);
 
-/// The alignment of every allocation.
 const ALIGNMENT: usize = 16;
 
 /// A bump allocator that never frees.

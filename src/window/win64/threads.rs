@@ -14,24 +14,20 @@ use super::{
     types::Handle,
 };
 
-/// No timeout.
 const INFINITE: u32 = u32::MAX;
 
-/// A running thread.
 pub struct Thread(Handle);
 
 // SAFETY: any thread may wait for another.
 unsafe impl Send for Thread {}
 
 impl Thread {
-    /// Waits until it has ended.
     pub fn join(self) {
         // SAFETY: it has been started.
         unsafe { WaitForSingleObject(self.0, INFINITE) };
     }
 }
 
-/// A thread's function and its pointer.
 #[repr(C)]
 struct Work {
     main: extern "C" fn(*mut c_void) -> *mut c_void,
@@ -56,7 +52,7 @@ unsafe extern "C" {
 /// Starts a thread, or returns None if the system refuses.
 ///
 /// # Safety
-/// The thread has to use the pointer correctly for as long as it runs.
+/// The pointer has to be valid while the thread runs.
 pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
@@ -70,13 +66,11 @@ pub unsafe fn spawn(
     (!thread.is_null()).then_some(Thread(thread))
 }
 
-/// Waits while a word has a value. It may return early.
 pub fn wait(word: &AtomicU32, value: u32) {
     // SAFETY: both are valid, of four bytes.
     unsafe { WaitOnAddress(word.as_ptr(), &value, size_of::<u32>(), INFINITE) };
 }
 
-/// Wakes all threads that wait on a word.
 pub fn wake(word: &AtomicU32) {
     // SAFETY: the word is valid.
     unsafe { WakeByAddressAll(word.as_ptr()) };

@@ -44,7 +44,6 @@ const ANYWHERE: i32 = i32::MIN;
 const STYLE: i32 = -16;
 const POINTER: i32 = -12;
 
-/// The nearest monitor.
 const NEAREST: u32 = 2;
 
 // Flags of `SetWindowPos`.
@@ -67,10 +66,8 @@ const W_KEY: usize = b'W' as usize;
 /// Keeps system and display on, as long as the thread lives.
 const SCREEN_ON: u32 = 0x8000_0003;
 
-/// Removes the message from the queue.
 const REMOVE: u32 = 1;
 
-/// Copies pixels unchanged.
 const COPY: u32 = 0x00cc_0020;
 
 /// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits.
@@ -190,7 +187,6 @@ impl Cover {
         }
     }
 
-    /// Moves the window, and raises it.
     fn place(&self, [x, y, width, height]: [i32; 4], flags: u32) {
         // SAFETY: this does nothing if the window does not exist.
         unsafe { SetWindowPos(self.window, null_mut(), x, y, width, height, flags) };

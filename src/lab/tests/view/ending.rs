@@ -32,7 +32,7 @@ fn lost_server_is_an_error() {
     view.server.kill();
     let (_, code, _, errors) = view.process.end();
     assert_eq!(code, Some(1), "{errors}");
-    assert!(errors.ends_with("the display is gone\n"), "{errors}");
+    assert!(errors.ends_with("display lost\n"), "{errors}");
 }
 
 #[test]

@@ -1,22 +1,19 @@
-//! Does the work of `execve`: loads the program's segments and its dynamic linker, and tells the linker about the program. It is
-//! packed with the program, and is position-independent.
+//! Does the work of `execve`: loads the program and its dynamic linker, and tells the linker about the program. It is packed with
+//! the program, and is position-independent.
 
 use crate::{
     elf::{FileHeader, LOAD, PAGE, ProgramHeader},
     system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error},
 };
 
-// Types of program headers.
 const INTERPRETER: u32 = 3;
 const PROGRAM_HEADERS: u32 = 6;
 
-// Flags of `mmap`.
 const READ_WRITE: usize = 3;
 const PRIVATE: usize = 2;
 const FIXED: usize = 0x10;
 const ANONYMOUS: usize = 0x20;
 
-/// A loaded program.
 struct Loaded {
     headers: usize,
     header_count: usize,
@@ -30,11 +27,10 @@ fn protection(header: &ProgramHeader) -> usize {
     0x7351_6240 >> (header.flags * 4) & 7
 }
 
-/// The type of [`load`].
 pub type Load = unsafe extern "C" fn(&FileHeader, usize, *mut usize) -> usize;
 
-/// Loads a program. `memory` is a page for temporary use, `stack` the process' initial stack. Returns the entry point of its
-/// dynamic linker, or 0 if a system call fails.
+/// Loads a program. `memory` is a page for temporary use, `stack` the process' initial stack. Returns the dynamic linker's entry
+/// point, or 0 after an error.
 ///
 /// # Safety
 /// `file` has to be an executable whose addresses are zeroed, writable memory.
@@ -46,7 +42,7 @@ unsafe extern "C" fn load(file: &FileHeader, memory: usize, stack: *mut usize) -
     entry.unwrap_or(0)
 }
 
-/// Copies a program to its addresses. Returns None if the system refuses to make written memory executable.
+/// Copies a program to its addresses. Returns None if the system refuses to execute written memory.
 #[inline(always)]
 unsafe fn place(file: &FileHeader) -> Option<Loaded> {
     let mut loaded = Loaded {
@@ -86,7 +82,6 @@ impl Loaded {
     unsafe fn link(&self, memory: usize, stack: *mut usize) -> Option<usize> {
         // SAFETY: the path is in the program; the rest is required of the caller.
         unsafe {
-            // Read the headers of the dynamic linker.
             let file = call(OPEN, [self.interpreter, 0]);
             // Reading fails too if the file could not be opened.
             if is_error(call(READ, [file, memory, PAGE])) {
@@ -94,7 +89,6 @@ impl Loaded {
             }
             let header = &*(memory as *const FileHeader);
             let loads = header.headers().iter().filter(|header| header.kind == LOAD);
-            // Reserve memory for all of its segments.
             let size = loads
                 .clone()
                 .map(|header| header.address + header.size)
@@ -125,7 +119,6 @@ impl Loaded {
                     return None;
                 }
                 if header.size > header.file_size {
-                    // Clear the rest of the last page.
                     let mut end = start + size;
                     while end % PAGE != 0 {
                         *(end as *mut u8) = 0;

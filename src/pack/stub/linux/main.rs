@@ -1,7 +1,7 @@
 //! The Linux stub: unpacks the program, and replaces itself by it.
 //!
-//! It is compiled separately, to an object that the packer links; see `src/pack/build`. The [loader], which runs after unpacking,
-//! is packed with the program.
+//! The packer links it from an object of its own, see `src/pack/build`. The [loader], which runs after unpacking, is packed with
+//! the program.
 
 #![no_std]
 #![no_main]
@@ -21,7 +21,7 @@ use model::Model;
 use packed::fail;
 use system::{EXECVEAT, MADVISE, MEMFD_CREATE, MMAP, MPROTECT, MUNMAP, WRITE, call, is_error};
 
-/// The size of a huge page. The model accesses its memory at random; huge pages avoid TLB misses and save a quarter of the time.
+/// A huge page. The model accesses its memory at random; fewer TLB misses save a quarter of the time.
 const HUGE_PAGE: usize = 1 << 21;
 /// `MADV_HUGEPAGE`.
 const HUGE_PAGES: usize = 14;
@@ -30,10 +30,9 @@ const POPULATE: usize = 23;
 
 // The entry point. The dynamic linker later gets the same stack, and 0 in `rdx`: no function to call at exit.
 //
-// First the file is verified. If it was cut, its last pages are missing, and reading them would end the process by a signal. So
-// Linux reads the last eight bytes, as the signal set of `rt_sigprocmask` (14) with an invalid operation (14), and reports EFAULT
-// (-14). Then comes an FNV-1a checksum of all bytes behind this section. This section itself is unverified; it is in the file's
-// first page.
+// First the file is verified. If it was cut, reading its last pages would end the process by a signal. So Linux reads the last
+// eight bytes, as the signal set of `rt_sigprocmask` (14) with an invalid operation (14), and reports EFAULT (-14). Then comes an
+// FNV-1a checksum of all bytes behind this section. This section itself is unverified; it is in the file's first page.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -89,7 +88,6 @@ global_asm!(
 );
 
 unsafe extern "C" {
-    /// The end of the packed bytes.
     static PACKED_END: u8;
     /// The first byte that the checksum [`SUM`] covers.
     static CHECKED: u8;
@@ -105,8 +103,8 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = packed::length();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
-    // Readable and writable, private, anonymous; the program's memory at a fixed address. A program header for that memory would
-    // end the process without a message where memory is limited.
+    // Readable and writable, private, anonymous; the program's memory at a fixed address. With a program header for that memory,
+    // Linux would end the process without a message if memory is limited.
     // SAFETY: this memory is unused.
     let [mapped, program] = unsafe {
         let (program, size_of_it) = (
@@ -119,12 +117,12 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         ]
     };
     if is_error(mapped) || is_error(program) {
-        let line = "eightfold: there are no 105 MB of memory for it\n";
+        let line = "eightfold: needs 105 MB of memory\n";
         fail(line.as_ptr(), line.len());
     }
     let memory = mapped.next_multiple_of(HUGE_PAGE);
     for advice in [HUGE_PAGES, POPULATE] {
-        // Errors do not matter: advice only saves time.
+        // Advice only saves time.
         // SAFETY: the range is part of that memory.
         unsafe { call(MADVISE, [memory, used, advice]) };
     }
@@ -146,12 +144,11 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         }
         execute(file.addr(), program_length, stack);
     }
-    let line = "eightfold: the system loads no dynamic linker for it\n";
+    let line = "eightfold: cannot load the dynamic linker\n";
     fail(line.as_ptr(), line.len());
 }
 
-/// Executes the program from a file in memory, for systems that refuse to make written memory executable. Returns if that fails
-/// too.
+/// Executes the program from a file in memory, for systems that refuse to execute written memory. Returns on failure.
 #[inline(always)]
 unsafe fn execute(file: usize, length: usize, stack: *mut usize) {
     // SAFETY: the name is a string, the bytes are there, and the stack has the arguments and the environment.

@@ -52,7 +52,6 @@ pub unsafe fn call<const N: usize>(number: usize, arguments: [usize; N]) -> usiz
     }
 }
 
-/// Returns whether a call failed.
 pub fn is_error(result: usize) -> bool {
     result > -4096_isize as usize
 }

@@ -1,12 +1,11 @@
-//! Does the work of Windows' loader: copies the program's segments to their addresses and protects them. It is packed with the
-//! program, and is position-independent.
+//! Does the work of Windows' loader: copies the program to its addresses and protects them. It is packed with the program, and is
+//! position-independent.
 
 use crate::{
     elf::{FileHeader, LOAD, ProgramHeader},
     system::{READ, READ_EXECUTE, READ_WRITE, System, protect},
 };
 
-/// Returns Windows' protection for a header's permissions.
 #[inline(always)]
 fn protection(header: &ProgramHeader) -> u32 {
     match header.flags & 3 {
@@ -16,7 +15,6 @@ fn protection(header: &ProgramHeader) -> u32 {
     }
 }
 
-/// The type of [`load`].
 pub type Load = unsafe extern "C" fn(&FileHeader, &System) -> usize;
 
 /// Loads a program. Returns its entry point, or 0 if Windows refuses a protection.

@@ -1,8 +1,7 @@
 //! The Windows stub: unpacks the program, and loads it to its addresses.
 //!
-//! It is compiled separately, to an object that the packer links; see `src/pack/build`. It is an ELF object for Linux, because the
-//! packing machine has that target's core library; only calls of Windows use another convention. The [loader], which runs after
-//! unpacking, is packed with the program.
+//! The packer links it from an object of its own, see `src/pack/build`. It is an ELF object for Linux, because the packing machine
+//! has that target's core library. The [loader], which runs after unpacking, is packed with the program.
 
 #![no_std]
 #![no_main]
@@ -28,8 +27,8 @@ use system::{COMMIT_RESERVE, READ_EXECUTE, READ_WRITE, RELEASE, System, protect}
 // First comes an FNV-1a checksum of all bytes behind this section. This section, the headers and the import table are unverified.
 // (Windows itself refuses a file that was cut.)
 //
-// Messages go to the parent's console, if it has one, by `AttachConsole(-1)` and `WriteFile(GetStdHandle(-12), line, length,
-// &written, 0)`. Then `ExitProcess(1)` ends the process.
+// Messages go to the parent's console, if any, by `AttachConsole(-1)` and `WriteFile(GetStdHandle(-12), line, length, &written,
+// 0)`. Then comes `ExitProcess(1)`.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -83,7 +82,6 @@ global_asm!(
 );
 
 unsafe extern "C" {
-    /// The end of the packed bytes.
     static PACKED_END: u8;
     /// The first byte that the checksum [`SUM`] covers.
     static CHECKED: u8;
@@ -101,7 +99,7 @@ unsafe extern "C" fn start() -> usize {
     let memory =
         unsafe { (system.allocate)(0, size_of::<Model>() + length, COMMIT_RESERVE, READ_WRITE) };
     if memory == 0 {
-        let line = "eightfold: there are no 70 MB of memory for it\n";
+        let line = "eightfold: needs 70 MB of memory\n";
         fail(line.as_ptr(), line.len());
     }
     // SAFETY: the memory is large enough, and the packer has packed an executable and the loader.
@@ -118,6 +116,6 @@ unsafe extern "C" fn start() -> usize {
             }
         }
     }
-    let line = "eightfold: the system does not let it start\n";
+    let line = "eightfold: cannot protect memory\n";
     fail(line.as_ptr(), line.len());
 }

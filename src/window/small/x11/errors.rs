@@ -13,12 +13,10 @@ use crate::line;
 /// Whether the window was destroyed.
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// Returns whether the window was destroyed.
 pub fn is_closed() -> bool {
     CLOSED.load(Relaxed)
 }
 
-/// Installs the error handlers.
 pub fn heed(x: Xlib) {
     // SAFETY: the functions have the signatures that Xlib expects.
     unsafe {
@@ -41,7 +39,7 @@ unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEven
 
 /// Ends the process when the connection breaks, since Xlib must not return.
 unsafe extern "C" fn lost(_: *mut xlib::Display) -> c_int {
-    line::write(line::ERROR, b"eightfold: the display is gone\n");
+    line::write(line::ERROR, b"eightfold: display lost\n");
     // SAFETY: nothing is left to be written or restored.
     unsafe { libc::_exit(1) }
 }

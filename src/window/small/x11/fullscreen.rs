@@ -13,7 +13,6 @@ use x11_dl::xlib;
 
 use super::Toplevel;
 
-/// A position on the screen, and a size.
 #[derive(Clone, Copy)]
 pub struct Place {
     pub x: c_int,
@@ -58,7 +57,6 @@ impl Toplevel {
         }
     }
 
-    /// Returns the window's inner position on the screen.
     fn position(&self) -> (c_int, c_int) {
         let (mut x, mut y, mut child) = (0, 0, 0);
         let (display, window, root) = (self.display, self.window, self.root);
@@ -68,7 +66,6 @@ impl Toplevel {
         (x, y)
     }
 
-    /// Returns whether a window has a property.
     fn has_property(&self, window: xlib::Window, property: xlib::Atom) -> bool {
         let mut count = 0;
         // SAFETY: the window exists. Xlib gives the list's length. The list is leaked, as calls are rare.
@@ -78,8 +75,8 @@ impl Toplevel {
         }
     }
 
-    /// Returns a window's position in its parent, and the events that any client selects on it. (The root window's properties may
-    /// be left over from a window manager that has ended; its selection is not.)
+    /// Returns a window's position in its parent, and the events that any client selects on it: properties may be left over from a
+    /// window manager that has ended, its selection is not.
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is valid for all fields, and the window exists.
         let attributes = unsafe {
@@ -121,7 +118,6 @@ impl Toplevel {
         }
     }
 
-    /// Moves the window, and raises it.
     pub fn move_to(&self, place: Place) {
         let (width, height) = (place.width as c_uint, place.height as c_uint);
         let (display, window) = (self.display, self.window);

@@ -12,7 +12,6 @@ use x11_dl::xlib::*;
 use crate::loading::{Table, loaded};
 
 loaded! {
-    /// The functions from libX11.
     Loaded, XLIB_NAMES:
     fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
     fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;

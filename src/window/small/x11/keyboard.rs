@@ -53,14 +53,12 @@ const PLACES: [(c_uint, u8); 6] = [
     (61, b'/'),
 ];
 
-/// Returns a key's number in the current layout.
 fn by_layout(x: Xlib, event: &XKeyEvent) -> c_uint {
     let layout = ((event.state >> 13) & 3) as c_int;
     // SAFETY: the event's display is open.
     unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) as c_uint }
 }
 
-/// Returns whether this is a Latin letter.
 fn is_letter(key: c_uint) -> bool {
     (b'a'.into()..=b'z'.into()).contains(&key)
 }

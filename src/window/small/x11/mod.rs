@@ -28,7 +28,6 @@ use crate::clock;
 static DISPLAY: AtomicU64 = AtomicU64::new(ASKED);
 const ASKED: u64 = 1;
 
-/// Opens the display.
 extern "C" fn connect(_: *mut c_void) -> *mut c_void {
     // SAFETY: `open` has loaded Xlib; null selects the environment's display.
     let display = Xlib::load().map_or(null_mut(), |x| unsafe { (x.XOpenDisplay)(null()) });
@@ -112,7 +111,6 @@ impl Toplevel {
         unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
     }
 
-    /// Sets a text property.
     pub fn set_text(&self, property: xlib::Atom, kind: xlib::Atom, text: &[u8]) {
         let (display, window) = (self.display, self.window);
         let (format, replace) = (8, xlib::PropModeReplace);

@@ -41,17 +41,13 @@ const NO_DEVICE: c_int = -19;
 const THREADS: usize = 2;
 
 struct World {
-    /// Nanoseconds from the start.
     now: u64,
-    /// The wake-up time of each sleeping thread.
     sleepers: Vec<u64>,
     /// Whether all threads have slept at the same time.
     plays: bool,
     /// Samples that the device plays in a million seconds.
     rate: u64,
-    /// The time of the next underrun.
     late: u64,
-    /// The time of the next stop.
     stop: u64,
     /// The time when playing began.
     start: Option<u64>,
@@ -62,7 +58,6 @@ struct World {
     file: BufWriter<File>,
 }
 
-/// Reads a number from the environment; 0 without one.
 fn number(name: &str) -> i64 {
     env::var(name).map_or(0, |text| text.parse().expect("a number"))
 }
@@ -93,7 +88,6 @@ fn world() -> MutexGuard<'static, World> {
     WORLD.lock().expect("no thread panics")
 }
 
-/// Sleeps until a time.
 fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static, World> {
     if time <= world.now {
         return world;
@@ -123,7 +117,6 @@ fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static
     world
 }
 
-/// Returns the number of threads.
 fn threads() -> usize {
     fs::read_dir("/proc/self/task").map_or(1, Iterator::count)
 }

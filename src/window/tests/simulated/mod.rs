@@ -9,7 +9,6 @@ use std::{
 /// Chunks of samples, and the nanosecond from which each is heard.
 pub type Played = Vec<(u64, Vec<[f32; 2]>)>;
 
-/// Builds the library into a folder.
 pub fn build(folder: &Path) -> PathBuf {
     let library = folder.join("libasound.so.2");
     let source = folder.join("libasound.rs");

@@ -1,39 +1,33 @@
-//! The set of a scene of the show: air, floor, lamps, props.
+//! The environment of a scene: air, floor, lights, props.
 
 use super::props::Prop;
 use eightfold_tracer::scene::{Film, Light, Material, Plane, Scene, Waves};
 use glam::Vec3;
 
-/// The set of an act, or for several in a row.
-pub(super) struct Set {
-    /// See [`Scene::background`].
+/// The environment of one scene or of several consecutive ones. The first fields are as in [`Scene`].
+pub(super) struct Environment {
     pub background: Vec3,
-    /// See [`Scene::sky`].
     pub sky: Vec3,
-    /// See [`Scene::ambient`].
     pub ambient: Vec3,
-    /// See [`Scene::haze`].
     pub haze: f32,
-    /// See [`Scene::film`].
     pub film: Film,
-    /// The material of the floor, a square about the origin at y = 0.
+    /// The floor is a square about the origin at y = 0.
     pub floor: &'static Material,
     /// Half the side of the floor, in scene units.
     pub floor_half: f32,
-    /// The slope of the waves on the floor, see [`Waves::slope`].
+    /// See [`Waves::slope`].
     pub swell: f32,
-    /// The lights. Here a spotlight's aim may have any length.
+    /// A spotlight's aim may have any length here.
     pub lights: &'static [Light],
-    /// How much lights, copper bars and camera follow the kick of the drum, 0 to 1. With 0 no copper bars are seen.
-    pub hit: f32,
-    /// Objects, alone or in rows.
+    /// The response of lights, copper bars and camera to the kick drum, 0 to 1. At 0 there are no copper bars.
+    pub kick_response: f32,
     pub props: &'static [Prop],
-    /// Adds objects that no table describes, as they are so many beats after the set was first shown.
-    pub special: Option<fn(f32, &mut Scene)>,
+    /// Adds procedural objects, by the beats since the environment was first shown.
+    pub procedural: Option<fn(f32, &mut Scene)>,
 }
 
-/// The film of the show: what is brighter than four fifths rolls off, and the corners of a wide picture are a quarter darker, which
-/// leads the eye to the middle.
+/// The show's film: highlights above four fifths roll off, and the corners of a wide picture are a quarter darker, which guides the
+/// eye to the centre.
 pub(super) const SHOW: Film = Film {
     shoulder: 0.8,
     vignette: 0.08,
@@ -41,34 +35,33 @@ pub(super) const SHOW: Film = Film {
     ..Film::PLAIN
 };
 
-/// Half the side of a floor that seems endless: haze hides its edge.
+/// Half the side of a seemingly endless floor, whose edge haze hides.
 pub(super) const FAR: f32 = 100.0;
 
-/// The length of the longest waves, in scene units: some of a letter's size are among them, and some that reach the horizon.
+/// The length of the longest waves in scene units: the spectrum includes a letter's size, and lengths that are visible up to the
+/// horizon.
 const SWELL: f32 = 9.0;
-/// How much of their length they go on in a beat.
+/// The waves' speed, in wavelengths per beat.
 const PACE: f32 = 0.1;
 
-/// An invisible point light, whose shadows are hard.
+/// Creates an invisible point light with hard shadows.
 pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
     Light::new(Vec3::from_array(position), Vec3::from_array(colour))
 }
 
-/// An invisible light whose rays are parallel.
+/// Creates an invisible light with parallel rays.
 pub(super) const fn sun(position: [f32; 3], colour: [f32; 3]) -> Light {
     Light::sun(Vec3::from_array(position), Vec3::from_array(colour))
 }
 
-impl Set {
-    /// Replaces a scene's background, haze, lights and objects by those of the set, `beat` beats after it was first shown.
+impl Environment {
+    /// Replaces a scene's background, haze, lights and objects, `beat` beats after the environment was first shown.
     pub fn apply(&self, beat: f32, scene: &mut Scene) {
-        // Set the air and the film.
         scene.background = self.background;
         scene.sky = self.sky;
         scene.ambient = self.ambient;
         scene.haze = self.haze;
         scene.film = self.film;
-        // Set the floor, and the waves on it.
         scene.planes.clear();
         let half = self.floor_half;
         let floor = Plane::new(Vec3::ZERO, half, half, *self.floor);
@@ -81,19 +74,17 @@ impl Set {
                 phase: PACE * beat,
             };
         }
-        // Set the lights.
         scene.lights.clear();
         for &light in self.lights {
             scene.lights.push(light);
         }
-        // Set the props.
         scene.spheres.clear();
         scene.blocks.clear();
         scene.copper_bars.clear();
         for prop in self.props {
             prop.add_all(beat, scene);
         }
-        if let Some(add) = self.special {
+        if let Some(add) = self.procedural {
             add(beat, scene);
         }
     }

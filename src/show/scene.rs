@@ -1,0 +1,48 @@
+//! Scenes of the show: environment, shots and captions.
+
+use super::captions::Cue;
+use super::environment::Environment;
+use super::path::Keyframe;
+
+/// A scene of the show. ([`eightfold_tracer::scene::Scene`] is the content of one frame.)
+#[derive(Clone, Copy)]
+pub(super) struct ShowScene {
+    pub environment: &'static Environment,
+    /// Bars since the first scene in this environment began, to continue its motion; 0 if it is the first.
+    pub environment_since: u32,
+    pub shots: &'static [Shot],
+    pub captions: &'static [Cue],
+}
+
+/// A continuous camera movement.
+pub(super) struct Shot {
+    pub bars: u8,
+    /// At least two keyframes, at equal intervals in time.
+    pub keyframes: &'static [Keyframe],
+}
+
+impl ShowScene {
+    /// Creates a scene without captions, the first in its environment.
+    pub const fn new(environment: &'static Environment, shots: &'static [Shot]) -> ShowScene {
+        ShowScene {
+            environment,
+            environment_since: 0,
+            shots,
+            captions: &[],
+        }
+    }
+
+    /// Returns the sum of its shots' lengths.
+    pub const fn bars(&self) -> u32 {
+        let (mut bars, mut i) = (0, 0);
+        while i < self.shots.len() {
+            bars += self.shots[i].bars as u32;
+            i += 1;
+        }
+        bars
+    }
+}
+
+pub(super) const fn shot(bars: u8, keyframes: &'static [Keyframe]) -> Shot {
+    Shot { bars, keyframes }
+}
