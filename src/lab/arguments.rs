@@ -1,4 +1,4 @@
-//! Arguments that several commands share.
+//! Arguments shared by commands.
 
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
@@ -9,7 +9,6 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::thread::available_parallelism;
 
-/// The help of `--quality`.
 pub const QUALITY: &str = "exhaustive, thesis, or a preset, from finest to fastest";
 
 /// More threads than a frame has bands.
@@ -48,7 +47,7 @@ impl Display for Exit {
 
 impl std::error::Error for Exit {}
 
-/// A width and a height in pixels.
+/// In pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     pub width: usize,
@@ -90,7 +89,6 @@ impl Display for Size {
     }
 }
 
-/// A named quality.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NamedQuality {
     pub name: &'static str,
@@ -107,7 +105,7 @@ impl NamedQuality {
         quality: Quality::THESIS,
     };
 
-    /// Returns the exhaustive quality, the thesis, and the presets from finest to fastest.
+    /// Returns exhaustive, thesis, then the presets from finest to fastest.
     pub fn all() -> impl Iterator<Item = Self> {
         let ladder = Quality::NAMES.into_iter().zip(Quality::LADDER);
         let ladder = ladder.map(|(name, &quality)| Self { name, quality });
@@ -134,7 +132,6 @@ impl Display for NamedQuality {
     }
 }
 
-/// Parses the name of an instruction set of this machine.
 pub fn instruction_set(name: &str) -> Result<Isa, String> {
     let mut known = cpu::instruction_sets();
     known.find(|set| set.name == name).ok_or_else(|| {
@@ -158,7 +155,6 @@ where
     }
 }
 
-/// Parses the name of a PNG file.
 pub fn png_file(name: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(name);
     let is_png = |end: &OsStr| end.eq_ignore_ascii_case("png");
@@ -167,7 +163,6 @@ pub fn png_file(name: &str) -> Result<PathBuf, String> {
     path.ok_or_else(|| "must be the name of a .png file, or -".to_owned())
 }
 
-/// Returns the items without repeats.
 pub fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut distinct = Vec::new();
     for item in items {

@@ -1,4 +1,4 @@
-//! `lab bench`: measures the speed and the error of frames.
+//! `lab bench`.
 
 use crate::arguments::{self, NamedQuality, Size, distinct, within};
 use crate::interrupt;
@@ -43,7 +43,6 @@ pub struct Arguments {
     json: Option<PathBuf>,
 }
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
     if let Some(file) = &arguments.json {

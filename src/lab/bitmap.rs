@@ -1,4 +1,4 @@
-//! Draws text on bitmaps, by a font in the program.
+//! Text on bitmaps, by a font in the program.
 
 use anyhow::Result;
 use plotters::coord::Shift;
@@ -6,7 +6,6 @@ use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use std::sync::Once;
 
-/// The colour of text.
 pub const INK: RGBColor = RGBColor(34, 34, 34);
 
 /// A bitmap to draw on, in pixels.
@@ -32,12 +31,11 @@ pub fn bitmap(
         .collect())
 }
 
-/// Converts the coordinates of a pixel.
 pub fn at([x, y]: [usize; 2]) -> (i32, i32) {
     (x as i32, y as i32)
 }
 
-/// Returns a text style of a size in pixels.
+/// `size` is in pixels.
 pub fn text(size: u32, style: FontStyle) -> TextStyle<'static> {
     FontDesc::new(FontFamily::SansSerif, f64::from(size), style).color(&INK)
 }

@@ -6,19 +6,16 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// A finished build.
 pub struct Build {
-    /// The lines of cargo's JSON output.
+    /// Cargo's JSON output.
     messages: Vec<Value>,
 }
 
 impl Build {
-    /// Builds a package of this workspace.
     pub fn release(package: &str) -> Result<Self> {
         Self::release_with(package, &[])
     }
 
-    /// Builds a package with environment variables.
     pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
         Self::of(&["build", "--release", "--package", package], variables)
     }
@@ -50,7 +47,6 @@ impl Build {
         Ok(Self { messages })
     }
 
-    /// Returns the path of a program.
     pub fn program(&self, name: &str) -> Result<PathBuf> {
         let path = self
             .artifact("bin", name)
@@ -105,12 +101,10 @@ impl Build {
     }
 }
 
-/// Builds the intro.
 pub fn intro() -> Result<PathBuf> {
     Build::release("eightfold")?.program("eightfold")
 }
 
-/// Builds the intro for Windows.
 pub fn intro_for_windows() -> Result<PathBuf> {
     Build::windows()?.program("eightfold")
 }

@@ -1,11 +1,8 @@
-//! The difference between pictures.
-
 /// The difference between two pictures of the same size, in 255ths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
     /// The mean over all channels.
     pub mean: f64,
-    /// The largest in any channel.
     pub largest: u32,
     /// The number of pixels that differ by more than 8 in a channel.
     pub over_8: usize,
@@ -40,7 +37,7 @@ impl Difference {
         }
     }
 
-    /// Returns the PSNR of the mean square of several pictures, in dB.
+    /// Returns the PSNR of the mean square, in dB.
     pub fn pooled_psnr(differences: &[Self]) -> f64 {
         let sum: f64 = differences.iter().map(|each| each.square).sum();
         decibels(sum / differences.len() as f64)
@@ -51,7 +48,6 @@ fn decibels(square: f64) -> f64 {
     10.0 * (255.0 * 255.0 / square).log10()
 }
 
-/// Returns the largest difference in a channel of two pixels.
 pub fn worst_channel(a: u32, b: u32) -> u32 {
     channels(a, b).into_iter().fold(0, u32::max)
 }

@@ -1,4 +1,4 @@
-//! `lab figures`: draws the stages of a frame on one sheet.
+//! `lab figures`.
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;
@@ -26,13 +26,11 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Pictures per row.
 const COLUMNS: usize = 2;
 
 /// The FLIP error that is shown in white: above the 99th percentile of `fastest`.
 const FLIP_SHOWN: f32 = 0.25;
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     output::check(&arguments.out)?;
     let sheet = sheet(arguments.frame.size, COLUMNS, &figures(arguments))?;

@@ -30,7 +30,6 @@ impl Flip {
     }
 }
 
-/// The mean of several pictures.
 #[derive(Clone, Default)]
 pub struct Flips {
     sum: f64,
@@ -43,7 +42,7 @@ impl Flips {
         self.pixels += flip.errors.len();
     }
 
-    /// Returns the mean of all pixels; `None` without pictures.
+    /// Weighs all pixels equally.
     pub fn mean(&self) -> Option<f64> {
         (self.pixels > 0).then(|| self.sum / self.pixels as f64)
     }

@@ -6,7 +6,6 @@ use signal_hook::flag;
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::sync::{Arc, LazyLock};
 
-/// Whether a signal has arrived.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
 /// The exit code of shells after Ctrl-C.

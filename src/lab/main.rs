@@ -1,12 +1,10 @@
-//! Parses the command line and runs a command.
-
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::arguments::{BAD_INPUT, Exit};
 use eightfold_lab::{bench, capture, figures, missed, render, report, size, trade, truth, view};
 use std::error::Error;
 use std::process::ExitCode;
 
-/// Draws Eightfold's frames and measures what speed costs.
+/// Draws Eightfold's frames, and measures their speed and error
 #[derive(Parser)]
 #[command(name = "lab", bin_name = "cargo lab", version)]
 struct Lab {
@@ -54,7 +52,6 @@ fn main() -> ExitCode {
         .map_or(ExitCode::FAILURE, |exit| exit.code.into())
 }
 
-/// Prints the help, or an error in one line.
 fn explain(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         error.exit();
@@ -66,7 +63,6 @@ fn explain(error: &clap::Error) -> ExitCode {
         return (*code).into();
     }
     let text = error.to_string();
-    // Omit the usage and the pointer to the help.
     let line = text.split("\n\nUsage:").next().unwrap_or(&text);
     let line = line.split("\n\nFor more").next().unwrap_or(line);
     let words: Vec<&str> = line.split_whitespace().collect();

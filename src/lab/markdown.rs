@@ -1,5 +1,3 @@
-//! Markdown tables.
-
 pub fn percent(fraction: f64) -> String {
     format!("{:.1} %", 100.0 * fraction)
 }

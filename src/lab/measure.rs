@@ -1,4 +1,4 @@
-//! Draws frames by several techniques against the clock, and compares them with the first technique's.
+//! Times and compares the frames of several techniques.
 
 use crate::arguments::{self, Size, within};
 use crate::error::Difference;
@@ -15,7 +15,6 @@ use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
 use std::time::Instant;
 
-/// The scene that a command measures, and the views of it.
 #[derive(Args, Clone, Copy)]
 pub struct ShotArguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::names())]
@@ -39,22 +38,20 @@ pub struct Measurement {
     pub techniques: Vec<Technique>,
 }
 
-/// The frames of a scene.
 pub struct Shot {
     pub scene: SceneName,
-    /// The times of the timed frames, in seconds from the scene's start.
+    /// Seconds from the scene's start.
     pub times: Vec<f32>,
-    /// For each view, the times of its frames.
     pub views: Vec<Vec<f32>>,
 }
 
 /// Seconds per frame on most screens.
 const FRAME: f32 = 1.0 / 60.0;
-/// The frames of a view after the first one.
+/// Frames of a view after the first.
 const FOLLOWING: usize = 10;
 
 impl Shot {
-    /// Spreads frames and views evenly over a scene.
+    /// Spaces frames and views evenly.
     pub fn new(scene: SceneName, frames: usize, views: usize) -> Self {
         let length = scene.length();
         // A scene of the show ends before the next one begins.
@@ -77,14 +74,12 @@ impl Shot {
     }
 }
 
-/// Returns time `i` of `count` from 0 to `last`.
 fn evenly_spaced(last: f32, i: usize, count: usize) -> f32 {
     last * i as f32 / (count - 1).max(1) as f32
 }
 
 /// The results of a shot in a size with a number of threads.
 pub struct Setting {
-    /// The index of the shot.
     pub shot: usize,
     pub size: Size,
     pub threads: usize,
@@ -92,14 +87,11 @@ pub struct Setting {
     pub runs: Vec<Run>,
 }
 
-/// The results of a technique in a setting.
 #[derive(Clone, Default)]
 pub struct Run {
     /// Milliseconds of each frame: with one thread processor time, which other programs do not lengthen; else real time.
     pub times: Vec<f64>,
-    /// The work of all frames.
     pub counts: Counts,
-    /// Each frame against the reference.
     pub differences: Vec<Difference>,
     pub seen: Seen,
 }
@@ -146,7 +138,7 @@ impl Measurement {
         settings
     }
 
-    /// Returns the scene of a frame, without captions next to enlarged frames, which would enlarge them.
+    /// Omits captions next to enlarged frames, which would enlarge them.
     fn scene(&self, name: SceneName, time: f32) -> Scene {
         let mut scene = name.without_overlay(time);
         if self
@@ -160,7 +152,7 @@ impl Measurement {
         scene
     }
 
-    /// Returns all settings without results: by threads, then sizes, then shots.
+    /// Orders settings by threads, then sizes, then shots.
     fn settings(&self) -> Vec<Setting> {
         let mut settings = Vec::new();
         for &threads in &self.threads {
@@ -176,7 +168,7 @@ impl Measurement {
         settings
     }
 
-    /// Compares the pictures of all views, which do not depend on the number of threads.
+    /// Compares all views once per size: threads do not change pictures.
     fn look(&self, settings: &mut [Setting]) {
         let count = self.sizes.len() * self.shots.len();
         let views: usize = self.shots.iter().map(|shot| shot.views.len()).sum();
@@ -202,7 +194,6 @@ impl Measurement {
 }
 
 impl Setting {
-    /// Draws a frame by each technique.
     fn draw(
         &mut self,
         measurement: &Measurement,

@@ -43,13 +43,12 @@ pub fn check(name: &Path) -> Result<()> {
     part(name).map(drop)
 }
 
-/// Creates a temporary file in the folder of `name` with its extension. Deletes it on drop.
+/// Creates a temporary file next to `name`, with its extension.
 pub fn part(name: &Path) -> Result<NamedTempFile> {
     let folder = name.parent().filter(|folder| *folder != Path::new(""));
     let suffix = format!(".{}", name.extension().unwrap_or_default().display());
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lab-").suffix(&suffix);
-    // The usual permissions, before the user's mask.
     builder.permissions(Permissions::from_mode(0o666));
     let part = builder.tempfile_in(folder.unwrap_or(Path::new(".")));
     // Omit the temporary name from the message.
@@ -57,7 +56,6 @@ pub fn part(name: &Path) -> Result<NamedTempFile> {
     part.with_context(|| cannot_write(name))
 }
 
-/// Renames a complete temporary file.
 pub fn persist(part: NamedTempFile, name: &Path) -> Result<()> {
     // Replace the target of a symbolic link.
     let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());

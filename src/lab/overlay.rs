@@ -6,17 +6,15 @@ use eightfold_tracer::{Counts, Quality};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-/// Records the points and the squares of a frame.
 pub struct FrameTrace {
     width: usize,
     height: usize,
-    /// For each pixel, the rays of its point, shadow rays included; 0 without a point.
+    /// Rays of each pixel's point, with shadow rays; 0 without a point.
     rays: Vec<AtomicU32>,
-    /// For each pixel, the square whose upper left corner it is, as `w << 16 | h << 8 | fill`, or 0.
+    /// At its upper left corner: `w << 16 | h << 8 | fill`; otherwise 0.
     squares: Vec<AtomicU32>,
 }
 
-/// A square, clipped to the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drawn {
     pub x: usize,
@@ -42,12 +40,10 @@ impl FrameTrace {
         }
     }
 
-    /// Returns the rays of each pixel's point, shadow rays included; 0 without a point.
     pub fn rays(&self) -> impl Iterator<Item = u32> {
         self.rays.iter().map(|rays| rays.load(Relaxed))
     }
 
-    /// Returns the squares in the order of their upper left corners.
     pub fn squares(&self) -> impl Iterator<Item = Drawn> {
         let words = self.squares.iter().map(|word| word.load(Relaxed));
         let squares = words.enumerate().filter(|&(_, word)| word != 0);
@@ -65,7 +61,7 @@ impl FrameTrace {
         })
     }
 
-    /// Darkens the picture, and draws traced points white.
+    /// Draws points white on a darkened picture.
     pub fn draw_points(&self, pixels: &mut [u32]) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
             let dark = (*pixel >> 2) & 0x003f_3f3f;
@@ -73,12 +69,11 @@ impl FrameTrace {
         }
     }
 
-    /// Draws the squares coloured by size, with dark left and upper edges.
+    /// Draws squares coloured by size, with dark left and upper edges.
     pub fn draw_squares(&self, pixels: &mut [u32]) {
         for square in self.squares() {
             let colour = square_colour(square.side);
             let dark = (colour >> 1) & 0x007f_7f7f;
-            // A smaller square would be all edge.
             let edge = if square.side > 2 { dark } else { colour };
             for y in square.y..square.y + square.h {
                 let row = &mut pixels[y * self.width + square.x..][..square.w];
@@ -88,7 +83,7 @@ impl FrameTrace {
         }
     }
 
-    /// Draws the rays of each point, from black for 0 to white for `most`.
+    /// Draws rays from black for 0 to white for `most`.
     pub fn draw_heat(&self, pixels: &mut [u32], most: u32) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
             *pixel = heat(rays as f32 / most as f32);
@@ -113,20 +108,20 @@ impl Observer for &FrameTrace {
     }
 }
 
-/// Returns the colour of a square: small squares, which cost more, are brighter.
+/// Small squares, which cost more, are brighter.
 pub fn square_colour(side: usize) -> u32 {
     let halvings = (Quality::MAX_SQUARE / side.max(1)).max(1).ilog2();
     heat(0.12 + 0.83 * halvings as f32 / Quality::MAX_SQUARE.ilog2() as f32)
 }
 
-/// Replaces a picture by its error, from black for 0 to white for `most` of 255 in a channel.
+/// Replaces a picture by its error: white is `most` of 255 in a channel.
 pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
     for (pixel, &exhaustive) in pixels.iter_mut().zip(exhaustive) {
         *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / most as f32);
     }
 }
 
-/// Returns a colour of the perceptually uniform map "magma", from 0, dark, to 1.
+/// Returns a colour of the perceptually uniform map "magma"; 0 is dark, 1 bright.
 pub fn heat(share: f32) -> u32 {
     static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
         let bytes = nv_flip::magma_lut().to_vec();

@@ -2,22 +2,18 @@
 
 use png::{BitDepth, ColorType, Encoder, EncodingError};
 
-/// Returns the bytes of red, green and blue.
 pub fn rgb(pixels: &[u32]) -> Vec<u8> {
     let bytes = pixels.iter().map(|pixel| pixel.to_be_bytes());
     bytes.flat_map(|[_, rgb @ ..]| rgb).collect()
 }
 
-/// The mean of several pictures.
 #[derive(Default)]
 pub struct Mean {
     count: u32,
-    /// Red, green and blue.
     sums: Vec<[u32; 3]>,
 }
 
 impl Mean {
-    /// Adds a picture. All must have the same size.
     pub fn add(&mut self, pixels: &[u32]) {
         self.count += 1;
         self.sums.resize(pixels.len(), [0; 3]);
@@ -29,7 +25,6 @@ impl Mean {
         }
     }
 
-    /// Writes the rounded mean into a picture.
     pub fn write(&self, pixels: &mut [u32]) {
         let mean = |sum: u32| ((sum + self.count / 2) / self.count) as u8;
         for (pixel, sum) in pixels.iter_mut().zip(&self.sums) {
@@ -39,7 +34,6 @@ impl Mean {
     }
 }
 
-/// Encodes a PNG file.
 pub fn png(width: usize, pixels: &[u32]) -> Result<Vec<u8>, EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width as u32, (pixels.len() / width) as u32);

@@ -1,11 +1,8 @@
-//! Draws charts as SVG.
-
 use crate::bitmap::register_fonts;
 use anyhow::Result;
 use plotters::coord::combinators::{BindKeyPoints, IntoLogRange};
 use plotters::prelude::*;
 
-/// The width and height in units of the SVG.
 const SIZE: (u32, u32) = (960, 600);
 /// Distinguishable in colour blindness, too (Okabe and Ito).
 const COLOURS: [RGBColor; 4] = [
@@ -23,9 +20,7 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
-/// Points in one colour.
 pub struct Series {
-    /// For the legend.
     pub name: String,
     pub points: Vec<(f64, f64)>,
     /// The text at each point; can be empty.
@@ -34,7 +29,6 @@ pub struct Series {
 }
 
 impl Chart {
-    /// Returns an SVG file.
     pub fn svg(&self, title: &str) -> Result<String> {
         register_fonts();
         let mut svg = String::new();
@@ -93,7 +87,6 @@ impl Chart {
     }
 }
 
-/// Returns the smallest and the largest value.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let all = values.fold((f64::INFINITY, 0.0), |all: (f64, f64), x| {
         (all.0.min(x), all.1.max(x))

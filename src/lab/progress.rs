@@ -1,5 +1,3 @@
-//! Progress bars.
-
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, stderr};
 

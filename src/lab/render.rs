@@ -1,4 +1,4 @@
-//! `lab render`: draws a frame to a PNG file.
+//! `lab render`.
 
 use crate::arguments::{self, NamedQuality, within};
 use crate::scenes::FrameArguments;
@@ -30,7 +30,6 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let FrameArguments { scene, time, size } = arguments.frame;
     let scene = scene.at(time);

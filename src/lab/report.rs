@@ -1,4 +1,4 @@
-//! `lab report`: updates the marked parts of pages.
+//! `lab report`.
 
 use crate::output;
 use anyhow::{Context, Result, ensure};
@@ -24,7 +24,6 @@ pub struct Arguments {
 const BEGIN: &str = "\n<!-- lab report ";
 const END: &str = "\n<!-- lab report end -->";
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let mut pages = Vec::new();
     for path in paths(&arguments.folder) {
@@ -42,7 +41,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Returns the paths of README.md and docs/*.md.
 fn paths(folder: &Path) -> Vec<PathBuf> {
     let docs = fs::read_dir(folder.join("docs")).into_iter().flatten();
     let docs = docs.flatten().map(|file| file.path());
@@ -54,7 +52,6 @@ fn paths(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
-/// Returns the text of a page with updated parts.
 fn rewritten(text: &str, arguments: &Arguments) -> Result<String> {
     let mut parts = text.split(BEGIN);
     let mut new = parts.next().unwrap_or_default().to_owned();
@@ -74,7 +71,6 @@ fn rewritten(text: &str, arguments: &Arguments) -> Result<String> {
     Ok(new)
 }
 
-/// Runs the commands of a part, and returns its new text.
 fn measured(body: &str, folder: &Path) -> Result<String> {
     let commands = body.lines().filter(|line| line.starts_with("    "));
     let commands = commands.collect::<Vec<_>>().join("\n");

@@ -1,4 +1,4 @@
-//! The figures of a technique in a setting, and tables of them.
+//! Figures and their tables.
 
 use crate::error::Difference;
 use crate::markdown::{self, Column, known, percent};
@@ -55,7 +55,6 @@ pub struct Row {
 }
 
 impl Row {
-    /// Returns a row for each technique of a setting.
     pub fn of(measurement: &Measurement, setting: &Setting) -> Vec<Self> {
         let runs = setting.runs.iter().zip(&measurement.techniques);
         let reference = quartile(&setting.runs[0]);
@@ -99,7 +98,6 @@ impl Row {
         runs.map(row).collect()
     }
 
-    /// Returns true if all frames equal the reference.
     pub fn is_exact(&self) -> bool {
         self.psnr_db.is_infinite()
     }
@@ -109,7 +107,7 @@ pub fn quartile(run: &Run) -> f64 {
     percentile(&run.times, 25)
 }
 
-/// Returns the mean time of the frames in the slowest second of the show or the scene.
+/// Returns the mean time of a frame in the slowest second.
 fn worst_second(shot: &Shot, times: &[f64]) -> f64 {
     let start = shot.scene.start().unwrap_or(0.0);
     let seconds = shot.times.iter().map(|time| (start + time).floor());
@@ -121,7 +119,6 @@ fn worst_second(shot: &Shot, times: &[f64]) -> f64 {
     means.fold(0.0, f64::max)
 }
 
-/// The columns of all tables.
 const COLUMNS: [Column<Row>; 20] = [
     ("size", |row| format!("{}x{}", row.width, row.height)),
     ("threads", |row| row.threads.to_string()),
@@ -145,11 +142,10 @@ const COLUMNS: [Column<Row>; 20] = [
     ("FLIP to 64", |row| known(row.flip_to_64, 4)),
 ];
 
-/// The titles of the error columns.
 const ERRORS: &str =
     "dB to exhaustive, worst frame, over 8/255, pops, FLIP, dB to 64 samples, FLIP to 64";
 
-/// Returns a Markdown table of the columns with these titles and the error columns.
+/// Returns a table of these columns and the error columns.
 pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) -> String {
     let titles = titles.split(", ").chain(ERRORS.split(", "));
     let column = |title| COLUMNS.into_iter().find(|column| column.0 == title);
@@ -157,7 +153,6 @@ pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) 
     markdown::table(&columns.collect::<Vec<_>>(), rows)
 }
 
-/// A quality against its rivals.
 struct Race {
     own: Row,
     /// The scale and the dB to 64 samples of the enlarged frame that takes as long.

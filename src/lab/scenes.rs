@@ -10,10 +10,8 @@ use std::path::Path;
 use std::str::FromStr;
 use std::{fmt, fs};
 
-/// The suffix of scene files.
 const SUFFIX: &str = ".ron";
 
-/// Reads the text of a scene file.
 pub fn text(path: &Path) -> Result<String, String> {
     let error = |why: &str| format!("cannot read {}: {why}", path.display());
     let bytes = match fs::metadata(path) {
@@ -30,7 +28,6 @@ pub fn names() -> String {
     format!("model, field:N (1 to {MAX_SPHERES} spheres), show, {parts}, or FILE{SUFFIX}")
 }
 
-/// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SceneName {
     Show,
@@ -43,7 +40,6 @@ pub enum SceneName {
 }
 
 impl SceneName {
-    /// Returns the scene `time` seconds after its start.
     pub fn at(self, time: f32) -> Scene {
         match self {
             Self::Model => show::model_scene(time),
@@ -78,7 +74,7 @@ impl SceneName {
         }
     }
 
-    /// Returns its length in seconds.
+    /// Seconds.
     pub fn length(self) -> f32 {
         match self {
             Self::Show => show::LENGTH,
@@ -91,7 +87,6 @@ impl SceneName {
         }
     }
 
-    /// Returns the scenes of the show, or just this scene.
     pub fn split(self) -> Vec<Self> {
         match self {
             Self::Show => (0..show::NAMES.len()).map(Self::ShowScene).collect(),
@@ -135,7 +130,6 @@ impl fmt::Display for SceneName {
     }
 }
 
-/// The frame to draw.
 #[derive(Args)]
 pub struct FrameArguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = names())]

@@ -13,20 +13,18 @@ use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;
 
-/// Samples per pixel along each axis.
 const GRID: usize = 8;
 /// A pixel pops if a channel changes by more than this in one frame, in 255ths,
 const POP: u32 = 16;
 /// while the reference changes by at most this.
 const STILL: u32 = 4;
 
-/// The errors of a technique in all views together.
+/// The errors of a technique in all views.
 #[derive(Clone, Default)]
 pub struct Seen {
     /// To the reference.
     pub flips: Flips,
     pops: usize,
-    /// Pairs of consecutive frames.
     pairs: usize,
     missed: usize,
     /// One for each view.
@@ -35,25 +33,21 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// Returns the mean number of pops per frame.
     pub fn pops(&self) -> Option<f64> {
         (self.pairs > 0).then(|| self.pops as f64 / self.pairs as f64)
     }
 
-    /// Returns the mean number of missed objects per frame.
     pub fn missed(&self) -> Option<f64> {
         let views = self.differences_to_64.len();
         (views > 0).then(|| self.missed as f64 / views as f64)
     }
 
-    /// Returns the PSNR to 64 samples per pixel, in dB.
     pub fn psnr_to_64_db(&self) -> Option<f64> {
         let differences = &self.differences_to_64;
         (!differences.is_empty()).then(|| Difference::pooled_psnr(differences))
     }
 }
 
-/// Returns the number of pixels that pop between two frames.
 pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
     let change = |[before, after]: [&[u32]; 2], i: usize| worst_channel(before[i], after[i]);
     let pops = |&i: &usize| change(frames, i) > POP && change(references, i) <= STILL;
@@ -107,7 +101,6 @@ pub fn look(
     );
 }
 
-/// Draws a scene with 64 samples per pixel.
 fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Scene) -> Vec<u32> {
     let (mut mean, mut pixels) = (Mean::default(), vec![0; size.area()]);
     for i in 0..GRID * GRID {

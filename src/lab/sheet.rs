@@ -1,4 +1,4 @@
-//! Arranges captioned pictures of one size on a sheet.
+//! Sheets of captioned pictures.
 
 use crate::arguments::Size;
 use crate::bitmap::{at, bitmap, text};
@@ -12,14 +12,12 @@ pub struct Tile {
     pub caption: String,
 }
 
-/// The gap between pictures in pixels.
+/// Pixels.
 const GAP: usize = 12;
-/// The height of a line in pixels.
+/// Pixels.
 const LINE: usize = 18;
-/// The background colour.
 const PAPER: u32 = 0x00ff_ffff;
 
-/// Returns a PNG file.
 pub fn sheet(size: Size, columns: usize, tiles: &[Tile]) -> Result<Vec<u8>> {
     let lines = tiles.iter().map(|tile| tile.caption.lines().count()).max();
     let below = LINE * lines.unwrap_or(0) + 4;

@@ -9,7 +9,6 @@ use fast_image_resize::images::{Image, ImageRef};
 use fast_image_resize::{FilterType, PixelType, ResizeAlg, ResizeOptions, Resizer};
 use std::cell::RefCell;
 
-/// A way to draw a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Technique {
     pub name: String,
@@ -17,7 +16,6 @@ pub struct Technique {
     pub sampling: Sampling,
 }
 
-/// The pixels that are traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
     /// As the quality says.
@@ -28,7 +26,7 @@ pub enum Sampling {
     Checkerboard,
 }
 
-/// Memory that is kept from frame to frame.
+/// Memory kept between frames.
 #[derive(Default)]
 struct Scratch {
     resizer: Resizer,
@@ -51,7 +49,6 @@ impl Technique {
         }
     }
 
-    /// Returns the technique of a named quality.
     pub fn named(named: NamedQuality, antialias: bool) -> Self {
         Self::new(named.name, named.quality, antialias, Sampling::Full)
     }
@@ -74,7 +71,6 @@ impl Technique {
         ])
     }
 
-    /// Draws a frame that fills `pixels`.
     pub fn draw(
         &self,
         renderer: &mut ThreadedRenderer,
@@ -116,7 +112,6 @@ impl Technique {
     }
 }
 
-/// Enlarges a picture of size `part` to `size`.
 fn enlarge(resizer: &mut Resizer, part: Size, small: &[u32], size: Size, pixels: &mut [u32]) {
     const WHOLE: &str = "the buffer has the size of the picture";
     let [from, to] = [part, size].map(|size| (size.width as u32, size.height as u32));
@@ -130,7 +125,6 @@ fn enlarge(resizer: &mut Resizer, part: Size, small: &[u32], size: Size, pixels:
     resized.expect("both pictures have the same pixel type");
 }
 
-/// Fills the pixels of a checkerboard that were not traced.
 fn fill_gaps(size: Size, pixels: &mut [u32]) {
     let Size { width, height } = size;
     for y in 0..height {

@@ -1,5 +1,3 @@
-//! A renderer with its memory and threads.
-
 use crate::arguments::Size;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
@@ -9,16 +7,13 @@ use eightfold_tracer::{
 use eightfold_window::cpu;
 use eightfold_window::pool::Pool;
 
-/// Draws one frame at a time.
 pub struct ThreadedRenderer {
     renderer: Renderer,
     pub threads: PoolThreads,
-    /// For the next frames.
     offset: [f32; 2],
     probing: Probing,
 }
 
-/// Threads with their working memory.
 pub struct PoolThreads {
     pub pool: Pool,
     workers: Vec<Worker>,
@@ -61,7 +56,6 @@ impl ThreadedRenderer {
             .render_valid(scene, quality, frame, &mut self.threads)
     }
 
-    /// Draws a frame of a valid scene with an observer.
     pub fn draw_observed(
         &mut self,
         level: Level,
@@ -78,7 +72,7 @@ impl ThreadedRenderer {
             .expect("a valid scene")
     }
 
-    /// Sets the number of probed pixels of the next frames.
+    /// Sets the probed pixels of the next frames.
     pub fn set_probes(&mut self, count: u16, seed: u32) {
         self.probing = Probing { count, seed };
     }

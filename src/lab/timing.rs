@@ -1,5 +1,3 @@
-//! The machine, and statistics of measured times.
-
 use crate::arguments::processors;
 use std::fs;
 
@@ -25,7 +23,6 @@ fn sorted(times: &[f64]) -> Vec<f64> {
     times
 }
 
-/// Returns the name and the number of processors.
 pub fn machine() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let models = info.lines().filter(|line| line.starts_with("model name"));

@@ -1,12 +1,10 @@
-//! Writes WAV files.
-
 use eightfold::sound::{RATE, Synthesizer};
 use std::ops::Range;
 
 /// Bytes per stereo sample.
 const FRAME: u32 = 8;
 
-/// Synthesizes a range of samples of the song.
+/// Synthesizes samples of the song.
 pub fn record(range: Range<u32>) -> Vec<[f32; 2]> {
     let mut synthesizer = Box::<Synthesizer>::default();
     let mut samples = vec![[0.0; 2]; range.len()];

@@ -1,4 +1,4 @@
-//! `lab capture`: draws frames as PNG files, a video or a contact sheet, and writes their sound.
+//! `lab capture`.
 
 mod recorder;
 mod video;
@@ -66,12 +66,10 @@ pub struct Arguments {
     aperture: f32,
 }
 
-/// The index of a frame.
 const FRAME: RangeInclusive<usize> = 0..=*arguments::FRAMES.end();
 /// 256 pictures show every step of an edge in 8 bits.
 const MAX_SUPERSAMPLE: usize = 16;
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let frames = range(arguments)?;
     let mut recorder = Recorder::new(arguments);
@@ -93,7 +91,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
 }
 
-/// Returns the frames to draw, clipped to the scene.
 fn range(arguments: &Arguments) -> Result<Range<usize>> {
     let length = (arguments.scene.length() * arguments.fps as f32).ceil() as usize;
     let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));

@@ -1,4 +1,4 @@
-//! Draws frames by number, and synthesizes their sound.
+//! The pictures and the sound of frames.
 
 use super::Arguments;
 use crate::arguments::{Size, processors};
@@ -19,7 +19,6 @@ use std::ops::Range;
 /// The default of `--supersample` for blurred frames.
 const BLURRED: usize = 4;
 
-/// Draws the frames of a scene and records its sound.
 pub struct Recorder {
     scene: SceneName,
     pub fps: u32,
@@ -72,7 +71,6 @@ impl Recorder {
         Ok(())
     }
 
-    /// Draws a frame as the mean of its pictures, in 8-bit colours.
     fn draw(&mut self, frame: usize) -> &[u32] {
         let n = self.supersample;
         let mut mean = Mean::default();
@@ -110,7 +108,7 @@ impl Recorder {
         vec2(-lens.x, lens.y) / (sight.length() * pixel)
     }
 
-    /// Synthesizes the sound of a range of frames; `None` if the scene has no sound.
+    /// Synthesizes the sound of frames; `None` outside the show.
     pub fn sound(&self, frames: &Range<usize>) -> Option<Vec<[f32; 2]>> {
         let start = (self.scene.start()? * RATE as f32) as u32;
         let samples = |frame: usize| (frame as u64 * u64::from(RATE)).div_ceil(self.fps.into());

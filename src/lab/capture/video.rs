@@ -28,7 +28,6 @@ pub fn write(recorder: &mut Recorder, frames: Range<usize>, name: &Path) -> Resu
     ffmpeg
         .args(INPUT.split(' '))
         .args(["-video_size", &size, "-framerate", &rate, "-i", "-"]);
-    // Deleted after ffmpeg has read it.
     let folder = tempfile::tempdir()?;
     if kind == "webp" {
         ffmpeg.args(WEBP.split(' '));

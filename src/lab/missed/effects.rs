@@ -1,4 +1,4 @@
-//! The effects of an object on a picture: itself, its shadows, its images.
+//! The effects of an object on a picture.
 
 use super::{MAX_ERROR, visible_objects};
 use crate::arguments::Size;
@@ -11,7 +11,7 @@ use eightfold_tracer::scene::{List, Material, Scene, Waves};
 use eightfold_window::cpu;
 use std::collections::BTreeMap;
 
-/// The effect by which a pixel shows an object.
+/// The effect of an object in a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     Object,
@@ -26,7 +26,6 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All kinds, with their titles.
     pub const ALL: [(Self, &'static str); 5] = [
         (Self::Object, "objects"),
         (Self::PlaneShadow, "shadows on planes"),
@@ -39,7 +38,7 @@ impl Kind {
     ];
 }
 
-/// The most pixels of a small effect.
+/// In pixels.
 const SMALL: usize = 16;
 
 /// The number of small effects, and of those that a picture misses: all their pixels are wrong.
@@ -52,7 +51,6 @@ pub struct Count {
 
 pub type Counts = BTreeMap<Kind, Count>;
 
-/// Counts the small effects of objects in frames of one size.
 pub struct EffectCounter {
     renderer: ThreadedRenderer,
     size: Size,
@@ -76,7 +74,7 @@ impl EffectCounter {
         pixels
     }
 
-    /// Counts the small effects of all spheres and blocks of a scene.
+    /// Counts the small effects of all spheres and blocks.
     pub fn count(&mut self, scene: &Scene, quality: Quality, counts: &mut Counts) {
         let whole = self.draw(scene, Quality::EXHAUSTIVE);
         let drawn = [quality.guarded, false].map(|guarded| {
@@ -119,13 +117,11 @@ fn differ(a: u32, b: u32) -> bool {
     worst_channel(a, b) > MAX_ERROR
 }
 
-/// Returns the spheres and blocks of a scene.
 fn objects(scene: &Scene) -> impl Iterator<Item = Object> {
     let spheres = (0..scene.spheres.len()).map(Object::Sphere);
     spheres.chain((0..scene.blocks.len()).map(Object::Block))
 }
 
-/// Removes a sphere or a block.
 fn without(scene: &Scene, object: Object) -> Scene {
     let mut scene = scene.clone();
     match object {
@@ -136,7 +132,6 @@ fn without(scene: &Scene, object: Object) -> Scene {
     scene
 }
 
-/// Returns a list without item `i`.
 fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N> {
     let others = list[..i].iter().chain(&list[i + 1..]);
     others.copied().collect()
@@ -162,7 +157,7 @@ fn kind(scene: &Scene, object: Object, host: Object, is_seen: bool) -> Kind {
     }
 }
 
-/// Returns the material of an object; black for lights and the background.
+/// Returns black for lights and the background.
 fn material(scene: &Scene, object: Object) -> Material {
     object.material(scene).copied().unwrap_or(Material::BLACK)
 }

@@ -1,4 +1,4 @@
-//! `lab missed`: counts the small effects of objects that adaptive frames miss: themselves, their shadows, their images.
+//! `lab missed`.
 
 pub mod effects;
 
@@ -42,13 +42,11 @@ pub struct Arguments {
 /// A pixel is changed or wrong if a channel differs by more than this, in 255ths.
 const MAX_ERROR: u32 = 8;
 
-/// Scenes that are counted together.
 struct Group {
     name: String,
     scenes: Vec<Scene>,
 }
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let groups = groups(arguments);
     for scene in groups.iter().flat_map(|group| &group.scenes) {
@@ -92,7 +90,7 @@ fn groups(arguments: &Arguments) -> Vec<Group> {
     [random].into_iter().chain(others).collect()
 }
 
-/// Returns frames from the middle of equal parts of a scene, or of each of the show's scenes.
+/// Returns frames from the middles of equal parts of each scene.
 fn frames_of(name: SceneName, frames: usize) -> Group {
     let at = |part: SceneName| {
         let each = part.length() / frames as f32;
@@ -129,14 +127,13 @@ fn table(columns: &[(&str, Counts)]) -> String {
     text + "\n"
 }
 
-/// Returns the object at the centre of each pixel.
 fn visible_objects(scene: &Scene, Size { width, height }: Size) -> Vec<Object> {
     let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, width, height);
     let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
     (0..width * height).into_par_iter().map(at).collect()
 }
 
-/// The visible objects of a frame except the background, and the pixels that show them.
+/// The visible objects and their pixels, without the background.
 pub struct Visible(BTreeMap<Object, Vec<u32>>);
 
 impl Visible {

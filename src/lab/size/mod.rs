@@ -1,4 +1,4 @@
-//! `lab size`: lists the sections, crates and functions of the intro by size.
+//! `lab size`.
 
 mod packed;
 pub mod program;
@@ -32,7 +32,6 @@ pub struct Arguments {
 /// Smaller shares of the file are listed as one.
 const LISTED: f64 = 0.005;
 
-/// The size of parts of the program.
 #[derive(Clone, Copy, Default)]
 struct Bytes {
     parts: usize,
@@ -54,7 +53,6 @@ impl fmt::Display for Bytes {
     }
 }
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let build = if arguments.windows {
         Build::windows()?

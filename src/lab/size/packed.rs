@@ -6,7 +6,6 @@ use eightfold_pack::{costs, strip};
 use object::{Object, ObjectSegment};
 use std::ops::Range;
 
-/// The loaded part of the linked program.
 pub struct Packed {
     /// The addresses of each segment, and its offset in the image.
     segments: Vec<(Range<u64>, usize)>,
@@ -15,7 +14,6 @@ pub struct Packed {
 }
 
 impl Packed {
-    /// Packs a linked program.
     pub fn new(linked: &[u8]) -> Result<Self> {
         let image = strip(linked).map_err(|error| anyhow!("{error}"))?;
         let file = object::File::parse(&*image).context("not an ELF file")?;

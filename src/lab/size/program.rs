@@ -15,7 +15,6 @@ pub struct Part {
     pub addresses: Range<u64>,
 }
 
-/// The sections and symbols of a program, sorted by address.
 pub struct Program {
     pub sections: Vec<Part>,
     pub symbols: Vec<Part>,

@@ -9,7 +9,6 @@ use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use serde::Serialize;
 
-/// Frames of each point.
 const FRAMES: usize = 7;
 /// The sides of the pictures, relative to `--size`.
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 2.8];
@@ -17,16 +16,13 @@ const SPHERES: [usize; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, MAX_SPHERES];
 /// The qualities, the reference first.
 const NAMES: [&str; 5] = ["exhaustive", "thesis", "finest", "default", "fastest"];
 
-/// A curve of a plot.
 #[derive(Serialize)]
 pub struct Curve {
-    /// The name of the quality.
     pub name: String,
     /// Speed-ups by a number.
     pub points: Vec<(f64, f64)>,
 }
 
-/// Measures curves by the number of pixels.
 pub fn by_resolution(of: &Measurement) -> Vec<Curve> {
     let sizes = SCALES.into_iter().map(|scale| of.sizes[0].scaled(scale));
     let fits = |size: &Size| size.width <= MAX_WIDTH && size.height <= MAX_HEIGHT;
@@ -36,7 +32,6 @@ pub fn by_resolution(of: &Measurement) -> Vec<Curve> {
     })
 }
 
-/// Measures curves by the number of spheres.
 pub fn by_spheres(of: &Measurement) -> Vec<Curve> {
     let fields = SPHERES.map(SceneName::Field);
     curves(of, &fields, of.sizes.clone(), |setting| {

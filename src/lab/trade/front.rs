@@ -20,7 +20,6 @@ pub fn mark(rows: &mut [Row]) {
     }
 }
 
-/// Returns the rows on the front by speed, without exact ones.
 pub fn from_the_slowest(rows: &[Row]) -> Vec<&Row> {
     let on_front = |row: &&Row| row.on_front && !row.is_exact();
     let mut front: Vec<&Row> = rows.iter().filter(on_front).collect();

@@ -1,4 +1,4 @@
-//! `lab trade`: measures what each field of the quality gains in speed and costs in accuracy.
+//! `lab trade`.
 
 mod curves;
 mod front;
@@ -50,17 +50,14 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// The contents of trade.json.
 #[derive(Serialize)]
 struct Trade {
-    /// The machine, the scene and the settings.
     heading: String,
     rows: Vec<Row>,
     by_resolution: Vec<Curve>,
     by_spheres: Vec<Curve>,
 }
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
     let folder = &arguments.out;

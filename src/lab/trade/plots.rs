@@ -1,5 +1,3 @@
-//! The plots of the results.
-
 use super::Trade;
 use super::curves::Curve;
 use super::front::from_the_slowest;
@@ -16,7 +14,6 @@ use std::path::Path;
 const PSNR: &str = "dB to exhaustive";
 const SPEED_UP: &str = "speed-up over exhaustive frames";
 
-/// Writes the plots that have results.
 pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
     for (name, chart) in [
         ("front", front(trade)),
@@ -38,7 +35,6 @@ pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
     Ok(())
 }
 
-/// Plots all settings, the Pareto front, and the named qualities.
 fn front(trade: &Trade) -> Chart {
     let is_named = |row: &&Row| NamedQuality::all().any(|named| named.name == row.name);
     let dots = |name: &str, rows: Vec<&Row>, has_labels: bool| {

@@ -4,7 +4,6 @@ use crate::arguments::NamedQuality;
 use crate::technique::{Sampling, Technique};
 use eightfold_tracer::Quality;
 
-/// The qualities whose fields are varied.
 const BASES: [(&str, Quality); 2] = [("default", Quality::DEFAULT), ("thesis", Quality::THESIS)];
 const SQUARES: [usize; 5] = [2, 4, 8, 16, 32];
 const TOLERANCES: [f32; 12] = [
@@ -16,7 +15,6 @@ const SIDES: [f32; 4] = [0.0, 3.0, 5.0, 16.0];
 const KEYS: [(u32, u32); 6] = [(0, 0), (1, 0), (1, 1), (2, 2), (5, 1), (5, 5)];
 const HIGHLIGHTS: [f32; 4] = [1.0 / 1024.0, 1.0 / 64.0, 0.25, f32::INFINITY];
 const CONTRIBUTIONS: [f32; 6] = [0.0, 0.003, 0.02, 0.05, 0.1, 0.2];
-/// Combinations of depth and contribution.
 const FOLLOWED: [(u32, f32); 5] = [(5, 0.01), (5, 0.02), (4, 0.02), (3, 0.05), (2, 0.1)];
 
 /// Returns distinct settings, the named ones first.
@@ -81,7 +79,6 @@ pub fn techniques(antialias: bool) -> Vec<Technique> {
     all
 }
 
-/// Sets the tolerance of squares and of midpoints of sides.
 fn set_tolerance(quality: &mut Quality, tolerance: f32) {
     (quality.tolerance_agreeing, quality.tolerance_side) = (tolerance, tolerance);
 }

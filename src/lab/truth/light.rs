@@ -16,9 +16,7 @@ pub struct SphereLight<'a> {
     radius: f64,
 }
 
-/// A sample of a light at a point.
 pub struct Arriving {
-    /// The unit direction to the light.
     pub d: DVec3,
     pub distance: f64,
     /// The irradiance on a surface that faces the direction.

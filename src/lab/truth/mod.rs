@@ -1,4 +1,4 @@
-//! `lab truth`: path-traces a scene, and measures the error of the real-time picture.
+//! `lab truth`.
 
 mod light;
 mod path;
@@ -18,7 +18,6 @@ use rayon::prelude::*;
 use std::fmt;
 use std::path::PathBuf;
 
-/// The most paths per pixel.
 const MAX_SAMPLES: u32 = 1 << 20;
 
 /// Draws a scene by a path tracer, with area lights, light between surfaces, and caustics
@@ -39,7 +38,6 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let FrameArguments { scene, time, size } = arguments.frame;
     let samples = arguments.samples;
@@ -69,7 +67,6 @@ fn transported(mut scene: Scene) -> Scene {
     scene
 }
 
-/// The radiance of a pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Estimate {
     pub mean: DVec3,
@@ -93,7 +90,6 @@ impl Estimate {
         }
     }
 
-    /// Returns the mean as a pixel, `0x00RRGGBB`.
     fn pixel(&self) -> u32 {
         let shown = self.mean.clamp(DVec3::ZERO, DVec3::ONE) * 255.0;
         let [r, g, b] = shown.to_array().map(|channel| channel.round() as u32);
@@ -134,7 +130,6 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares `0x00RRGGBB` pixels.
     pub fn new(pixels: &[u32], truth: &[Estimate]) -> Self {
         let (mut squares, mut variance) = (0.0, 0.0);
         for (pixel, estimate) in pixels.iter().zip(truth) {

@@ -18,7 +18,6 @@ const SURE_BOUNCES: u32 = 4;
 /// The largest probability of survival, so that paths between perfect mirrors end.
 const MAX_SURVIVAL: f64 = 0.95;
 
-/// Traces paths through a scene.
 pub struct PathTracer<'a> {
     oracle: Oracle<'a>,
     lights: Vec<SphereLight<'a>>,
@@ -28,7 +27,7 @@ pub struct PathTracer<'a> {
 impl<'a> PathTracer<'a> {
     pub fn new(scene: &'a Scene, size: Size) -> Self {
         Self {
-            // The path tracer ignores the quality.
+            // The quality has no effect.
             oracle: Oracle::new(scene, &Quality::EXHAUSTIVE, size.width, size.height),
             lights: scene.lights.iter().map(SphereLight::new).collect(),
             exposure: scene.exposure.into(),
@@ -125,11 +124,8 @@ struct Surface<'a> {
     probabilities: [f64; 4],
 }
 
-/// The next segment of a path.
 struct Next {
-    /// The unit direction.
     d: DVec3,
-    /// The factor on the throughput.
     weight: DVec3,
     /// Whether a rough surface scattered the path.
     is_scattered: bool,

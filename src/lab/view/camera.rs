@@ -1,12 +1,9 @@
-//! Mouse control of a camera.
-
 use eightfold_tracer::glam::{Quat, Vec2};
 use eightfold_tracer::scene::Camera;
 
 /// The largest cosine of the angle between the viewing direction and `up`; at 1 the camera has no right vector.
 const STEEPEST: f32 = 0.998;
 
-/// The factor of the distance per notch of the wheel.
 const NOTCH: f32 = 1.1;
 
 /// Rotates a camera about the point that it looks at, by angles in radians.
@@ -29,7 +26,6 @@ pub fn pan(camera: &mut Camera, by: Vec2) {
     camera.look_at += offset;
 }
 
-/// Moves a camera towards the point that it looks at.
 pub fn zoom(camera: &mut Camera, notches: i32) {
     let away = camera.eye - camera.look_at;
     camera.eye = camera.look_at + away * NOTCH.powi(-notches);

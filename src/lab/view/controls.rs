@@ -1,5 +1,3 @@
-//! Keys for time, quality and overlay.
-
 use crate::arguments::NamedQuality;
 use eightfold_window::input::Press;
 
@@ -11,7 +9,6 @@ pub const MOST_RAYS: u32 = 24;
 /// The error that is shown in white, in 255ths: four times the threshold of the tables.
 pub const MOST_ERROR: u32 = 32;
 
-/// Keys and mouse gestures with their effects.
 pub const KEYS: [(&str, &str); 17] = [
     ("Space", "pauses, resumes"),
     ("Left, Right", "a frame back or on, and pauses"),
@@ -32,13 +29,11 @@ pub const KEYS: [(&str, &str); 17] = [
     ("Esc", "quits"),
 ];
 
-/// Formats the keys for a terminal.
 pub fn help() -> String {
     let lines = KEYS.map(|(key, effect)| format!("{key:<18}{effect}"));
     lines.join("\n")
 }
 
-/// A picture over the frame or instead of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     None,
@@ -49,7 +44,6 @@ pub enum Overlay {
 }
 
 impl Overlay {
-    /// Returns the name for the window's title.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "picture",
@@ -60,7 +54,6 @@ impl Overlay {
         }
     }
 
-    /// Returns the overlay of a key.
     fn of(key: char) -> Option<Self> {
         match key {
             'p' => Some(Self::Points),
@@ -72,7 +65,6 @@ impl Overlay {
     }
 }
 
-/// The selected frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controls {
     /// The position in frames, fractional while the scene plays.
@@ -85,19 +77,17 @@ pub struct Controls {
 }
 
 impl Controls {
-    /// Returns the time in seconds.
+    /// Seconds.
     pub fn time(&self) -> f32 {
         (self.frame / FPS) as f32
     }
 
-    /// Advances unless paused.
     pub fn advance(&mut self, frames: f64) {
         if !self.is_paused {
             self.frame = (self.frame + frames) % self.length;
         }
     }
 
-    /// Applies a key.
     pub fn press(&mut self, press: Press) {
         match press {
             Press::Character(' ') => self.is_paused = !self.is_paused,
@@ -109,7 +99,6 @@ impl Controls {
         }
     }
 
-    /// Pauses at a frame.
     fn step(&mut self, frame: f64) {
         self.is_paused = true;
         self.frame = frame;

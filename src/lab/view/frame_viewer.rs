@@ -1,5 +1,3 @@
-//! Draws and measures the frame with its overlay.
-
 use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
 use super::subject::Subject;
 use crate::arguments::Size;
@@ -14,11 +12,9 @@ use std::time::{Duration, Instant};
 /// The probes of 1.7 s at 60 frames per second; then their weight is halved.
 const MOST_PROBES: u64 = 8000;
 
-/// Draws frames, and keeps the last one.
 pub struct FrameViewer {
     renderer: ThreadedRenderer,
     isa: Isa,
-    /// The selection of the picture.
     drawn: Option<(Controls, u64, Size)>,
     probes: Probes,
     /// The seed of the last frame's probes.
@@ -27,7 +23,6 @@ pub struct FrameViewer {
     pub figures: Figures,
 }
 
-/// Measurements of the picture.
 #[derive(Clone, Copy, Default)]
 pub struct Figures {
     /// The time to draw it without the overlay.

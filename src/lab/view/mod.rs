@@ -1,4 +1,4 @@
-//! `lab view`: plays a scene in a window, with keys for time, quality and overlay, and the mouse for the camera.
+//! `lab view`.
 
 mod camera;
 pub mod controls;
@@ -40,7 +40,6 @@ pub struct Arguments {
     paused: bool,
 }
 
-/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
     let window = Window::open(c"Eightfold", width, height)

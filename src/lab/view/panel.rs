@@ -1,5 +1,3 @@
-//! Text over the picture.
-
 use crate::bitmap::{at, bitmap, register_fonts, text};
 use plotters::prelude::*;
 use plotters::style::FontStyle;
@@ -8,7 +6,6 @@ use plotters::style::FontStyle;
 const LETTERS: u32 = 14;
 const LINE: usize = 18;
 const GAP: usize = 8;
-/// The left side of the text after keys.
 const COLUMN: usize = 128;
 
 /// White text on black at the top of a picture, and its bitmap.
@@ -42,7 +39,6 @@ impl Panel {
             let size = normal.font.box_size(words);
             size.map_or(0, |(width, _)| width as usize)
         };
-        // Break lines between words.
         let mut lines: Vec<(&str, usize, String)> = Vec::new();
         for (key, words) in &self.rows {
             let indent = if key.is_empty() { GAP } else { COLUMN };

@@ -1,5 +1,3 @@
-//! The loop of input, frame and title.
-
 use super::camera;
 use super::controls::{Controls, FPS, KEYS};
 use super::frame_viewer::FrameViewer;
@@ -20,7 +18,6 @@ use std::time::{Duration, Instant};
 /// The time between updates of the title: short enough to follow, long enough to read.
 const TITLE_EVERY: Duration = Duration::from_millis(500);
 
-/// The window and its contents.
 pub struct Session {
     window: Window,
     viewer: FrameViewer,
@@ -83,7 +80,6 @@ impl Session {
         }
     }
 
-    /// Applies keys and the mouse.
     fn take_inputs(&mut self) -> Result<()> {
         let (_, height) = self.window.size();
         for input in self.window.inputs() {

@@ -1,5 +1,3 @@
-//! The scene, by name or from its file, and its camera.
-
 use super::camera;
 use super::watched::Watched;
 use crate::scenes::SceneName;
@@ -8,7 +6,6 @@ use eightfold_tracer::scene::{Camera, Scene};
 use eightfold_window::input::{Action, Button, Mouse};
 use std::f32::consts::PI;
 
-/// A scene and its camera.
 pub struct Subject {
     name: SceneName,
     file: Option<Watched>,
@@ -35,7 +32,6 @@ impl Subject {
         }
     }
 
-    /// Returns the scene at a time in seconds.
     pub fn at(&self, time: f32) -> Scene {
         let mut scene = match &self.file {
             Some(file) => file.scene.at(time),
@@ -47,18 +43,16 @@ impl Subject {
         scene
     }
 
-    /// Returns the length in seconds.
+    /// Seconds.
     pub fn length(&self) -> f32 {
         let file = self.file.as_ref();
         file.map_or(self.name.length(), |file| file.scene.length)
     }
 
-    /// Returns the mistake in the scene's file.
     pub fn fault(&self) -> Option<&str> {
         self.file.as_ref()?.fault.as_deref()
     }
 
-    /// Reads the file again if it has changed.
     pub fn look(&mut self) {
         if self.file.as_mut().is_some_and(Watched::look) {
             self.version += 1;

@@ -1,17 +1,14 @@
-//! A scene file that is read again whenever it changes.
-
 use crate::scenes;
 use eightfold_scene_file::SceneFile;
 use std::path::Path;
 
-/// A scene file and its last valid scene.
+/// A scene file that is read again whenever it changes.
 pub struct Watched {
     pub scene: SceneFile,
     /// The last text, or the error of reading it; `None` before the first look.
     text: Option<Result<String, String>>,
     /// The mistake in a text that was read once: the file may be half written.
     suspect: Option<String>,
-    /// The mistake in the file.
     pub fault: Option<String>,
 }
 

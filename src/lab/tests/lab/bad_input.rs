@@ -1,9 +1,6 @@
-//! Bad input is reported in one line.
-
 use super::{assert_one_line, lab};
 use eightfold_tracer::Quality;
 
-/// Command lines, and words of their errors.
 const LINES: [(&str, &str); 34] = [
     ("paint", "paint"),
     ("render", "--out"),

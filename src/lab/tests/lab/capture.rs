@@ -27,7 +27,7 @@ fn captured(flag: &str, target: &Path, more: &str) {
     printed(&line(&format!("{flag} {} {more}", target.display())));
 }
 
-/// Returns the names and contents of the files in a folder, sorted by name.
+/// Returns the names and contents of files by name.
 fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder).expect("a folder");
     let file = |path: PathBuf| {
@@ -39,7 +39,6 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// Returns the pixels of frames by `lab render`.
 fn rendered(times: &[f64], size: &str) -> Vec<u32> {
     let picture = |time: &f64| {
         let output = lab(&format!("render --size {size} --time {time} --out -"));
@@ -105,7 +104,7 @@ const SCENE: &str = "Scene(
     motions: [(of: \"spheres[0].centre\", keys: [(0.0, (-2.0, 0.0, 0.0)), (1.0, (2.0, 0.0, 0.0))])],
 )";
 
-/// Returns the brightness of the pixels of the first frame of [`SCENE`].
+/// Returns the brightness of the pixels of [`SCENE`].
 fn frame(more: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("scene.ron");

@@ -1,5 +1,3 @@
-//! `lab figures`.
-
 use super::{lab, said};
 use eightfold_stage::reader::read_png;
 

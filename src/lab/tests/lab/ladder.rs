@@ -10,7 +10,6 @@ fn default_preset_has_its_name() {
     assert_eq!(Quality::LADDER[preset], Quality::DEFAULT);
 }
 
-/// Parses the first word of a cell.
 fn number(cell: &str) -> f64 {
     let number = cell.split(' ').next().and_then(|text| text.parse().ok());
     number.unwrap_or_else(|| panic!("not a number: {cell}"))
@@ -34,7 +33,6 @@ fn errors_match_documentation_and_increase() {
     // One view saves time: the figures of views are not compared.
     let text = printed("trade --ladder --views 1");
     let measured = cells(&text);
-    // Titles, exhaustive, thesis, presets.
     assert_eq!(documented.len(), 1 + 2 + Quality::LADDER.len());
     assert_eq!(measured.len(), documented.len());
     assert_eq!(measured[0], documented[0], "titles");

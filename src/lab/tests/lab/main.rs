@@ -29,7 +29,6 @@ fn lab(line: &str) -> Output {
     command(line).output().expect("the lab starts")
 }
 
-/// Returns the text on standard error.
 fn said(output: &Output) -> String {
     texts(output).1
 }
@@ -56,7 +55,6 @@ fn cells(text: &str) -> Vec<Vec<&str>> {
         .collect()
 }
 
-/// Renders a small frame.
 fn render(out: &Path, more: &str) -> Output {
     lab(&format!(
         "render --size 40x30 --out {} {more}",

@@ -6,7 +6,6 @@ use eightfold_lab::missed::effects::{Count, Counts, EffectCounter, Kind};
 use eightfold_scenes::{Hidden, Random};
 use eightfold_tracer::Quality;
 
-/// Counts effects in scenes of a kind.
 fn counts(hidden: Hidden, quality: Quality) -> Counts {
     let mut counter = EffectCounter::new(1, Size::new(200, 150));
     let mut counts = Counts::new();

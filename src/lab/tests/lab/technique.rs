@@ -11,7 +11,6 @@ use eightfold_window::cpu;
 
 const SIZE: Size = Size::new(96, 70);
 
-/// Draws the model scene. Returns the picture and its work.
 fn picture(sampling: Sampling) -> (Vec<u32>, Counts) {
     let mut renderer = ThreadedRenderer::new(1);
     let mut pixels = vec![u32::MAX; SIZE.area()];
@@ -32,7 +31,6 @@ fn checkerboard_has_every_second_traced_pixel() {
         let (a, b): (Vec<u32>, Vec<u32>) = places.map(|i| (pixels[i], traced[i])).unzip();
         Difference::between(&a, &b).psnr
     };
-    // Rays through the same places are rounded differently.
     let (own, others) = (psnr(0), psnr(1));
     assert!(own > 55.0, "{own}");
     assert!((24.0..45.0).contains(&others), "{others}");

@@ -23,7 +23,7 @@ fn assert_near(estimate: Estimate, known: DVec3, most: f64) {
     assert!(off.cmple(allowed).all(), "{} is not {known}", estimate.mean);
 }
 
-/// Returns the radiance of the point that the camera looks at.
+/// Returns the radiance at the camera's target.
 fn seen(scene: &Scene, samples: u32) -> Estimate {
     assert_eq!(scene.validate(), Ok(()));
     draw(scene, Size::new(1, 1), samples, 1)[0]

@@ -1,5 +1,3 @@
-//! The mouse moves the camera, and C prints it.
-
 use crate::display::{SCENE, View, rendered};
 use eightfold_stage::wait_for;
 use std::fs;

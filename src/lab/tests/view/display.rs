@@ -48,7 +48,6 @@ impl View {
         Some(view)
     }
 
-    /// Starts paused.
     pub fn of(options: &str) -> Option<View> {
         if lacks(DISPLAY) {
             return None;
@@ -98,7 +97,6 @@ impl View {
         sleep(Duration::from_millis(40));
     }
 
-    /// Drags through pixels of the window.
     pub fn drag(&self, button: u32, pixels: &[[i32; 2]]) {
         self.point(pixels[0]);
         self.server.xdotool(&format!("mousedown {button}"));
@@ -113,7 +111,6 @@ impl View {
         wait_for(what, || is_wanted(&self.shot()).then_some(()));
     }
 
-    /// Waits for the file's picture.
     #[track_caller]
     pub fn assert_shows_file(&self) {
         let picture = rendered(&format!("--scene {}", self.file.display()));
@@ -130,7 +127,6 @@ impl View {
         self.server.screenshot([x, y, width, height])
     }
 
-    /// Returns the position and the size of the window.
     pub fn place(&self) -> [i32; 4] {
         let place = self.server.geometry(&["-id", &self.id]);
         place.expect("a window")

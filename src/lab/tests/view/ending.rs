@@ -1,5 +1,3 @@
-//! Ends of the session.
-
 use crate::display::View;
 use eightfold_stage::run;
 use std::fs;

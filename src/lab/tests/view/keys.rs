@@ -1,5 +1,3 @@
-//! Keys select time, quality and overlay.
-
 use crate::display::{SIZE, View, bright, rendered};
 use eightfold::show;
 use eightfold_lab::arguments::{NamedQuality, Size};

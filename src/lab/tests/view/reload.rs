@@ -1,5 +1,3 @@
-//! Scene files that change.
-
 use crate::display::{SCENE, SIZE, View, bright};
 use eightfold_stage::run;
 use std::fs;
