@@ -1,6 +1,4 @@
-//! Scenes as files in RON: every field of [`Scene`] by its name, materials by names of one's own, and numbers that change with time.
-//!
-//! `examples/scenes` has a file for each of its features.
+//! Scene files in RON: the fields of [`Scene`], named materials, and motions. `examples/scenes` has a file for each feature.
 
 mod motion;
 mod node;
@@ -12,33 +10,32 @@ use node::{Fault, Kind, Node};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// The length of a scene without a `length`, in seconds.
+/// The default `length` in seconds.
 const LENGTH: f32 = 8.0 * std::f32::consts::PI;
 
-/// The most letters of a word or a quoted text in a message, and of the message.
+/// The most letters of a word or a quotation in a message, and of the message.
 const MAX_WORD: usize = 60;
 const MAX_MESSAGE: usize = 600;
 
-/// The mark that some editors put in front of a text. It takes no column.
+/// Some editors begin a text with it. It has no column.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// A scene that has been read from a file.
+/// A scene from a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneFile {
-    /// The name of the file.
     pub name: String,
-    /// How long it plays, in seconds.
+    /// Seconds.
     pub length: f32,
-    /// The contents of the file, without the length and the motions.
+    /// The contents without the length and the motions.
     tree: Node,
     motions: Vec<Motion>,
 }
 
 impl SceneFile {
-    /// Reads a scene from the text of a file.
+    /// Parses the text of a file.
     ///
     /// # Errors
-    /// One line: the file, the line, the column, the value, and its range.
+    /// One line: file, line, column, value, range.
     pub fn parse(name: &str, text: &str) -> Result<Self, String> {
         let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
         let mistake =
@@ -67,7 +64,7 @@ impl SceneFile {
         }
         let motions = tree.take("motions").unwrap_or_default().parts.into_iter();
         let motions: Vec<Motion> = motions.map(Motion::read).collect::<Result<_, _>>()?;
-        // A motion may move a part of it where the file leaves it out.
+        // A motion can set a part of an omitted vector.
         if let Some(camera) = tree.get_mut("camera")
             && camera.get("up").is_none()
             && let Some(up) = camera.place("up", camera.at)
@@ -99,10 +96,10 @@ impl SceneFile {
     pub fn at(&self, time: f32) -> Scene {
         let tree = self.tree_at(time);
         let scene = tree.and_then(|tree| Scene::deserialize(&tree));
-        scene.expect("a file is a scene at all times if it is one at its keys")
+        scene.expect("a file that is valid at its keys is a scene at all times")
     }
 
-    /// Returns the tree of the scene at a time, as serde reads it: with materials in place of their names.
+    /// Returns the tree at a time, with materials in place of their names.
     fn tree_at(&self, time: f32) -> Result<Node, Fault> {
         let mut tree = self.tree.clone();
         for motion in &self.motions {
@@ -133,7 +130,7 @@ impl SceneFile {
     }
 }
 
-/// Returns a message in one line, with long words and long quoted texts cut.
+/// Joins lines, and cuts long words and quotations.
 fn shortened(message: &str) -> String {
     let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
     let parts = line.split('"').enumerate().map(|(i, part)| match i % 2 {
@@ -147,7 +144,7 @@ fn shortened(message: &str) -> String {
     cut(&parts.collect::<Vec<_>>().join("\""), MAX_MESSAGE)
 }
 
-/// Cuts a text that has more than `most` letters, except for the signs at its end.
+/// Cuts a text after `most` letters, except for the punctuation at its end.
 fn cut(text: &str, most: usize) -> String {
     let Some((end, _)) = text.char_indices().nth(most) else {
         return text.to_owned();
@@ -157,19 +154,19 @@ fn cut(text: &str, most: usize) -> String {
     format!("{}...{signs}", &text[..end])
 }
 
-/// Turns the axes of a block by its `turn`: angles in radians about its own z axis first, then x, then y.
+/// Rotates the axes of a block by its `turn`: radians about its z axis first, then x, then y.
 fn turn(block: &mut Node) -> Result<(), Fault> {
     if let Some(axes) = block.get_mut("axes")
         && axes.parts.len() == 3
     {
-        // A file has a list for each axis, and serde one for all.
+        // A file has a list per axis, serde one for all.
         let numbers = axes.parts.iter().flat_map(|axis| axis.parts.clone());
         axes.parts = numbers.collect();
     }
     if let Some(turn) = block.take("turn") {
         let [x, y, z] = <[f32; 3]>::deserialize(&turn)?;
         let mut axes = Mat3::from_euler(EulerRot::YXZ, y, x, z);
-        // A product with the identity would lose the signs of zeros.
+        // A product with the identity loses the signs of zeros.
         if let Some(before) = block.get("axes") {
             axes = Mat3::deserialize(before)? * axes;
         }

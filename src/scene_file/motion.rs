@@ -1,48 +1,45 @@
-//! Numbers of a scene that change with time.
+//! Values that change with time.
 
 use super::node::{Fault, Kind, Node};
 use serde::Deserialize;
 
-/// The motion of a number of the scene, or of a vector.
+/// The motion of a number or a vector.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
-    /// The path of the value in the file: `camera.eye`, `spheres[0].centre`, `materials["gold"].kr`.
+    /// The path of the value: `camera.eye`, `spheres[0].centre`, `materials["gold"].kr`.
     pub of: String,
     #[serde(default)]
     between: Between,
-    /// Whether it starts again after the last key.
     #[serde(default)]
     repeat: bool,
-    /// In the order of their times; one at least.
+    /// At least one, in the order of their times.
     #[serde(skip)]
     pub keys: Vec<Key>,
 }
 
-/// The course of a value from key to key.
+/// The interpolation between keys.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
 enum Between {
-    /// At a constant speed.
     #[default]
     Linear,
-    /// Slow at each key, by Hermite's smooth step.
+    /// Smoothstep.
     Smooth,
-    /// Without a corner, by a Catmull-Rom spline: it passes a key at the mean speed between its neighbours.
+    /// Catmull-Rom: a key is passed at the mean speed between its neighbours.
     Spline,
-    /// The value of the last key.
     Hold,
 }
 
-/// A time in seconds, and the value at that time.
+/// A value at a time in seconds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
-    /// The byte of the text at which it begins.
+    /// Its byte in the text.
     at: usize,
     pub time: f32,
     numbers: Vec<f32>,
 }
 
-/// Returns a number, or all numbers of a vector or a matrix.
+/// Returns the numbers of a scalar, a vector or a matrix.
 fn numbers(node: &Node) -> Result<Vec<f32>, Fault> {
     if node.kind == Kind::List {
         let all: Result<Vec<_>, _> = node.parts.iter().map(numbers).collect();
@@ -52,10 +49,6 @@ fn numbers(node: &Node) -> Result<Vec<f32>, Fault> {
 }
 
 impl Motion {
-    /// Reads a motion.
-    ///
-    /// # Errors
-    /// The first mistake in it.
     pub fn read(mut node: Node) -> Result<Self, Fault> {
         let keys = node.take("keys");
         let mut motion = Self::deserialize(&node)?;
@@ -86,7 +79,7 @@ impl Motion {
         Ok(motion)
     }
 
-    /// Returns the numbers at a time in seconds, and the place of their key in the text.
+    /// Returns the byte of the current key, and the numbers.
     pub fn at(&self, time: f32) -> (usize, Vec<f32>) {
         let (keys, last) = (&self.keys, self.keys.len() - 1);
         let time = match self.repeat {
@@ -102,7 +95,7 @@ impl Motion {
         let number = |n: usize| {
             let [a, b, c, d] = [before, start, end, after].map(|key| key.numbers[n]);
             match self.between {
-                // Before the first key and after the last one it keeps still.
+                // Constant outside the keys.
                 _ if i == next => b,
                 Between::Hold => b,
                 Between::Linear => b + (c - b) * s,

@@ -1,4 +1,4 @@
-//! The contents of a scene file as a tree, in which each value has its place in the text.
+//! The contents of a scene file as a tree with the places of values.
 
 use ron::error::SpannedError;
 use ron::value::RawValue;
@@ -7,22 +7,22 @@ use serde::de::{self, Deserializer, Error as _, IntoDeserializer};
 use serde::de::{MapAccess, SeqAccess, Unexpected, Visitor};
 use std::fmt;
 
-/// A value of a file, or one that a motion gives.
+/// A value of a file or of a motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Node {
-    /// The name of the field or of the entry, or the index of the item.
+    /// The name of the field or entry, or the index of the item.
     name: String,
-    /// The byte of the text at which the value begins.
+    /// The value's byte in the text.
     pub at: usize,
     pub kind: Kind,
-    /// The fields, entries or items.
+    /// Fields, entries or items.
     pub parts: Vec<Node>,
 }
 
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Kind {
     Number(f32),
-    /// A name, a truth value, or text in quotes, as it is written.
+    /// A name, a boolean or quoted text, verbatim.
     Word(String),
     /// A list or a tuple.
     List,
@@ -32,7 +32,6 @@ pub enum Kind {
 }
 
 impl Node {
-    /// Reads a text in RON.
     pub fn read(text: &str) -> Result<Self, SpannedError> {
         let mut from = ron::Deserializer::from_str(text)?;
         let node = from.deserialize_any(Reader(text));
@@ -77,8 +76,7 @@ impl Node {
         Some(self.parts.remove(i))
     }
 
-    /// Returns the value at a path such as `materials["gold"].colour[0]`, to be set at a place in the text. A field that is not there
-    /// is added.
+    /// Returns the value at a path such as `materials["gold"].colour[0]`, with a new place in the text. Adds missing fields.
     pub fn place(&mut self, path: &str, at: usize) -> Option<&mut Self> {
         let place = steps(path).try_fold(self, |node, name| {
             let is_struct = node.kind == Kind::Struct && node.name != "materials";
@@ -92,25 +90,24 @@ impl Node {
         Some(place)
     }
 
-    /// Returns the value at a path, or the last one on the way to it.
+    /// Returns the value at a path, or the last existing one on it.
     pub fn nearest(&self, path: &str) -> &Self {
         let found = steps(path).try_fold(self, |node, name| node.get(name).ok_or(node));
         found.unwrap_or_else(|last| last)
     }
 }
 
-/// The names and indices in a path.
+/// Returns the names and indices of a path.
 fn steps(path: &str) -> impl Iterator<Item = &str> {
     let steps = path.split(['.', '[']);
     steps.map(|step| step.trim_end_matches(']').trim_matches('"'))
 }
 
-/// Reads the values in a text.
+/// Reads values from a text.
 #[derive(Clone, Copy)]
 struct Reader<'a>(&'a str);
 
 impl Reader<'_> {
-    /// Reads a value, with the values in it.
     fn node(self, name: String, raw: &RawValue) -> Node {
         let text = raw.trim().get_ron();
         let number = ron::from_str(text).map(Kind::Number);
@@ -160,7 +157,7 @@ impl<'de> Visitor<'de> for Reader<'_> {
     }
 }
 
-/// A mistake, and the byte of the text at which it is.
+/// A mistake and its byte in the text.
 #[derive(Debug)]
 pub struct Fault {
     pub at: Option<usize>,
@@ -189,7 +186,7 @@ impl de::Error for Fault {
     }
 
     fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
-        // The fields that a file has beside the library's.
+        // Fields of files only.
         let own = match known {
             ["camera", ..] => ", length, materials, motions",
             ["of", ..] => ", keys",
