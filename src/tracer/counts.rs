@@ -1,4 +1,4 @@
-//! Work counters and the results of probes.
+//! Work counters, and the results of probes.
 
 use crate::maths::{log2, sqrt};
 use core::f32::consts::{LOG10_2, LOG10_E};
@@ -15,7 +15,7 @@ pub struct Counts {
     pub shadow_rays: u64,
     /// Lanes of the packets of primary and secondary rays, idle ones included.
     pub lanes: u64,
-    /// The results of [`Frame::with_probes`](crate::Frame::with_probes). The other counts exclude the probes' own points and rays.
+    /// The results of [`Frame::with_probes`](crate::Frame::with_probes). The other counts exclude the work of probes.
     pub probes: Probes,
 }
 
@@ -49,23 +49,22 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// The errors of the probed pixels of one or more frames: an estimate of the error of all pixels.
+/// The errors of the probed pixels of one or more frames, which estimate the error of all pixels.
 ///
-/// The error is the difference from the frame at [`Quality::reference`](crate::Quality::reference): every pixel traced, antialiased
-/// if the frame is.
+/// The error is the difference from the frame at [`Quality::reference`](crate::Quality::reference).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probes {
     /// The number of probed pixels.
     pub pixels: u64,
-    /// The sum of the pixels' squared errors, each the sum over three channels, in 255ths.
+    /// The sum of the pixels' squared errors, over three channels, in 255ths.
     pub squares: u64,
-    /// The sum of the squares of the pixels' squared errors, for the confidence interval.
+    /// The sum of the squares of `squares`' terms, for the confidence interval.
     pub fourths: u64,
 }
 
-/// A squared error that is added to the mean, weighted by itself, for rare pixels that no probe met but that make most of the
-/// error. Without it 80 of 100 confidence intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of
-/// probes. The mean in the show is 20 to 20,000.
+/// A squared error that is added to the mean, weighted by itself, for rare pixels that make most of the error but that no probe
+/// met. Without it 80 of 100 confidence intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of probes.
+/// The show's mean is 20 to 20,000.
 const UNSEEN: f32 = 500.0;
 
 impl Probes {
@@ -76,14 +75,13 @@ impl Probes {
         fourths: 0,
     };
 
-    /// Halves the weight of these probes against later ones, to forget old frames.
+    /// Halves the weight of these probes against later ones.
     pub fn halve(&mut self) {
         self.pixels /= 2;
         self.squares /= 2;
         self.fourths /= 2;
     }
 
-    /// Adds the error of a pixel.
     pub(crate) fn compare(&mut self, drawn: u32, traced: u32) {
         let channels = drawn.to_le_bytes().into_iter().zip(traced.to_le_bytes());
         let square: u64 = channels.map(|(a, b)| u64::from(a.abs_diff(b)).pow(2)).sum();
@@ -110,25 +108,23 @@ impl Probes {
         10.0 * LOG10_2 * log2((255.0 * 255.0 / self.mean_squared_error()) as f32)
     }
 
-    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for frames that differ from each other.
-    /// Four times the probes halve it. It is infinite or NaN for fewer than two probes, or without errors.
+    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for frames that differ. Four times the
+    /// probes halve it. It is infinite or NaN for fewer than two probes, or without errors.
     #[must_use]
     pub fn margin(&self) -> f32 {
         self.margin_with(UNSEEN)
     }
 
-    /// Returns the margin with the squared error `unseen` added to the mean, weighted by itself.
     #[inline(never)]
     pub(crate) fn margin_with(&self, unseen: f32) -> f32 {
         let [n, squares, fourths] = [self.pixels, self.squares, self.fourths].map(|sum| sum as f32);
-        // The squared standard error of the mean square, relative to its square.
         let fourths = fourths + unseen * squares;
         let variance = (n * fourths / (squares * squares) - 1.0) / (n - 1.0);
         // A relative error e of the mean is 10 log10(1 + e) dB, nearly 10 e / ln 10.
         1.96 * 10.0 * LOG10_E * sqrt(variance)
     }
 
-    /// Returns the [`Probes::margin`] for a still picture of `pixels`, each probed at most once: 0 once all were probed.
+    /// Returns the [`Probes::margin`] for a still picture of `pixels` pixels, each probed at most once; 0 once all were probed.
     #[must_use]
     pub fn margin_at_rest(&self, pixels: u64) -> f32 {
         let unknown = 1.0 - self.pixels as f32 / pixels as f32;

@@ -1,6 +1,5 @@
-//! Governors: they select the preset that holds a frame rate or an accuracy.
-//!
-//! They have no clock, so the same times or probes always give the same presets.
+//! Governors, which select the preset that holds a frame rate or an accuracy. They have no clock: equal times or probes give equal
+//! presets.
 
 use crate::counts::Probes;
 use crate::quality::Quality;
@@ -14,14 +13,14 @@ const PRESETS: usize = Quality::LADDER.len();
 /// several.
 const TOO_LATE: u64 = 6;
 
-/// The largest number of late frames that one frame counts as, so that a single outlier causes no step.
+/// Limits the number of late frames that one frame counts as, so that a single outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
-/// The time in nanoseconds for which a finer preset must look possible before a step up. With the delay of [`Governor::mean`] that
-/// is half a second at 30 frames per second.
+/// The time in nanoseconds for which a finer preset must look possible. With the delay of [`Governor::mean`] a step up takes half a
+/// second at 30 frames per second.
 const CALM: u64 = SECOND / 5;
 
-/// The number of frames after a step down whose times are compared with those before it.
+/// The number of frames after a step down that are compared with those before it.
 const COMPARED: u64 = 8;
 
 /// Selects a preset of [`Quality::LADDER`] to hold a frame rate: steps down when frames are late, and up when the next finer preset
@@ -43,21 +42,19 @@ const COMPARED: u64 = 8;
 /// assert_ne!(governor.quality(), &Quality::LADDER[0]);
 /// ```
 pub struct Governor {
-    /// The time that a frame may take, in nanoseconds, as all times.
+    /// In nanoseconds, as all times.
     budget: u64,
-    /// The current preset's index.
     preset: usize,
-    /// The number of late frames since the last step, minus the number of frames in time.
+    /// The late frames since the last step, minus the frames in time.
     late: u64,
-    /// The number of successive frames in which the next finer preset looked possible.
+    /// The successive frames in which the next finer preset looked possible.
     calm: u64,
-    /// The number of frames since the last step.
     age: u64,
-    /// The time of a frame at this preset: an exponential moving average, mostly of the last four.
+    /// The time of a frame: an exponential moving average, mostly of the last four.
     mean: u64,
-    /// The mean at the next finer preset before a step down; 0 after a step up.
+    /// The mean before a step down; 0 after a step up.
     before: u64,
-    /// For each preset, the mean time below which the next finer one looks possible.
+    /// For each preset, the mean below which the next finer one looks possible.
     threshold: [u64; PRESETS],
 }
 
@@ -134,33 +131,30 @@ impl Governor {
     }
 }
 
-/// The least number of probes for a step of an [`AccuracyGovernor`]: 13 frames of [`Frame::PROBES`](crate::Frame::PROBES).
+/// The least number of probes for a step: 13 frames of [`Frame::PROBES`](crate::Frame::PROBES).
 const MIN_PROBES: u64 = 1_000;
 
 /// The number of probes, 1.7 s at 60 frames per second, above which their weight is halved.
 const MAX_PROBES: u64 = 8_000;
 
-/// The expected loss from a preset to the next faster one, in dB: the least of the ladder, and more than its largest.
+/// The expected loss from a preset to the next faster one, in dB: the ladder's least, and more than its largest.
 const STEP_LOSS: [f32; 2] = [1.4, 3.0];
 
-/// The additional accuracy in dB that is required to try a preset again.
+/// The additional dB that are required to try a preset again.
 const RETRY_GAIN: f32 = 0.5;
 
-/// Selects a preset of [`Quality::LADDER`] to hold an accuracy, from the results of probes (see
-/// [`Frame::with_probes`](crate::Frame::with_probes)): steps to a finer preset when frames are certainly less accurate, and to a
+/// Selects a preset of [`Quality::LADDER`] to hold an accuracy, from the results of
+/// [`Frame::with_probes`](crate::Frame::with_probes): steps to a finer preset when frames are certainly less accurate, and to a
 /// faster one when that is certainly accurate enough. The last step to a finer preset shows the difference between both.
 ///
-/// A few pixels make most of the error, so the accuracy of a second of frames is uncertain by some dB. A step follows when the
-/// difference is larger: within one or two seconds at 6 dB. The preset is stable while the accuracy is constant. Except at the
-/// finest preset, the accuracy is at most 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
+/// A few pixels make most of the error, so the accuracy of a second of frames is uncertain by some dB. A difference of 6 dB causes
+/// a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the finest preset, the accuracy
+/// is up to 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
 pub struct AccuracyGovernor {
-    /// The target in dB.
     target: f32,
-    /// The current preset's index.
     preset: usize,
-    /// The probes at this preset.
     probes: Probes,
-    /// The dB at the next faster preset before the step to this one, until the gain is known.
+    /// The dB before the last step to a finer preset, until the gain is known.
     before: Option<f32>,
     /// For each preset, the dB above which the next faster one looks accurate enough.
     threshold: [f32; PRESETS],
@@ -197,7 +191,7 @@ impl AccuracyGovernor {
         if self.probes.pixels < MIN_PROBES {
             return;
         }
-        // The margin is NaN without any error. Errors that no probe met are left to the next steps.
+        // NaN without any error. Errors that no probe met are left to the next steps.
         let margin = self.probes.margin_with(0.0).max(0.0);
         let psnr = self.probes.psnr();
         let threshold = &mut self.threshold[self.preset];

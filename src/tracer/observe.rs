@@ -2,33 +2,33 @@
 
 use crate::counts::Counts;
 
-/// Receives the points and squares of a frame, from all threads concurrently and in no particular order. The refiner is generic
-/// over the observer: for `()`, the intro's observer, the compiler removes all calls.
+/// Receives the points and squares of a frame, from all threads concurrently and in any order. For `()`, the intro's observer, the
+/// compiler removes all calls.
 ///
-/// Coordinates are pixels of the picture, from its upper left. Points may lie up to one square's side beyond the right and the
-/// lower edge of the picture.
+/// Coordinates are pixels of the picture. Points may lie up to one square's side beyond the right and the lower edge of the
+/// picture.
 pub trait Observer: Copy + Sync {
     /// Whether the methods are called.
     const LISTENS: bool = true;
 
-    /// Called for each traced point; `work` is the work of this point.
+    /// Called for each traced point with its work.
     fn point(self, _x: usize, _y: usize, _work: Counts) {}
 
-    /// Called for each square of `w` by `h` pixels that was drawn; (x, y) is its upper left.
+    /// Called for each drawn square of `w` by `h` pixels from its upper left (x, y).
     fn square(self, _x: usize, _y: usize, _w: usize, _h: usize, _fill: Fill) {}
 
-    /// Called for each square of `side` pixels that was split; (x, y) is its upper left. Its parts follow.
+    /// Called for each split square of `side` pixels from its upper left (x, y). Its parts follow.
     fn split(self, _x: usize, _y: usize, _side: usize, _why: Split) {}
 }
 
 /// The reason why a square was split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Split {
-    /// Something may be visible in it that none of its corners shows (see [`Quality::guarded`](crate::Quality::guarded)).
+    /// An object may be visible that none of its corners shows (see [`Quality::guarded`](crate::Quality::guarded)).
     Uncovered,
-    /// Its corners show different objects or light, and their colours differ by more than the tolerance for that.
+    /// Its corners show different objects or light, in colours beyond the tolerance for that.
     Keys,
-    /// Its corners show the same objects in the same light, and their colours differ by more than the tolerance for that.
+    /// Its corners show the same objects in the same light, in colours beyond the tolerance for that.
     Colours,
 }
 

@@ -28,7 +28,7 @@ pub struct Frame<'a> {
 pub struct Probing {
     /// The number of probes. Pixels that an overlay hides are skipped.
     pub count: u16,
-    /// Selects the pixels.
+    /// The choice of pixels.
     pub seed: u32,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Frame<'a> {
     /// more instructions for the model scene, 0.6 and 0.3 % for the show at 20 and at 76 s.
     pub const PROBES: u16 = 80;
 
-    /// Returns a frame of `width` by `height` pixels without gaps between its rows. [`Renderer::render`](crate::Renderer::render)
+    /// Returns a frame of `width` by `height` pixels without gaps between rows. [`Renderer::render`](crate::Renderer::render)
     /// checks the sizes.
     #[must_use]
     pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
@@ -51,14 +51,13 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// Sets the distance between the starts of two rows, in pixels, at least `width`: for a part of a larger picture, or padded
-    /// rows.
+    /// Sets the distance between the starts of two rows, in pixels, at least `width`, to draw into a larger picture or padded rows.
     #[must_use]
     pub const fn with_stride(self, stride: usize) -> Self {
         Self { stride, ..self }
     }
 
-    /// Moves all samples `x` pixels to the right of the pixels' centres and `y` pixels down, -0.5 to 0.5 each. For supersampling,
+    /// Moves all samples `x` pixels right and `y` pixels down from the pixels' centres, -0.5 to 0.5 each. For supersampling,
     /// average frames whose offsets cover a pixel evenly.
     #[must_use]
     pub const fn with_offset(self, x: f32, y: f32) -> Self {
@@ -69,15 +68,15 @@ impl<'a> Frame<'a> {
     }
 
     /// Probes `count` pixels: traces them as an exhaustive frame does, and compares them with the frame. The results are in
-    /// [`Counts::probes`]. The picture stays the same.
+    /// [`Counts::probes`]; the picture stays the same.
     ///
     /// `seed` selects the pixels. Consecutive seeds probe different pixels until each was probed once, so pass the frame's number.
     /// Captions and copper bars are drawn after the comparison. A frame with a [`Method`](crate::scene::Method) overlay, or one
     /// that stays coarse, has no probes.
     ///
-    /// The estimate of the mean squared error has no bias, and [`Probes::margin`](crate::Probes::margin) is its uncertainty. A few
-    /// pixels make most of the error, so you need the probes of many frames: at 60 frames a second, one second is accurate to 1 or
-    /// 2 dB, and one minute to some tenths of a dB.
+    /// The estimated mean squared error is unbiased, with an uncertainty of [`Probes::margin`](crate::Probes::margin). A few pixels
+    /// make most of the error, so use the probes of many frames: at 60 frames a second, one second is accurate to 1 or 2 dB, one
+    /// minute to some tenths of a dB.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self {
@@ -96,7 +95,6 @@ impl Frame<'_> {
         last_row.saturating_add(self.width)
     }
 
-    /// Returns the whole picture as one band.
     pub(crate) fn surface<'a>(&'a mut self, rough: &'a mut [RoughRow]) -> Band<'a> {
         let count = self.count();
         Band {
@@ -109,9 +107,9 @@ impl Frame<'_> {
     }
 }
 
-/// The width of a tile in pixels: a row of a level's bits is eight words, and a tile's samples fit in the core's own cache.
+/// A row of a level's bits is eight words, and a tile's samples fit in the core's own cache.
 pub(crate) const TILE_WIDTH: usize = 512;
-/// The height of a tile and of a band in pixels: the side of the largest square. The last band may be lower.
+/// The side of the largest square. The last band may be lower.
 pub(crate) const TILE_HEIGHT: usize = Quality::MAX_SQUARE;
 
 pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(TILE_HEIGHT);
@@ -121,12 +119,12 @@ pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
 /// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough, which means that neighbouring pixels in it may
-/// differ by an edge. Neighbours in smooth cells, or across the border of two smooth cells, never do.
+/// differ by an edge. Neighbours in smooth cells, and across their common border, never do.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
 
-/// Some rows of a picture: the drawing surface, and the unit of work of a thread.
+/// Some rows of a picture: the unit of work of a thread.
 pub struct Band<'a> {
     pub(crate) top: usize,
     pub(crate) width: usize,
@@ -138,20 +136,19 @@ pub struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Returns the range of its rows in the picture.
+    /// Returns its rows in the picture.
     #[must_use]
     pub fn rows_of_picture(&self) -> Range<usize> {
         self.top..self.top + self.height()
     }
 
-    /// Marks all cells as rough, because the caller draws the band: it may have edges anywhere. The rows next to the bands that the
-    /// renderer draws must be there before edges are antialiased.
+    /// Marks the band as drawn by the caller: it may have edges anywhere. The rows next to the renderer's bands must be drawn
+    /// before edges are antialiased.
     pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);
     }
 
     pub(crate) fn height(&self) -> usize {
-        // The last row ends with its last pixel.
         (self.pixels.len() + self.stride - self.width) / self.stride
     }
 

@@ -5,30 +5,30 @@ use crate::range_error::{Checked, Range, RangeError};
 /// The refinement of a frame, and the depth of its rays.
 ///
 /// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
-/// it is split. There is one tolerance for corners whose *keys* agree, which show the same objects in the same light, and one for
-/// corners whose keys differ. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. For
-/// squares of 4 pixels, where an error covers a quarter of the pixels, it is doubled, and so on.
+/// it is split. One tolerance is for corners with equal *keys*, which show the same objects in the same light, and one for corners
+/// with different keys. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles
+/// for squares of 4 pixels, where an error covers a quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
     /// The side of the largest squares in pixels: a power of two up to [`Quality::MAX_SQUARE`]. 1 traces every pixel.
     pub square: usize,
-    /// The tolerance for corners whose keys agree, 0 to infinity.
+    /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The tolerance for corners whose keys differ, 0 to infinity. If both tolerances are equal, keys are not computed.
+    /// The tolerance for different keys, 0 to infinity. If both tolerances are equal, keys are not computed.
     pub tolerance_differing: f32,
     /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and their colours are
     /// within the tolerance, the midpoint is their mean. 0 traces all midpoints.
     pub tolerance_side: f32,
-    /// Whether a square is also split if something may be visible in it that none of its corners shows: an object, the shadow of a
-    /// sphere on a plane, an image in a flat first plane, or a highlight. [`limits`](crate::limits) lists the few that are missed.
-    /// All presets are guarded, and [`Quality::THESIS`] as well. The original rules of 2008, which miss objects between corners,
-    /// are `Quality { guarded: false, ..Quality::THESIS }`.
+    /// Whether a square is also split if an object, the shadow of a sphere on a plane, an image in a flat first plane, or a
+    /// highlight may be visible in it that none of its corners shows. [`limits`](crate::limits) lists exceptions. All presets and
+    /// [`Quality::THESIS`] are guarded. For the original rules of 2008, which miss objects between corners, use `Quality { guarded:
+    /// false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// The largest depth of rays whose objects are part of the key. Primary rays have depth 0.
     pub key_depth: u32,
-    /// The least weight of rays whose objects are part of the key, 0 to infinity, so that keys cover mirrors and glass, but not
-    /// weak reflections of a floor. A ray's weight is the product of `kr`, `kt` and the haze along its path. If it is above 0 and a
+    /// The least weight of rays whose objects are part of the key, 0 to infinity: keys cover mirrors and glass, but not weak
+    /// reflections of a floor. A ray's weight is the product of `kr`, `kt` and the haze along its path. If this is above 0 and a
     /// scene has twelve strong mirrors or glass solids, all points of these solids have different keys, and squares have 4 pixels
     /// at most: reflections in a dense cluster are tiny.
     pub key_weight: f32,
@@ -46,9 +46,9 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// The largest [`Quality::square`]: the working memory has this capacity.
+    /// The largest [`Quality::square`], the capacity of the working memory.
     pub const MAX_SQUARE: usize = 32;
-    /// The largest [`Quality::depth`]: a ray's path in its tree is stored in 8 bits.
+    /// The largest [`Quality::depth`]: paths in ray trees have 8 bits.
     pub const MAX_DEPTH: u32 = 7;
 
     /// Every pixel traced: the reference for other qualities.
@@ -68,15 +68,14 @@ impl Quality {
     };
 
     /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in all objects of the ray tree and in the
-    /// lights' states at the primary hit, whatever their colours.
+    /// lights' states at the primary hit.
     pub const THESIS: Self = Self {
         square: 8,
         tolerance_agreeing: f32::INFINITY,
         ..Self::EXHAUSTIVE
     };
 
-    /// The middle preset: squares of 8 pixels are filled if the corners have similar colours and show the same object with the same
-    /// lights.
+    /// The middle preset.
     pub const DEFAULT: Self = Self::within(8, 7.5).followed(5, 0.015).antialiased();
 
     /// The presets from the finest to the fastest.
@@ -86,8 +85,8 @@ impl Quality {
     ///
     /// The presets are chosen on the front of time against FLIP and pops, which `cargo lab trade` prints. (Pops are pixels that
     /// jump between frames while the exhaustive frame's stay.) By PSNR only, the default had a tolerance of 9 and a least
-    /// contribution of 0.02; the smaller ones take a tenth more time in the model scene, for a third of the pops, most of which
-    /// were in squares of 2, and two thirds of the FLIP error.
+    /// contribution of 0.02; now it takes a tenth more time in the model scene, for a third of the pops, most of which were in
+    /// squares of 2, and two thirds of the FLIP error.
     ///
     /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more of them are split.
     pub const LADDER: &'static [Self; 7] = &[
@@ -108,8 +107,8 @@ impl Quality {
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",
     ];
 
-    /// Returns a quality with one tolerance for squares and midpoints of sides. The keys have the objects of the primary hit and of
-    /// its stronger reflections and refractions, and the lights' states, lit or dark.
+    /// Returns a quality with one tolerance. Keys have the objects of the primary hit and of its stronger reflections and
+    /// refractions, and the lights' states, lit or dark.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,
@@ -123,7 +122,6 @@ impl Quality {
         }
     }
 
-    /// Returns the quality with other limits on secondary rays.
     const fn followed(self, depth: u32, least_contribution: f32) -> Self {
         Self {
             depth,
@@ -132,7 +130,6 @@ impl Quality {
         }
     }
 
-    /// Returns the quality with antialiasing.
     const fn antialiased(self) -> Self {
         Self {
             antialias: true,
@@ -176,7 +173,7 @@ impl Quality {
         Ok(())
     }
 
-    /// Returns whether the working memory has enough capacity. Invalid tolerances do no harm.
+    /// Returns whether the capacity of the working memory suffices. Invalid tolerances do no harm.
     pub(crate) fn is_drawable(&self) -> bool {
         self.is_square_drawable() && self.depth <= Self::MAX_DEPTH
     }
@@ -185,12 +182,11 @@ impl Quality {
         self.square.is_power_of_two() && self.square <= Self::MAX_SQUARE
     }
 
-    /// Returns the level of the largest squares, whose side is `1 << level` pixels.
+    /// Returns the level of the largest squares: the base-2 logarithm of their side.
     pub(crate) fn top_level(&self) -> usize {
         self.square.trailing_zeros() as usize
     }
 
-    /// Returns whether keys have to be computed.
     pub(crate) fn needs_keys(&self) -> bool {
         self.square > 1 && self.tolerance_agreeing != self.tolerance_differing
     }

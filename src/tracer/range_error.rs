@@ -11,7 +11,7 @@ use glam::Vec3;
 pub struct RangeError {
     /// The field of the scene, such as "spheres", or "quality".
     pub object: &'static str,
-    /// The index of the item, if the field is a list.
+    /// The item's index, if the field is a list.
     pub index: Option<usize>,
     /// The field of the object, such as "material.kd"; empty if the object itself is the number.
     pub field: &'static str,
@@ -69,12 +69,11 @@ impl fmt::Display for RangeError {
 
 impl core::error::Error for RangeError {}
 
-/// The valid numbers of a field or of a vector's components, both ends included, and the same as text.
+/// The valid numbers, both ends included, of a field or of a vector's components, and their text.
 #[derive(Clone, Copy)]
 pub(crate) struct Range(pub f32, pub f32, pub &'static str);
 
 impl Range {
-    /// Returns whether a number, or each component of a vector, is in the range.
     pub fn holds(self, found: impl Into<Found>) -> bool {
         let is_inside = |number| (self.0..=self.1).contains(&number);
         match found.into() {
@@ -84,7 +83,7 @@ impl Range {
     }
 }
 
-/// The struct to check: a field of a scene, an item of a list, or a quality.
+/// A field of a scene, an item of a list, or a quality.
 #[derive(Clone, Copy)]
 pub(crate) struct Checked {
     pub object: &'static str,
@@ -92,13 +91,12 @@ pub(crate) struct Checked {
 }
 
 impl Checked {
-    /// Returns a struct that is not in a list.
     pub fn one(object: &'static str) -> Self {
         let index = None;
         Self { object, index }
     }
 
-    /// Returns an error if a field is out of range. An empty name is the object itself.
+    /// Checks a field; an empty name is the object itself.
     pub fn field(
         self,
         field: &'static str,
@@ -109,7 +107,7 @@ impl Checked {
         self.rule(field, found, range.holds(found), range.2)
     }
 
-    /// Returns an error unless a rule holds, such as one for several fields.
+    /// Checks a rule, such as one for several fields.
     pub fn rule(
         self,
         field: &'static str,

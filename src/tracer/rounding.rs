@@ -25,11 +25,10 @@ use glam::Vec3A;
 /// The largest distance of a computed hit from its sphere, relative to the sphere's largest coordinate.
 ///
 /// In units of `u` the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5 for
-/// the ray's length, and 2.8 for the vector from the centre, its square and the discriminant when the next ray is tested against
-/// the sphere: 8.5 in total. The largest of hundreds of millions of rays was 5 (`sphere_is_not_hit_by_leaving_rays`).
+/// the ray's length, and 2.8 for the next ray's vector from the centre, its square and the discriminant: 8.5 in total. Hundreds of
+/// millions of rays had at most 5 (`sphere_is_not_hit_by_leaving_rays`).
 pub(crate) const HIT: f32 = 10.0 / (1 << 24) as f32;
 
-/// Returns the largest distance of a computed hit from its sphere, see [`HIT`].
 pub(crate) fn hit_error(centre: Vec3A, radius: f32) -> f32 {
     HIT * (centre.abs().max_element() + radius)
 }
@@ -45,11 +44,11 @@ pub(crate) const UNREFINED: f32 = 4e-12;
 /// The largest distance of a hit from its sphere, in radii, that one Newton step reduces to rounding errors.
 pub(crate) const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
-/// The largest depth in a sphere of a point that counts as on it, relative to the sphere's largest coordinate: four times [`HIT`].
+/// The largest depth in a sphere of a point that counts as on it, relative to the largest coordinate: four times [`HIT`].
 pub(crate) const DEEP: f32 = 2e-6;
 
-/// The offset of secondary rays from a block's surface, relative to the sum of its coordinates and half extents. It is many times
-/// the rounding error, 1e-4 at ten units from the origin, so that rays start beyond a coincident face of another block.
+/// The offset of secondary rays from a block's surface, relative to the sum of its coordinates and half extents: many times the
+/// rounding error, so that rays start beyond a coincident face of another block.
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
 /// The relative enlargement of a block's bounding sphere: many times the rounding of its corners.
@@ -61,19 +60,18 @@ pub(crate) const COSINE: f32 = 1e-6;
 /// The error of the squared dot product of two directions.
 pub(crate) const COSINE2: f32 = 4e-6;
 
-/// The relative enlargement of bounding spheres: more than the rounding error of a ray from a thousand radii away, so that a ray
-/// that hits a sphere meets its bound.
+/// The relative enlargement of bounding spheres: more than the rounding error of a ray from a thousand radii away.
 pub(crate) const BOUND: f32 = 1e-3;
 
-/// The enlargement factor of a sphere before its bounding cone is computed: the cosine grows by more than its rounding error,
-/// however flat the cone is.
+/// The enlargement of a sphere before its bounding cone is computed: the cosine grows by more than its rounding error, however flat
+/// the cone is.
 pub(crate) const WIDE: f32 = 1.0 + 1e-6;
 
 /// The addend to the sine of a cone before its tangent planes are computed: more than their rounding error.
 pub(crate) const WIDER: f32 = 1e-4;
 
-/// The multiple of a shadow's errors, above, within which a point is not certain to be in its cone: 1 for the wider cone, 1 for the
-/// smaller radius of shadow rays, and less than 1/3 for the origins of these.
+/// The multiple of a shadow's errors, above, within which a point is uncertain: 1 for the wider cone, 1 for the smaller radius of
+/// shadow rays, and less than 1/3 for the origins of these.
 pub(crate) const UNSURE: f32 = 3.0;
 
 /// The error of the inequality of an outline's side, whose terms are below twice the picture's largest u or v.
@@ -96,8 +94,8 @@ pub(crate) const CONTACT: f32 = 1e-6;
 /// Within this many hit errors of a sphere, the eye may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
-/// The least height of the eye and of a light above a plane, relative to the distance from the light to the eye's mirror image.
-/// Below this ratio the bounds of shadows are unreliable.
+/// The least height of the eye and of a light above a plane, relative to the distance from the light to the eye's mirror image:
+/// below, the bounds of shadows are unreliable.
 pub(crate) const LEAST_HEIGHT: f32 = 0.01;
 
 /// The margin of a bounding rectangle in the picture, in pixels, far more than its rounding error.

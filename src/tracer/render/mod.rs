@@ -1,4 +1,4 @@
-//! The renderer: draws the bands of a frame on the caller's threads.
+//! The renderer.
 
 #[cfg(feature = "std")]
 mod boxed;
@@ -29,7 +29,6 @@ use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
 impl Frame<'_> {
-    /// Returns an error if the size is out of range, or if there are too few pixels.
     fn validate(&self) -> Result<(), Error> {
         let Self {
             width,
@@ -55,18 +54,6 @@ impl Frame<'_> {
 /// Renders frames, with one instruction set and one [`Memory`].
 ///
 /// With the feature `std` the memory is on the heap. Without, pass a `&'static mut Memory` to [`Renderer::with_memory`].
-///
-/// ```
-/// use eightfold_tracer::scene::Scene;
-/// use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
-///
-/// let mut pixels = [0; 64 * 48];
-/// let frame = Frame::new(64, 48, &mut pixels);
-/// let threads = &mut ScopedThreads::of(1);
-/// let counts = Renderer::detect().render(&Scene::default(), &Quality::DEFAULT, frame, threads)?;
-/// assert!(counts.points < 64 * 48, "most pixels need no ray");
-/// # Ok::<(), eightfold_tracer::Error>(())
-/// ```
 ///
 /// # Measuring the error of a frame
 ///
@@ -154,11 +141,11 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         self.isa = level;
     }
 
-    /// Renders a frame, and returns the work that it took.
+    /// Renders a frame, and returns its work.
     ///
     /// # Errors
-    /// If the frame's width, height, stride or number of pixels, or a number of the quality or the scene, is out of range. The
-    /// pixels then stay unchanged.
+    /// If the frame's size, stride or number of pixels, or a number of the quality or the scene, is out of range. The pixels then
+    /// stay unchanged.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -214,7 +201,6 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     }
 }
 
-/// Returns an error for the first number that is out of range.
 fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), Error> {
     frame.validate()?;
     quality.validate()?;

@@ -13,18 +13,6 @@ use std::vec::Vec;
 ///
 /// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate
 /// forbids; implement [`Threads`] for one.
-///
-/// ```
-/// use eightfold_tracer::scene::Scene;
-/// use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
-///
-/// let mut renderer = Renderer::detect();
-/// let mut threads = ScopedThreads::new();
-/// let mut pixels = vec![0; 320 * 180];
-/// let frame = Frame::new(320, 180, &mut pixels);
-/// renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut threads)?;
-/// # Ok::<(), eightfold_tracer::Error>(())
-/// ```
 pub struct ScopedThreads {
     workers: Vec<Worker>,
 }
@@ -59,7 +47,6 @@ impl Default for ScopedThreads {
 
 impl Threads for ScopedThreads {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-        // Only as many as there are bands.
         let count = self.workers.len().min(bands.len());
         let bands = Mutex::new(bands.iter_mut());
         let next = || bands.lock().unwrap_or_else(PoisonError::into_inner).next();
@@ -83,23 +70,41 @@ mod tests {
     use crate::{Frame, Quality, Renderer};
     use std::vec;
 
+    struct Counting(ScopedThreads, usize);
+
+    impl Threads for Counting {
+        fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+            self.1 += 1;
+            self.0.run(bands, job);
+        }
+    }
+
     #[test]
-    fn any_number_of_threads_draws_every_band() {
+    fn any_number_of_threads_draws_all_bands_per_phase() {
         let mut renderer = Renderer::detect();
         let mut scene = Scene {
             background: glam::Vec3::ONE,
             ..Scene::default()
         };
-        scene.captions.push(Default::default());
-        for (asked, had) in [(0, 1), (1, 1), (3, 3), (100, 100)] {
-            let mut threads = ScopedThreads::of(asked);
-            assert_eq!(threads.count(), had);
-            let mut pixels = vec![0; 200 * 100];
-            let frame = Frame::new(200, 100, &mut pixels);
-            renderer
-                .render(&scene, &Quality::DEFAULT, frame, &mut threads)
-                .expect("a frame");
-            assert!(pixels.iter().all(|&pixel| pixel == 0x00ff_ffff), "{asked}");
+        for (asked, count) in [(0, 1), (1, 1), (3, 3), (100, 100)] {
+            for (antialias, captions) in [(false, 0), (false, 1), (true, 0), (true, 1)] {
+                let mut threads = Counting(ScopedThreads::of(asked), 0);
+                assert_eq!(threads.0.count(), count);
+                scene.captions.clear();
+                scene
+                    .captions
+                    .extend((0..captions).map(|_| Default::default()));
+                let quality = Quality {
+                    antialias,
+                    ..Quality::DEFAULT
+                };
+                let mut pixels = vec![0; 200 * 100];
+                let frame = Frame::new(200, 100, &mut pixels);
+                let drawn = renderer.render(&scene, &quality, frame, &mut threads);
+                drawn.expect("a frame");
+                assert!(pixels.iter().all(|&pixel| pixel == 0x00ff_ffff), "{asked}");
+                assert_eq!(threads.1, 1 + usize::from(antialias) + captions);
+            }
         }
     }
 }

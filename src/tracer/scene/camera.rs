@@ -6,14 +6,14 @@ use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::{FRAC_PI_4, PI};
 use glam::{Vec3, Vec3A};
 
-/// A pinhole camera with square pixels. Pixels are sampled at their centres.
+/// A pinhole camera with square pixels, sampled at their centres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Camera {
-    /// The position of the pinhole in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    /// The pinhole in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
     pub eye: Vec3,
-    /// The point in the middle of the picture, with the same range. It must differ from `eye`.
+    /// The point in the middle of the picture, other than `eye`, with the same range.
     pub look_at: Vec3,
     /// The upward direction of the picture, of any length, not parallel to the line of sight.
     pub up: Vec3,
@@ -31,16 +31,12 @@ impl Default for Camera {
 /// normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
-    /// The direction through the centre of the upper left pixel.
     pub corner: Vec3,
-    /// The step from a pixel to its right neighbour.
     pub dx: Vec3,
-    /// The step from a pixel to the one below it.
     pub dy: Vec3,
 }
 
 impl Raster {
-    /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self {
         corner: Vec3::ZERO,
         dx: Vec3::ZERO,
@@ -49,7 +45,6 @@ impl Raster {
 }
 
 impl Camera {
-    /// The camera at (0, 0, 1) with a view of the origin.
     pub(super) const STANDARD: Self = Self::new(Vec3::Z, Vec3::ZERO, FRAC_PI_4);
 
     /// Returns an upright camera, with a vertical field of view in radians.
@@ -63,7 +58,7 @@ impl Camera {
         }
     }
 
-    /// Returns the direction of the line of sight, of length 1; 0 if `look_at` is the eye.
+    /// Returns the direction of the line of sight; 0 if `look_at` is the eye.
     fn forward(&self) -> Vec3 {
         (self.look_at - self.eye).normalize_or_zero()
     }
@@ -86,7 +81,7 @@ impl Camera {
         of.field("field_of_view", self.field_of_view, angle)
     }
 
-    /// Returns the picture plane of `width` by `height` pixels, at distance 1 from the eye.
+    /// Returns the picture plane at distance 1 from the eye.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = unit(
@@ -110,7 +105,7 @@ impl Camera {
     }
 }
 
-/// Returns `v` scaled to length 1, or `otherwise` if `v` is zero, infinite or NaN.
+/// Normalises `v`; `otherwise` if it is zero, infinite or NaN.
 fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
     // NaN fails both comparisons.
@@ -121,7 +116,7 @@ fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     }
 }
 
-/// Converts a number of pixels below 2^24, exactly. The cast through `i32` is a single instruction; that from `usize` is not.
+/// Converts a number below 2^24 exactly. The cast through `i32` is a single instruction; that from `usize` is not.
 #[inline(always)]
 pub(crate) fn pixels(count: usize) -> f32 {
     count as i32 as f32

@@ -35,7 +35,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         items.iter().copied().collect()
     }
 
-    /// Returns an empty list with copies of an item in its unused memory.
+    /// Fills the unused memory with copies of an item.
     pub(crate) const fn over(item: T) -> Self {
         Self {
             items: [item; N],
@@ -154,16 +154,5 @@ impl<T, const N: usize> DerefMut for List<T, N> {
     #[inline]
     fn deref_mut(&mut self) -> &mut [T] {
         &mut self.items[..self.len]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    #[should_panic = "the len is 3 but the index is 3"]
-    fn list_of_too_many_items_panics() {
-        let _: List<u8, 3> = [1, 2, 3, 4].into_iter().collect();
     }
 }

@@ -36,7 +36,6 @@ pub const MAX_SPHERES: usize = 320;
 pub const MAX_PLANES: usize = 8;
 /// The maximum number of blocks: boxes, cylinders and capsules.
 pub const MAX_BLOCKS: usize = 128;
-/// The maximum number of solids: spheres and blocks.
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
 /// The maximum number of lights.
 pub const MAX_LIGHTS: usize = 4;
@@ -57,11 +56,11 @@ pub struct Scene {
     pub camera: Camera,
     /// The colour of the background at the horizon and below, 0 to 1e9 in each channel.
     pub background: Vec3,
-    /// The difference between the zenith and the horizon, added to `background` with the weight `y (2 - y)`, where y is the height
-    /// of the ray's direction, of length 1. It may be negative; the sum is 0 to 1e9 in each channel.
+    /// The difference between the zenith and the horizon, which may be negative; the sum is 0 to 1e9 in each channel. A ray whose
+    /// direction, of length 1, rises by y sees it with the weight `y (2 - y)`.
     pub sky: Vec3,
-    /// The density of the haze in 1 / scene units, 0 to 1000. At a distance t, surfaces have the weight `1 / (1 + (haze t)^2)`, and
-    /// the background has the rest.
+    /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`,
+    /// and the background the rest.
     pub haze: f32,
     /// The factor on all light of the picture, 0 to 11.
     pub exposure: f32,
@@ -124,7 +123,7 @@ impl Scene {
         }
     };
 
-    /// All zeros: the initial value of a `static` scene that takes no space in an executable file. It is invalid.
+    /// All zeros, for a `static` scene that takes no space in an executable file. It is invalid.
     pub const ZEROED: Self = Self {
         camera: Camera {
             eye: Vec3::ZERO,
@@ -145,7 +144,6 @@ impl Scene {
         ..Self::EMPTY
     };
 
-    /// Returns the number of spheres and blocks.
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + self.blocks.len()
     }
@@ -164,26 +162,24 @@ pub struct Material {
     pub ks: f32,
     /// The exponent of highlights, 1 to 1000. Larger exponents give smaller, sharper highlights.
     pub exponent: f32,
-    /// The tint of highlights by the surface's colour, from 0, the light's colour as on plastic, to 1, the product of both colours
-    /// as on metal. Mirror images keep their colours.
+    /// The tint of highlights by the surface's colour, from 0 for plastic to 1 for metal. Mirror images keep their colours.
     pub metallic: f32,
-    /// The spread of highlights by fine grooves, 0 to 1. Grooves run in circles around the object's own y axis, as on a lathe; the
-    /// y axis of spheres and planes is vertical. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference between
-    /// the directions of the light and of the mirrored ray; the square of d's part across the grooves is multiplied by `1 -
+    /// The spread of highlights by fine grooves in circles around the object's own y axis, as on a lathe, 0 to 1. The y axis of
+    /// spheres and planes is vertical. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference between the
+    /// directions of the light and of the mirrored ray; the square of d's part across the grooves is multiplied by `1 -
     /// anisotropy`. 1 is close to the thread model (Kajiya and Kay: Rendering Fur with Three Dimensional Textures, SIGGRAPH 1989).
     pub anisotropy: f32,
     /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
-    /// The increase of reflection at grazing angles, 0 to 1, by Schlick's approximation. At an angle with the cosine c, let `f =
-    /// fresnel (1 - c)^5`: the reflected weight is `kr + f (1 - kr)`, and the transmitted one `kt (1 - f)`. 1 is a polished
-    /// surface.
+    /// The increase of reflection at grazing angles, 0 to 1, by Schlick's approximation. At an angle with the cosine c, `f =
+    /// fresnel (1 - c)^5` changes the reflected weight to `kr + f (1 - kr)`, and the transmitted one to `kt (1 - f)`. 1 is a
+    /// polished surface.
     pub fresnel: f32,
     /// The weight of the transmitted ray, 0 to 1. Above 0 the surface is transparent.
     pub kt: f32,
-    /// The refractive index of the inside relative to the outside, 0.1 to 10. It is ignored if `kt` is 0.
+    /// The refractive index of the inside relative to the outside, 0.1 to 10.
     pub index: f32,
-    /// The colour of the object's shadow by lights with a [`Light::diameter`]: the share of each channel that passes through, 0 to
-    /// 1. Black casts a full shadow.
+    /// The colour of the object's shadow by lights with a [`Light::diameter`], 0 to 1 in each channel. Black is a full shadow.
     pub tint: Vec3,
     /// The texture.
     pub pattern: Pattern,
@@ -246,7 +242,7 @@ impl Material {
         }
     }
 
-    /// Returns polished metal. Its highlights have the colour `colour`; its mirror images keep their colours.
+    /// Returns polished metal with tinted highlights.
     #[must_use]
     pub const fn metal(colour: Vec3) -> Self {
         Self {
@@ -292,8 +288,8 @@ impl Material {
     }
 }
 
-/// A sphere. For shadows it is hollow: a light wholly inside illuminates the inside, and the outside only through the material's
-/// `tint` (see [`Light::diameter`]).
+/// A sphere. Shadow rays treat it as hollow: a light wholly inside illuminates its inside, and the outside only through the
+/// material's `tint` (see [`Light::diameter`]).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -381,20 +377,19 @@ pub struct Light {
     pub position: Vec3,
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
-    /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 for an invisible light. The sphere casts
-    /// no shadow, and haze does not dim it.
+    /// The radius of the visible light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 for an invisible one. It casts no shadow, and haze does
+    /// not dim it.
     pub drawn_radius: f32,
     /// Whether the rays are nearly parallel, as sunlight: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
-    /// the light is not drawn.
+    /// the light is invisible.
     pub parallel: bool,
-    /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, spheres cast penumbrae, and a material's `tint` colours its shadow;
-    /// glass without a tint casts a black shadow. 0 is a point, with hard and black shadows. A light wholly inside a sphere
-    /// illuminates its inside; a light that crosses the surface does not.
+    /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, spheres cast penumbrae, and a material's `tint` colours its shadow,
+    /// black for glass without a tint. At 0 shadows are hard and black. A light wholly inside a sphere illuminates its inside; a
+    /// light that crosses the surface does not.
     pub diameter: f32,
-    /// The radius of the glow around the light, 0 to [`MAX_LENGTH`]; 0 for none. The glow has the light's colour where a ray passes
-    /// through the position, half of it at this distance, and falls off with the squared distance far away. An object in front of
-    /// the light hides the half of the glow that is behind it. The radius of parallel lights is multiplied by [`Light::FAR`], so
-    /// that their glow is the sun's disc.
+    /// The radius of the glow, 0 to [`MAX_LENGTH`]; 0 for none. The glow has the light's colour where a ray passes through the
+    /// position, half of it at this distance, and falls off with the squared distance far away. An object in front of the light
+    /// hides the half of the glow behind it. The glow of parallel lights is the sun's disc.
     pub glow: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
@@ -408,8 +403,8 @@ impl Default for Light {
 }
 
 impl Light {
-    /// The factor on the position of a light with parallel rays. Across a scene as wide as the light's distance, the directions of
-    /// its rays differ by at most 0.001 radians.
+    /// The factor on lengths of parallel lights. Across a scene as wide as the distance to `position`, their rays differ in
+    /// direction by at most 0.001 radians.
     pub const FAR: f32 = 1000.0;
 
     /// A black, invisible point.

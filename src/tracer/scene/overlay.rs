@@ -24,8 +24,8 @@ pub struct Caption {
     pub letters: List<u8, MAX_LETTERS>,
     /// The middle of the line, relative to the picture's height from the top, 0 to 1.
     pub middle: f32,
-    /// The height of a letter relative to the picture's height, 0 to 1. In pictures narrower than 16:9 it is relative to the height
-    /// of a 16:9 picture of the same width, so that lines fit.
+    /// The height of a letter relative to the picture's height, 0 to 1. Pictures narrower than 16:9 count as a 16:9 picture of the
+    /// same width, so that lines fit.
     pub size: f32,
     /// The opacity, from 0, invisible, to 1, white.
     pub brightness: f32,

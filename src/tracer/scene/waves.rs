@@ -3,14 +3,14 @@
 use super::validate::EXTENT;
 use crate::range_error::{Checked, Range, RangeError};
 
-/// Waves on the first plane of a scene, which turn a mirror into water. They tilt the normals of reflection; the plane stays flat.
+/// Waves on the first plane of a scene, which turn a mirror into water. They tilt normals; the plane stays flat.
 ///
 /// There are six waves of equal slope, each [`Waves::SHORTER`] times as long as the previous one. The first travels along z, each
 /// other one in a direction turned by [`Waves::TURN`] radians from z towards x. At u wavelengths from a level point of a wave, -1/2
 /// to 1/2, its slope is `8 u (1 - 2 |u|)` times the steepest one: two arcs of parabolas, nearly a sine.
 ///
-/// Where a pixel covers w scene units of water, the slope of a wave of the length l is multiplied by `1 - w x / l`, where x is
-/// [`Waves::PIXELS`], or by 0 if that is negative: distant water is calm.
+/// Where a pixel covers w scene units of water, the slope of a wave of the length l is multiplied by `1 - w x / l`, at least 0,
+/// where x is [`Waves::PIXELS`]: distant water is calm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -21,12 +21,12 @@ pub struct Waves {
     /// allowed if `slope` is 0.
     pub length: f32,
     /// The distance that the longest wave has travelled, in its lengths, -1e6 to 1e6. Each next wave travels [`Waves::FASTER`]
-    /// times that number of its own lengths, as waves of deep water do.
+    /// times as far in its own lengths, as on deep water.
     pub phase: f32,
 }
 
 impl Waves {
-    /// The ratio of the longest to the shortest wave is below this: there are six waves.
+    /// The ratio of the longest to the shortest wave is below this.
     pub const FINEST: f32 = 20.0;
     /// The ratio of a wave's length to that of the previous one.
     pub const SHORTER: f32 = 0.5625;
@@ -37,8 +37,8 @@ impl Waves {
     /// The length in pixels below which waves vanish: the corners of 8-pixel squares would sample them at random.
     pub const PIXELS: f32 = 10.0;
 
-    /// The limit of the total slope, relative to the steepness of the ray: the amount by which it descends per unit of length. With
-    /// this limit the water never faces away from the ray, and never reflects it below the surface.
+    /// The limit of the total slope, relative to the amount by which a ray descends per unit of length: the water never faces away
+    /// from the ray, and never reflects it below the surface.
     pub const STEEPEST: f32 = 0.375;
 
     /// A flat mirror.

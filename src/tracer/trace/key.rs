@@ -1,16 +1,14 @@
 //! Keys: hashes of the objects that a point's ray tree hit.
 //!
 //! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the states of the lights there.
-//! Equal trees have equal keys. Different trees collide with a probability of 2^-32: a frame compares some 10^5 keys, so one frame
-//! in 40,000 fills one square wrongly.
+//! Different trees collide with a probability of 2^-32: a frame compares some 10^5 keys, so one frame in 40,000 fills one square
+//! wrongly.
 
 use super::rays::{PATH_BITS, Rays};
 use crate::lanes::*;
 use crate::quality::Quality;
 
-/// The bits of the object before hashing, above the [`PATH_BITS`].
 const OBJECT_BITS: u32 = 12;
-/// The bits of the state of a light.
 const STATE_BITS: u32 = 2;
 
 /// The nodes of a packet, and the states of the lights there: 0 dark (in shadow or facing away), 1 lit, 2 lit with a highlight.
@@ -75,7 +73,6 @@ impl<S: Isa> Keys<S> {
     }
 }
 
-/// Returns the nodes that are at most `depth` deep in their trees.
 #[inline(always)]
 fn to_depth<S: Isa>(simd: S, paths: U<S>, depth: u32) -> M<S> {
     paths.simd_lt(U::<S>::splat(simd, 2 << depth.min(Quality::MAX_DEPTH)))

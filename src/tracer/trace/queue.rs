@@ -6,7 +6,7 @@ use crate::prepare::World;
 use core::ops::Range;
 use fearless_simd::{f32x4, i32x4, u32x4};
 
-/// The capacity: 16 kB of sums, which stay in the L1 cache.
+/// 16 kB of sums stay in the L1 cache.
 pub(crate) const BATCH: usize = 1024;
 
 /// Positions are in this fraction of a pixel: those of the widest picture fit in 16 bits.
@@ -14,9 +14,8 @@ pub(crate) const PARTS: usize = 8;
 
 const PART: f32 = 1.0 / PARTS as f32;
 
-/// Points to trace.
 pub(crate) struct Queue {
-    /// The positions in the picture: `y << 16 | x`, in 1/[`PARTS`] of a pixel.
+    /// `y << 16 | x`, in 1/[`PARTS`] of a pixel.
     positions: [u32; BATCH],
     len: usize,
 }
@@ -33,12 +32,10 @@ impl Queue {
         self.len
     }
 
-    /// Adds the point of the pixel (x, y). The queue must not be full.
     pub fn push_pixel(&mut self, x: usize, y: usize) {
         self.push(PARTS * x, PARTS * y);
     }
 
-    /// Adds the point at (x, y), in 1/[`PARTS`] of a pixel. The queue must not be full.
     pub fn push(&mut self, x: usize, y: usize) {
         self.push_at((y << 16 | x) as u32);
     }
@@ -53,7 +50,6 @@ impl Queue {
         self.len = 0;
     }
 
-    /// Returns the pixel of point `i`.
     pub fn pixel(&self, i: usize) -> (usize, usize) {
         let (x, y) = self.position(i);
         (x / PARTS, y / PARTS)
@@ -74,8 +70,8 @@ impl Queue {
             .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
-    /// Returns the primary rays of a packet of points. `start` is a multiple of the number of lanes. Lanes after the last point
-    /// have rays of an earlier batch, whose results are ignored.
+    /// Returns the primary rays of a packet of points. Lanes after the last point have rays of an earlier batch, whose results are
+    /// ignored.
     #[inline(always)]
     pub(super) fn primary_rays<S: Isa>(&self, simd: S, world: World<'_>, start: usize) -> Rays<S> {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);
@@ -91,7 +87,7 @@ impl Queue {
     }
 }
 
-/// Returns the indices of a packet's points from `first`, in a form that needs no bounds checks in arrays of [`BATCH`].
+/// Returns the indices of a packet's points, in a form that needs no bounds checks in arrays of [`BATCH`].
 #[inline(always)]
 pub(super) fn packet<S: Isa>(first: usize) -> Range<usize> {
     let first = first % BATCH / lanes::<S>() * lanes::<S>();

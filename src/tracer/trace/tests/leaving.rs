@@ -87,42 +87,35 @@ impl Property for Spheres {
             let aim = centre.as_dvec3() + radius * share(&mut random);
             let (o, d) = (o.as_vec3(), unit(aim - o));
             let scene = prepared(&one_sphere(centre, radius as f32, Material::default()));
-            let Some(met) = Met::new(simd, scene.world(), o, d) else {
+            let world = scene.world();
+            let Some(Met {
+                p, n, is_inside, ..
+            }) = Met::new(simd, world, o, d)
+            else {
                 count += usize::from(random.bits().is_multiple_of(8));
                 continue;
             };
             count += 1;
-            let outward = if met.is_inside { -met.n } else { met.n }.as_dvec3();
+            let outward = if is_inside { -n } else { n }.as_dvec3();
             let what = std::format!("{isa}: radius {radius} at {centre}, from {o} along {d}");
             // Two roundings of the largest coordinate: about the error of the hit.
             let largest = f64::from(centre.abs().max_element()) + radius;
             let off = f64::from(f32::EPSILON) * largest;
             let direction = || random.direction().as_vec3();
-            each_ray(
-                simd,
-                scene.world(),
-                (met.p, 0),
-                RAYS,
-                direction,
-                |way, t| {
-                    let cosine = way.as_dvec3().dot(outward);
-                    let chord = -2.0 * cosine * radius;
-                    if cosine >= 0.0 {
-                        assert!(t.is_none(), "{what}: {} is hit again along {way}", met.p);
-                        left += 1;
-                    } else if chord * chord > 64.0 * off * radius {
-                        // Longer chords than rounding errors.
-                        let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
-                        let is_right = t.is_some_and(|t| (t - chord).abs() < most);
-                        assert!(
-                            is_right,
-                            "{what}: {way} from {} goes {t:?} of {chord}",
-                            met.p
-                        );
-                        entered += 1;
-                    }
-                },
-            );
+            each_ray(simd, world, (p, 0), RAYS, direction, |way, t| {
+                let cosine = way.as_dvec3().dot(outward);
+                let chord = -2.0 * cosine * radius;
+                if cosine >= 0.0 {
+                    assert!(t.is_none(), "{what}: {p} is hit again along {way}");
+                    left += 1;
+                } else if chord * chord > 64.0 * off * radius {
+                    // Longer chords than rounding errors.
+                    let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
+                    let is_right = t.is_some_and(|t| (t - chord).abs() < most);
+                    assert!(is_right, "{what}: {way} from {p} goes {t:?} of {chord}");
+                    entered += 1;
+                }
+            });
         }
         assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
         assert!(entered > SHAPES * RAYS / 32, "{isa}: {entered} rays");
@@ -154,7 +147,8 @@ impl Property for Planes {
                 planes: List::of(&[plane]),
                 ..Scene::default()
             });
-            let Some(met) = Met::new(simd, scene.world(), o.as_vec3(), unit(aim - o)) else {
+            let world = scene.world();
+            let Some(Met { p, .. }) = Met::new(simd, world, o.as_vec3(), unit(aim - o)) else {
                 continue;
             };
             let direction = || {
@@ -162,17 +156,10 @@ impl Property for Planes {
                 // Also along the plane, with both signs of zero.
                 [way, way, way, way.with_y(0.0), way.with_y(-0.0)][random.bits() as usize % 5]
             };
-            each_ray(
-                simd,
-                scene.world(),
-                (met.p, 0),
-                RAYS,
-                direction,
-                |way, t| {
-                    assert!(t.is_none(), "{isa}: {} is hit again along {way}", met.p);
-                    left += 1;
-                },
-            );
+            each_ray(simd, world, (p, 0), RAYS, direction, |way, t| {
+                assert!(t.is_none(), "{isa}: {p} is hit again along {way}");
+                left += 1;
+            });
         }
         assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
     }
@@ -224,23 +211,18 @@ impl Property for Blocks {
             let kind = i % 4;
             // Rounding must not move a point from one side to another.
             let scale = 10_f64.powf(random.between(-3.0, 3.0));
-            let (decades, scale) = if self.is_far {
-                (4.0, 1.0)
+            let (decades, scale, centre) = if self.is_far {
+                (4.0, 1.0, DVec3::ZERO)
             } else {
-                (1.0, scale)
+                (1.0, scale, scale * random.vector(-3.0, 1.5))
             };
             let half = share(&mut random).map(|share| scale * 10_f64.powf(decades * share));
-            let centre = scale * random.vector(-3.0, 1.5);
             let shape = [Shape::Box, Shape::Box, Shape::Cylinder, Shape::Capsule][kind];
             let [a, b, c] = random.direction().as_vec3().to_array();
             let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
             let turn = [Quat::IDENTITY, turn.normalize()][usize::from(kind > 0)];
             let block = Block {
-                centre: if self.is_far {
-                    Vec3::ZERO
-                } else {
-                    centre.as_vec3()
-                },
+                centre: centre.as_vec3(),
                 half: fitting(shape, half),
                 axes: Mat3::from_quat(turn),
                 shape,
@@ -254,15 +236,13 @@ impl Property for Blocks {
             let half = block.half.as_dvec3();
             let within = block.axes.as_dmat3() * (share(&mut random) * half);
             let aim = block.centre.as_dvec3() + within;
-            let near = aim + random.direction() * (2.0 * half.length());
             let o = if self.is_far {
                 random.vector(-8.0, 8.0)
             } else {
-                near
+                aim + random.direction() * (2.0 * half.length())
             };
             let (o, d) = (o.as_vec3(), unit(aim - o));
-            let met = Met::new(simd, world, o, d).filter(|met| !met.is_inside);
-            let Some(met) = met else {
+            let Some(met) = Met::new(simd, world, o, d).filter(|met| !met.is_inside) else {
                 continue;
             };
             let Met {

@@ -13,7 +13,7 @@ extern crate std;
 use super::accumulator::Contribution;
 use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
-use super::rays::{Rays, primary_directions};
+use super::rays::Rays;
 use super::shade::shade;
 use super::surface::{SurfaceLanes, SurfaceRows};
 use super::{Batch, Tracer, candidates};

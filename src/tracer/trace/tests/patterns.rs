@@ -5,6 +5,7 @@ use super::*;
 use crate::prepare::ObjectId;
 use crate::scene::Pattern;
 use crate::trace::SeenPattern;
+use crate::trace::queue::Queue;
 use glam::vec3;
 
 const SIZE: [usize; 2] = [320, 180];
@@ -54,14 +55,9 @@ impl Property for Patterns {
             let world = memory.prepare(&scene, SIZE, Vec2::ZERO);
             for y in 0..SIZE[1] {
                 for x in (0..SIZE[0]).step_by(lanes::<S>()) {
-                    let columns: I<S> = numbers(simd).bitcast();
-                    let columns = columns.to_float::<F<S>>() + x as f32;
-                    let rays = Rays {
-                        o: Vec3x::splat(simd, world.eye),
-                        d: primary_directions(simd, world, columns, splat(simd, y as f32)),
-                        weight: splat(simd, 1.0),
-                        slot_path: Rays::slot_paths(simd, 0),
-                    };
+                    let mut queue = Queue::new();
+                    (0..lanes::<S>()).for_each(|lane| queue.push_pixel(x + lane, y));
+                    let rays = queue.primary_rays(simd, world, 0);
                     let hit = hits(simd, world, &rays);
                     let point = shading_point(simd, world, &rays, &hit);
                     for (lane, &object) in hit.object.as_slice().iter().enumerate() {

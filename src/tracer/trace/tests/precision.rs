@@ -38,16 +38,10 @@ fn poisson_bound(mean: f64) -> usize {
     count
 }
 
-struct Outcome {
-    /// The number of wrong rays.
-    wrong: usize,
-    /// The largest error of the distance of a hit, in radii.
-    off: f64,
-}
-
-/// Traces the rays of a seed to spheres at a distance in radii.
+/// Traces the rays of a seed to spheres at a distance in radii. Returns the number of wrong rays, and the largest error of the distance
+/// of a hit, in radii.
 #[inline(always)]
-fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> Outcome {
+fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> (usize, f64) {
     let mut random = Random(seed << 32 | distance as u64);
     let (mut wrong, mut off) = (0, 0.0_f64);
     for _ in 0..RAYS / 64 {
@@ -80,7 +74,7 @@ fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> Out
             }
         }
     }
-    Outcome { wrong, off }
+    (wrong, off)
 }
 
 struct HitOrMiss {
@@ -101,10 +95,10 @@ impl Property for HitOrMiss {
             };
             let (mut total, mut most, mut off) = (0, 0, 0.0_f64);
             for seed in 0..self.seeds {
-                let outcome = outcome(simd, distance, self.is_in_origin, seed);
-                total += outcome.wrong;
-                most = most.max(outcome.wrong);
-                off = off.max(outcome.off);
+                let (wrong, error) = outcome(simd, distance, self.is_in_origin, seed);
+                total += wrong;
+                most = most.max(wrong);
+                off = off.max(error);
             }
             let bound = poisson_bound(mean * millions);
             let what = std::format!(
