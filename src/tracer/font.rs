@@ -1,4 +1,4 @@
-//! A vector font of straight strokes on a grid of 3 by 5 points, for captions and for the title's letters of spheres.
+//! A vector font of straight strokes on a grid of 3 by 5 points.
 
 use glam::{Vec2, vec2};
 
@@ -67,7 +67,6 @@ pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
         .map(|ends| (position(ends[0]), position(ends[1])))
 }
 
-/// Returns the points that a pen visits for a letter.
 #[inline(never)]
 fn points(letter: u8) -> &'static [u8] {
     let points = match letter {
@@ -78,7 +77,6 @@ fn points(letter: u8) -> &'static [u8] {
     points.as_bytes()
 }
 
-/// Returns the position of a point of the grid, in grid units.
 fn position(point: u8) -> Vec2 {
     let index = point - b'a';
     vec2(f32::from(index % 3), f32::from(index / 3))

@@ -1,7 +1,7 @@
 //! Copper bars and captions over a finished picture.
 //!
-//! A caption's coverage is computed from the distance of the pixel's centre to the nearest stroke, so edges are antialiased at any
-//! size. Letters are measured in units of the font's grid.
+//! A caption's coverage is computed from the distance of a pixel to the nearest stroke, in units of the font's grid, so edges are
+//! antialiased at any size.
 
 use crate::font::strokes;
 use crate::maths::{round, sqrt};
@@ -10,16 +10,14 @@ use crate::scene::camera::pixels;
 use crate::scene::{Caption, CopperBar};
 use glam::{Vec2, vec2};
 
-/// The distance between the left sides of neighbouring letters, in grid units: their shadows just touch.
+/// The distance between neighbouring letters, in grid units: their shadows just touch.
 const ADVANCE: f32 = 2.0 + 2.0 * (HALF_WIDTH + SHADOW);
 
-/// Half the width of a stroke, in grid units.
 const HALF_WIDTH: f32 = 0.3;
 
-/// The width of the shadow around a stroke, in grid units. It fades outward, and makes text readable on white.
+/// The width of the shadow around a stroke, in grid units, which makes text readable on white.
 const SHADOW: f32 = 0.35;
 
-/// The opacity of the shadow at its darkest.
 const DARKNESS: f32 = 0.7;
 
 pub(crate) struct Overlay<'a> {
@@ -27,7 +25,6 @@ pub(crate) struct Overlay<'a> {
     pub captions: &'a [Caption],
     /// See [`Caption::letters`].
     pub numbers: &'a [usize],
-    /// The alignment of lines, from 0, left, to 1, right.
     pub middle: f32,
     pub height: usize,
 }
@@ -52,7 +49,6 @@ impl Overlay<'_> {
         let h = pixels(self.height);
         let (unit, line) = (0.5 * bar.height * h, bar.middle * h - pixels(band.top));
         for (y, row) in band.rows() {
-            // The distance from the bar's middle, in halves of its height, and the brightness there.
             let out = (pixels(y) + 0.5 - line) / unit;
             let light = 1.0 - out * out;
             if light > 0.0 {
@@ -66,12 +62,10 @@ impl Overlay<'_> {
 
     fn draw_caption(&self, caption: &Caption, band: &mut Band<'_>) {
         let (w, h) = (pixels(band.width), pixels(self.height));
-        // A letter is four units high and two wide.
         let unit = 0.25 * caption.size * h.min(w * (9.0 / 16.0));
         let line = caption.middle * h - pixels(band.top);
         for (y, row) in band.rows() {
             let y = (pixels(y) + 0.5 - line) / unit;
-            // Above and below the letters and their shadows.
             if y.abs() > 2.0 + HALF_WIDTH + SHADOW {
                 continue;
             }

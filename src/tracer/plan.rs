@@ -1,5 +1,3 @@
-//! The settings and the shared state of a frame's phases.
-
 use crate::coverage::Coverage;
 use crate::picture::{Frame, Probing};
 use crate::prepare::{self, VisibleGroups, World};
@@ -13,7 +11,6 @@ use glam::Vec2;
 /// Images in a crowd of mirrors and glass are narrow.
 const CROWD_SQUARE: usize = 4;
 
-/// The settings of a frame.
 pub(crate) struct FramePlan {
     pub isa: Level,
     pub kernel: Kernel,
@@ -21,11 +18,11 @@ pub(crate) struct FramePlan {
     pub quality: Quality,
     /// In pixels.
     pub size: [usize; 2],
-    /// The number of finished columns, from the left: without marks of the method.
+    /// The number of columns without marks of the method, from the left.
     pub finished: usize,
     /// See [`Method::coarse`]; below 2 for none.
     pub coarse: usize,
-    /// Whether all points of strong mirrors and glass have different keys, because a crowd of them reflects each other.
+    /// Whether all points of strong mirrors and glass have different keys.
     pub glitters: bool,
     /// In pixels.
     pub offset: Vec2,
@@ -85,7 +82,6 @@ impl FramePlan {
     }
 }
 
-/// The state that all phases of a frame share.
 pub(crate) struct Context<'a, O> {
     pub plan: &'a FramePlan,
     pub world: World<'a>,

@@ -1,4 +1,4 @@
-//! A bit per square, or per point, of a row of a tile.
+//! A bit per square, or per point, of a row.
 
 use crate::picture::TILE_WIDTH;
 use core::array;
@@ -7,7 +7,6 @@ use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
 /// One bit per pixel of a tile's width.
 pub(crate) const WORDS: usize = TILE_WIDTH / 64;
 
-/// Bit 0 is the lowest bit of the first word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Bits(pub [u64; WORDS]);
 
@@ -82,7 +81,6 @@ impl Bits {
         }
     }
 
-    /// Calls `call` with the index of each set bit, in order.
     #[inline(always)]
     pub fn for_each(self, mut call: impl FnMut(usize)) {
         for (i, word) in self.0.into_iter().enumerate() {

@@ -3,7 +3,6 @@
 use super::*;
 use fearless_simd::Level;
 
-/// An instruction set for tracing rays.
 pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::mul_add`] rounds once, as a fused operation, or twice.
     const FUSES_MUL_ADD: bool;
@@ -62,7 +61,6 @@ cfg_select! {
     }
 }
 
-/// Returns the instruction set that every CPU of the target has.
 #[inline(always)]
 pub(crate) fn baseline() -> Baseline {
     baseline_of(Level::baseline()).expect("the least level has what every CPU has")
@@ -81,13 +79,11 @@ cfg_select! {
         }
     }
     _ => {
-        /// AVX2 exists on x86-64 only.
         #[inline(always)]
         pub(crate) fn avx2(_: Level) -> Option<Baseline> {
             None
         }
 
-        /// AVX-512 exists on x86-64 only.
         #[inline(always)]
         pub(crate) fn avx512(_: Level) -> Option<Baseline> {
             None

@@ -47,7 +47,6 @@ pub(crate) const MAX_LANES: usize = 16;
 pub(crate) type F<S> = <S as Simd>::f32s;
 pub(crate) type U<S> = <S as Simd>::u32s;
 pub(crate) type I<S> = <S as Simd>::i32s;
-/// A truth value per lane.
 pub(crate) type M<S> = <S as Simd>::mask32s;
 
 #[inline(always)]
@@ -60,7 +59,6 @@ pub(crate) fn splat<S: Simd>(simd: S, v: f32) -> F<S> {
     F::<S>::splat(simd, v)
 }
 
-/// Returns the mask of the first `count` lanes.
 #[inline(always)]
 pub(crate) fn first<S: Simd>(simd: S, count: usize) -> M<S> {
     M::<S>::from_bitmask(simd, (1 << count) - 1)
@@ -114,7 +112,6 @@ pub(crate) fn smooth_step<S: Simd>(v: F<S>) -> F<S> {
     v * v * (v * -2.0 + 3.0)
 }
 
-/// Returns the index of each lane.
 #[inline(always)]
 pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {
     const NUMBERS: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];

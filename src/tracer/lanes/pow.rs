@@ -1,5 +1,3 @@
-//! Powers for highlights.
-
 use super::*;
 
 /// Returns `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
@@ -65,7 +63,6 @@ fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     (bits + (whole << 23)).bitcast()
 }
 
-/// Evaluates a polynomial, the highest coefficient first.
 #[inline(always)]
 fn polynomial<S: Simd>(simd: S, x: F<S>, coefficients: &[f32]) -> F<S> {
     let mut p = splat(simd, coefficients[0]);

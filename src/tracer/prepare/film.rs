@@ -8,14 +8,11 @@ use glam::{Vec2, vec2};
 
 /// Colours are in output steps, 255 the brightest; positions in pixels.
 pub(crate) struct Film {
-    /// Whether colours stay unchanged.
     pub is_plain: bool,
     shoulder: f32,
-    /// The distance from the shoulder to full brightness.
     room: f32,
     vignette: f32,
     middle: Vec2,
-    /// 1 / half the picture's height.
     unit: f32,
     pub dither: Dither,
 }
@@ -75,7 +72,6 @@ impl Film {
         })
     }
 
-    /// Returns the vignette's divisors of light at four points.
     #[inline(always)]
     fn dimming(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let x = (x - self.middle.x) * self.unit;
@@ -83,7 +79,7 @@ impl Film {
         (x * x + y * y) * self.vignette + 1.0
     }
 
-    /// Applies the vignette and the tone curve to the light at four points.
+    /// Applies the vignette and the tone curve.
     #[inline(never)]
     pub fn expose(&self, simd: Baseline, light: &mut Four, at: [f32x4<Baseline>; 2]) {
         let dimming: [f32; 4] = self.dimming(at).into();
@@ -92,7 +88,6 @@ impl Film {
         }
         let [a, b, c, d] = *light;
         let most = a.max(b).max(c.max(d));
-        // Most colours are below the shoulder.
         if most.simd_gt(self.shoulder).any_true() {
             for light in light {
                 let over = (*light - self.shoulder).max(splat(simd, 0.0));
@@ -102,7 +97,7 @@ impl Film {
     }
 }
 
-/// Returns thresholds over a share of a step, by Bayer's ordered dither.
+/// Returns Bayer's ordered dither over a share of a step.
 fn dither(share: f32) -> Dither {
     let mut dither = [[0; 8]; 4];
     for rank in 0..16 {

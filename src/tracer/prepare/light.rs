@@ -13,7 +13,6 @@ pub(crate) struct PreparedLight {
     pub position: Vec3A,
     pub colour: Vec3A,
     pub is_cone: bool,
-    /// The spotlight's cone, or one that is bright in all directions.
     pub cone: SpotCone,
     /// See [`Light::shadow_diameter`].
     pub diameter: f32,
@@ -21,15 +20,13 @@ pub(crate) struct PreparedLight {
     pub glow2: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
-    /// The first object that is listed as an occluder: for point lights, a faster test decides the hard shadows of the spheres
-    /// before it.
+    /// The first object that is listed as an occluder. A faster test decides the hard shadows of the spheres before it.
     pub listed_from: ObjectId,
-    /// The shadow cones of the [`super::Tree`]'s solid nodes, in the same order.
+    /// Of the tree's solid nodes, in the same order.
     pub shadow_cones: [ShadowCone; MAX_NODES],
 }
 
 pub(crate) struct SpotCone {
-    /// Of length 1.
     pub aim: Vec3,
     pub cos_inner: f32,
     pub cos_outer: f32,
@@ -58,8 +55,8 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere. A point in it is inside the sphere, or inside a cone around the sphere with its apex at the light
-/// and no nearer to the light than the sphere. The cone is slightly enlarged for rounding.
+/// The shadow of a node's sphere: a point in it is inside a cone around the sphere with its apex at the light, no nearer to the
+/// light than the sphere.
 ///
 /// Unaligned vectors make it fit a cache line of 64 bytes: a frame has up to 2,572 cones.
 #[derive(Clone, Copy)]
@@ -68,20 +65,20 @@ pub(crate) struct ShadowCone {
     pub axis: Vec3,
     /// The squared chord between the axis and the side of the cone, on the unit sphere.
     pub chord2: f32,
-    /// The distance from the light at which the shadow may begin.
+    /// The distance from the light at which it may begin.
     pub from: f32,
     pub solids: u8,
     pub skip: u16,
     pub object: ObjectId,
-    /// Whether the sphere contains the light, and casts its shadow outward. Always false for blocks.
+    /// Whether the sphere contains the light, and casts its shadow outward.
     pub around_light: bool,
     /// The vector to the light.
     pub from_light: Vec3,
-    /// The squared radius, reduced by the rounding error of the discriminant, so that a ray that leaves the sphere is not in its
-    /// shadow; enlarged if the light is inside.
+    /// Reduced by the rounding error of the discriminant, so that a ray that leaves the sphere is not in its shadow; enlarged if
+    /// the light is inside.
     pub r2: f32,
-    /// The shadow of a block lies between two planes through the light, at equal angles to the plane that contains the longer axis.
-    /// This is that plane's normal, of any length; 0 for a sphere.
+    /// A block's shadow is between two planes through the light, at equal angles to the plane that contains the longer axis. This
+    /// is that plane's normal, of any length.
     pub side: Vec3,
     /// The squared sine of that angle, times the squared length of `side`.
     pub sine2: f32,
@@ -89,7 +86,7 @@ pub(crate) struct ShadowCone {
     pub radius: f32,
 }
 
-/// Larger than the squared chord of any cone, which is at most 4.
+/// Larger than the squared chord of any cone.
 const ALL_AROUND: f32 = 5.0;
 
 impl PreparedLight {
@@ -106,7 +103,7 @@ impl PreparedLight {
         shadow_cones: [ShadowCone::ZERO; MAX_NODES],
     };
 
-    /// Prepares a light of a scene with `spheres` spheres, and the shadows of the tree's solid nodes.
+    /// Prepares a light of a scene with `spheres` spheres.
     pub fn set(&mut self, light: &Light, nodes: &[BvhNode], spheres: usize) {
         self.position = light.shadow_position();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
@@ -119,7 +116,6 @@ impl PreparedLight {
         // Below 0, the shadow of a sphere would not be inside that of its bound.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {
-            // The cone has to contain the penumbra, too.
             let radius = if !node.is_block {
                 node.radius + 0.5 * self.max_penumbra
             } else {

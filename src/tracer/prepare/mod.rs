@@ -18,7 +18,6 @@ use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Plane, Scene, c
 use core::ops::Deref;
 use glam::{Vec2, Vec3, Vec3A};
 
-/// The maximum number of objects that rays can hit: solids, visible lights, planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
 #[derive(Clone, Copy)]
@@ -47,9 +46,7 @@ impl<'a> World<'a> {
 }
 
 pub(crate) struct Prepared {
-    /// Whether there is no haze, and the background has one colour.
     pub is_clear: bool,
-    /// In 1 / scene units.
     pub haze: f32,
     pub glows: bool,
     pub film: Film,
@@ -63,7 +60,6 @@ pub(crate) struct Prepared {
     pub light_count: usize,
     pub plane_count: usize,
     pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
-    /// See [`object::glitters`].
     pub glitters: [bool; MAX_OBJECTS],
     pub has_patterns: bool,
     /// Whether any object is a block, or has a pattern or grooves.

@@ -1,5 +1,3 @@
-//! The objects of a scene by number.
-
 use crate::scene::{Block, Light, Material, Plane, Scene, Sphere};
 use glam::Vec3;
 
@@ -7,14 +5,12 @@ pub(crate) enum Object<'a> {
     Sphere(&'a Sphere),
     Block(&'a Block),
     Plane(&'a Plane),
-    /// A visible light.
     Light(&'a Light),
     /// Hit by rays that hit no other object.
     Background,
 }
 
 impl Object<'_> {
-    /// Returns its centre; zeros for the background.
     pub fn centre(&self) -> Vec3 {
         match self {
             Self::Sphere(sphere) => sphere.centre,
@@ -67,11 +63,11 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The number of strong mirrors and glass solids that make a crowd, whose images of each other are tiny. The show's scenes have six
-/// at most. With a lower number, one in fifty random scenes of 16 blocks is below 42 dB at the default quality.
+/// The number of strong mirrors and glass solids that make a crowd. The show's scenes have six at most. With a lower number, one in
+/// fifty random scenes of 16 blocks is below 42 dB at the default quality.
 const CROWD: usize = 12;
 
-/// The smallest weight of reflected or transmitted light that counts as strong: the presets' `key_weight`.
+/// The least strong weight: the presets' `key_weight`.
 const STRONG: f32 = 0.3;
 
 /// The sine of half the viewing angle from which a glass sphere shows the crowd large enough.

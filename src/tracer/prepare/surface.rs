@@ -1,5 +1,3 @@
-//! Surface parameters, prepared for shading.
-
 use super::object::Object;
 use crate::lanes::MAX_LANES;
 use crate::scene::{Material, Scene};
@@ -18,11 +16,10 @@ pub(crate) enum Parameter {
     Centre = 0,
     /// 0 for planes and blocks.
     InverseRadius = 3,
-    /// 1 for surfaces that lights illuminate; otherwise 0.
+    /// 0 for visible lights and the background.
     IsLit = 4,
     /// A colour: reflected ambient light, or the colour of a visible light or the background.
     Emitted = 5,
-    /// A colour.
     Diffuse = 8,
     /// A colour: the factor of highlights on a light's colour.
     Highlight = 11,
@@ -49,7 +46,7 @@ pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 /// Larger than any parameter of a valid scene; products of a few such numbers stay finite.
 const LARGEST: f32 = 2e9;
 
-/// Returns a number, or 0 if it is NaN or above [`LARGEST`]: such a number would spoil a point's sum even with the weight 0.
+/// Returns a number, or 0 if it is NaN or above [`LARGEST`], which would spoil a point's sum even with the weight 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
@@ -118,7 +115,6 @@ mod tests {
     fn roots_are_below_by_a_fifth_at_most() {
         for h in [1.0, 1.5, 2.0, 5.0, 10.0, 40.0, 100.0, 1000.0] {
             for i in 1..100_000 {
-                // The smallest argument, at ks = 1.
                 let x = MIN_HIGHLIGHT.max(i as f32 / 100_000.0);
                 let root = libm::powf(x, 1.0 / h);
                 let below = root_below(x, h);

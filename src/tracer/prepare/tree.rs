@@ -1,5 +1,5 @@
-//! The bounding volume hierarchy: a tree of spheres in depth-first order. A ray walks along the array, and skips the descendants of
-//! bounding spheres that it misses. Solids are spheres and blocks.
+//! The bounding volume hierarchy of spheres and blocks (solids): an array of bounding spheres in depth-first order, in which a ray
+//! skips the descendants of those that it misses.
 
 use super::object::{self, Object, ObjectId};
 use crate::rounding::{BOUND, hit_error};
@@ -7,27 +7,25 @@ use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
 use glam::{Vec3, Vec3A};
 
-/// The number of groups of solids, with an equal number of solids each. Each tile has the set of groups that may be visible in it.
+/// The number of groups of solids. Each tile has the set of groups that may be visible in it.
 const SOLID_GROUPS: usize = 32;
 
-/// Solids' groups come first, in the tree's order, then one for each light.
+/// Solids' groups, in the tree's order, then one for each light.
 pub(crate) const MAX_GROUPS: usize = SOLID_GROUPS + MAX_LIGHTS;
 
 pub(crate) type GroupSet = u64;
 
-/// The groups that rays through a part of the picture can meet.
+/// The groups that primary rays, and their reflections in the first plane, can meet in a part of the picture.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct VisibleGroups {
-    /// For primary rays.
     pub directly: GroupSet,
-    /// For the reflections of primary rays in the first plane.
     pub mirrored: GroupSet,
 }
 
 /// The largest number of solids in a leaf.
 ///
-/// Shadow rays that meet a leaf's bound test all its solids without a branch. A mispredicted branch, which is frequent for packets
-/// at edges, takes as long as four tests. With 4 solids the show's title takes 8 % longer, with 16 a field of 64 spheres 7 %.
+/// Shadow rays test all solids of a leaf without a branch: a mispredicted branch, frequent for packets at edges, takes as long as
+/// four tests. With 4 solids the show's title takes 8 % longer, with 16 a field of 64 spheres 7 %.
 const LEAF: usize = 10;
 
 const UNSORTED: usize = 4;
@@ -36,11 +34,10 @@ const MAX_BOUNDS: usize = 2 * MAX_SOLIDS.div_ceil(LEAF).next_power_of_two() - 1;
 
 pub(super) const MAX_NODES: usize = MAX_BOUNDS + MAX_SOLIDS + MAX_LIGHTS;
 
-/// A node: a sphere, or the bounding sphere of a block, of a light or of several nodes.
+/// A sphere, or the bounding sphere of a block, of a light or of several nodes.
 #[derive(Clone, Copy)]
 pub(crate) struct BvhNode {
     pub centre: Vec3A,
-    /// Negative for lights that are not drawn, so that all rays miss them.
     pub r2: f32,
     /// Enlarged by [`BOUND`], for a conservative first test.
     pub cull2: f32,
@@ -50,19 +47,17 @@ pub(crate) struct BvhNode {
     pub r2_error: f32,
     pub radius: f32,
     pub groups: GroupSet,
-    /// The object; meaningless for a bound.
+    /// Meaningless for a bound.
     pub object: ObjectId,
-    /// The number of nodes to skip if it is missed, itself included.
+    /// The number of nodes to advance by if it is missed.
     pub skip: u16,
-    /// Whether it is a bound of other nodes.
     pub is_bound: bool,
-    /// The number of solids in a leaf, which are the next nodes; 0 for other nodes.
+    /// The number of solids in a leaf, which are the next nodes.
     pub solids: u8,
-    /// Whether it is the bounding sphere of a block.
     pub is_block: bool,
-    /// The longer of a block's own y and z axes, of length 1.
+    /// The longer of a block's own y and z axes.
     pub axis: Vec3A,
-    /// The squared radius of a block's bounding cylinder around that axis.
+    /// The squared radius of the bounding cylinder around it.
     pub thin2: f32,
 }
 
@@ -73,7 +68,6 @@ struct Ball {
     object: ObjectId,
 }
 
-/// The hierarchy: the root and its descendants in depth-first order, then the lights.
 pub(crate) struct Tree {
     balls: [Ball; MAX_SOLIDS],
     solid_count: usize,
@@ -82,7 +76,7 @@ pub(crate) struct Tree {
     solid_node_end: usize,
 }
 
-/// The radius of a bound around everything: far larger than [`MAX_LENGTH`], with a finite square.
+/// Far larger than [`MAX_LENGTH`], with a finite square.
 const UNBOUNDED: f32 = 1e18;
 
 impl Tree {
@@ -102,7 +96,7 @@ impl Tree {
         &self.nodes[..self.len]
     }
 
-    /// Returns the index of the first node for rays that can only meet `groups`. It skips the root, which such rays probably meet.
+    /// Returns the first node for rays that can only meet `groups`. It skips the root, which such rays probably meet.
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 {
             1
@@ -115,13 +109,11 @@ impl Tree {
         &self.nodes[..self.solid_node_end]
     }
 
-    /// Returns the nodes of the solids and the lights, without bounds, with their indices.
     pub fn objects(&self) -> impl Iterator<Item = (usize, &BvhNode)> {
         let nodes = self.nodes().iter().enumerate();
         nodes.filter(|(_, node)| !node.is_bound)
     }
 
-    /// Returns the nodes of the solids, without bounds, with their indices.
     pub fn solids(&self) -> impl Iterator<Item = (usize, &BvhNode)> {
         let end = self.solid_node_end;
         self.objects().take_while(move |&(i, _)| i < end)
@@ -154,7 +146,6 @@ impl Tree {
                 groups,
             );
             node.object = ObjectId::new(scene.solids() + i);
-            // No ray hits a light that is not drawn.
             if light.parallel || light.drawn_radius == 0.0 {
                 node.r2 = -1.0;
                 node.cull2 = -1.0;
@@ -181,7 +172,6 @@ impl Tree {
         let is_leaf = balls.len() <= LEAF;
         let count = self.solid_count.max(SOLID_GROUPS);
         let group = |i: usize| i * SOLID_GROUPS / count;
-        // The groups from the first solid's to the last one's.
         let groups = (2 << group(end.max(1) - 1)) - (1 << group(first));
         let bound = self.push(centre, radius, groups);
         bound.is_bound = true;

@@ -1,5 +1,3 @@
-//! The shared memory and the phases of a frame.
-
 use super::schedule::Schedule;
 use super::threads::Threads;
 use crate::counts::Counts;

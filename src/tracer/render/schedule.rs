@@ -1,25 +1,20 @@
-//! The order in which threads draw the bands of a frame.
-
 use super::threads::{Job, Threads};
 use crate::counts::Counts;
 use crate::picture::{Band, MAX_BANDS, TILE_HEIGHT};
 
-/// Sorts bands by their rays in the previous frame, most first: the last bands are short, and threads finish at about the same
-/// time.
+/// Sorts bands by their rays in the previous frame, most first, so that threads finish at about the same time.
 pub(super) struct Schedule {
-    /// In the previous frame, from the top.
     rays: [u64; MAX_BANDS],
 }
 
 impl Schedule {
-    /// Starts without a previous frame: bands are drawn from the bottom up, since the sky at the top needs the fewest rays.
+    /// Without a previous frame bands are drawn from the bottom up, since the sky needs the fewest rays.
     pub const fn new() -> Self {
         Self {
             rays: [0; MAX_BANDS],
         }
     }
 
-    /// Runs a job on each band, and returns the sum of their counts.
     pub fn run(
         &mut self,
         picture: &mut Band<'_>,

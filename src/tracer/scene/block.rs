@@ -40,7 +40,6 @@ impl Block {
         }
     }
 
-    /// Returns whether round shapes have a circular section, and a capsule is long enough for its ends.
     fn is_round(&self) -> bool {
         match self.shape {
             Shape::Box => true,

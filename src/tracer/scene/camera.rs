@@ -1,5 +1,3 @@
-//! The pinhole camera.
-
 use super::validate::POINT;
 use crate::maths::{cos, sin};
 use crate::range_error::{Checked, Range, RangeError};
@@ -27,8 +25,7 @@ impl Default for Camera {
     }
 }
 
-/// The picture plane in scene coordinates. The ray through the pixel (x, y) has the direction `corner + x dx + y dy`, which is not
-/// normalised.
+/// The ray through the pixel (x, y) has the direction `corner + x dx + y dy`, which is not normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
     pub corner: Vec3,
@@ -58,7 +55,6 @@ impl Camera {
         }
     }
 
-    /// Returns the direction of the line of sight; 0 if `look_at` is the eye.
     fn forward(&self) -> Vec3 {
         (self.look_at - self.eye).normalize_or_zero()
     }
@@ -108,7 +104,6 @@ impl Camera {
 /// Normalises `v`; `otherwise` if it is zero, infinite or NaN.
 fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
-    // NaN fails both comparisons.
     if length > 0.0 && length < f32::INFINITY {
         v * (1.0 / length)
     } else {

@@ -15,8 +15,8 @@ pub struct Film {
     /// picture's middle in halves of its height.
     pub vignette: f32,
     /// The range of the rounding thresholds of neighbouring pixels in steps of 1/255, 0 to 1. With 1, the means of squares of 4x4
-    /// pixels have steps of 1/16, so that slow gradients show no bands; with 0 all pixels round alike. A pixel's threshold depends
-    /// on its position only. Antialiased pixels of edges keep their dither.
+    /// pixels have steps of 1/16, so that slow gradients show no bands. A pixel's threshold depends on its position only.
+    /// Antialiased pixels keep their dither.
     pub dither: f32,
     /// The factor on a [`Quality`](crate::Quality)'s tolerances for filling squares, 0 to 1. Use less than 1 for dark scenes with
     /// dim edges, where the eye sees smaller steps.

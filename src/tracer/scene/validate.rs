@@ -11,7 +11,6 @@ pub const MIN_LENGTH: f32 = 1e-9;
 
 pub(super) const POINT: Range = Range(-MAX_LENGTH, MAX_LENGTH, "-1e9 to 1e9");
 pub(super) const EXTENT: Range = Range(MIN_LENGTH, MAX_LENGTH, "1e-9 to 1e9");
-/// Also for colours: bright lights are above 1.
 pub(super) const LENGTH: Range = Range(0.0, MAX_LENGTH, "0 to 1e9");
 pub(super) const SHARE: Range = Range(0.0, 1.0, "0 to 1");
 pub(super) const SIGNED: Range = Range(-1.0, 1.0, "-1 to 1");

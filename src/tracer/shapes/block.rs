@@ -1,5 +1,3 @@
-//! Blocks: rays and points are transformed to a block's own axes.
-
 use super::sphere::Chord;
 use super::{TexturePoint, capsule, cuboid, cylinder};
 use crate::lanes::*;
@@ -47,8 +45,8 @@ pub(crate) fn distance<S: Isa>(
     (t, is_inside)
 }
 
-/// Returns the components of `own` along the axes of the face that each point is on, and the point's distance, where the face is at
-/// 1. `out` has the distance along each axis, where the faces are at -1 and 1.
+/// Returns the components of `own` along the axes of each point's face, and the point's distance relative to the face's. `out` has
+/// the relative distance along each axis.
 #[inline(always)]
 fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>) {
     let farthest = out.max_element();
@@ -62,9 +60,7 @@ fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>)
 }
 
 pub(crate) struct BlockHit<S: Isa> {
-    /// Relative to the centre, in scene coordinates.
     pub out: Vec3x<S>,
-    /// The texture point and the outward normal.
     pub texture_point: TexturePoint<S>,
 }
 
@@ -112,8 +108,8 @@ pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     }
 }
 
-/// Returns the rays along `d` that certainly miss a block, or hit it beyond `limit`: they miss its [`bounding_cylinder`], or end
-/// before its bounding sphere, whose `radius` and `chord` are given.
+/// Returns the rays along `d` that certainly miss a block's [`bounding_cylinder`], or hit beyond `limit`. The bounding sphere has
+/// the `radius` and `chord`.
 #[inline(always)]
 pub(crate) fn is_off<S: Isa>(
     chord: &Chord<S>,

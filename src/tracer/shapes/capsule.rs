@@ -40,7 +40,6 @@ pub(super) fn span<S: Isa>(
     }
 }
 
-/// Returns the heights of the nearest points of the core.
 #[inline(always)]
 fn nearest<S: Isa>(simd: S, half: Vec3, y: F<S>) -> F<S> {
     let end = half.y - half.x;

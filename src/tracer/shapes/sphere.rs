@@ -14,8 +14,8 @@ pub(crate) struct Chord<S: Isa> {
 }
 
 impl<S: Isa> Chord<S> {
-    /// Uses the perpendicular from the centre to the ray, which loses no digits when the sphere is small and far away (Haines,
-    /// Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
+    /// The perpendicular from the centre to the ray loses no digits when the sphere is small and far away (Haines, Günther,
+    /// Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
     pub fn new(simd: S, centre: Vec3A, o: Vec3x<S>, d: Vec3x<S>) -> Self {
         let f = Vec3x::splat(simd, centre) - o;
@@ -27,9 +27,9 @@ impl<S: Isa> Chord<S> {
 
     /// Recomputes the perpendicular without fused multiply-add as accurately as with it.
     ///
-    /// Without FMA the product `d t_mid`, as long as the distance to the sphere, is rounded before most of it cancels. Both factors
-    /// are split into halves of 12 bits with exact products (Dekker: A Floating-Point Technique for Extending the Available
-    /// Precision, Numerische Mathematik 18, 1971). Only the last product is rounded, which is smaller by 2^12.
+    /// Without FMA the product `d t_mid` is rounded before most of it cancels. Halves of 12 bits have exact products (Dekker: A
+    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last product is
+    /// rounded, which is smaller by 2^12.
     #[inline(always)]
     pub fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -83,12 +83,10 @@ impl<S: Isa> Chord<S> {
         let r2_error = splat(simd, r2_error);
         // For rays that miss the sphere it is negative, its root is NaN, and all comparisons fail.
         let discriminant = splat::<S>(simd, r2) - self.l2;
-        // The squared distance of the origin from the centre, minus the squared radius.
         let start = self.t_mid.mul_add(self.t_mid, -discriminant);
         let is_inward = self.t_mid.simd_gt(splat(simd, hit_error));
         let is_ahead = is_inward | start.simd_lt(-r2_error);
         let half = discriminant.sqrt();
-        // Rays that start outside enter at the near end.
         let sign =
             U::<S>::splat(simd, 1 << 31) & start.simd_gt(r2_error).to_vector().bitcast::<U<S>>();
         let t = flipped::<S>(half, sign) + self.t_mid;

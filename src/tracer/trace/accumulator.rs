@@ -1,5 +1,3 @@
-//! The sums of the points of a batch.
-
 use super::queue::{BATCH, Queue, packet};
 use super::rays::Rays;
 use super::sample::{FIXED_POINT, STEP_BITS, Sum};
@@ -11,11 +9,11 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The light of a point on a patterned surface: its colour is `rest + reflectance * untextured`, where the pattern gives the
-/// reflectance. Both layers change slowly along a surface.
+/// The light of a point on a patterned surface. Its colour is `rest + reflectance * untextured`; both change slowly along the
+/// surface.
 ///
 /// The first four numbers are `rest`: highlights, reflection, transmission and haze. The others are `untextured`: ambient and
-/// diffuse light without a pattern. Both are blue, green, red and 0, in steps of 1/255.
+/// diffuse light. Both are blue, green, red and 0, in steps of 1/255.
 pub(crate) type Layers = [f32; 8];
 
 /// The results of the points in the [`Queue`](super::queue::Queue), with the same indices.
@@ -26,7 +24,6 @@ pub(crate) struct Accumulator {
     samples: [u64; BATCH],
     /// The untextured blue, green and red in output steps, and the reflectance, negative where the pattern is finer than squares.
     patterned: [[f32; 4]; BATCH],
-    /// The objects that the primary rays hit.
     objects: [u32; BATCH],
 }
 
@@ -56,7 +53,6 @@ impl Accumulator {
         share.is_sign_negative()
     }
 
-    /// Returns the layers of point `i`, which must show a pattern.
     pub fn layers(&self, i: usize) -> Layers {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
@@ -80,7 +76,6 @@ impl Accumulator {
         }
     }
 
-    /// Stores the objects that a packet of primary rays hit.
     #[inline(always)]
     pub(super) fn keep_objects<S: Isa>(&mut self, first: usize, objects: U<S>) {
         objects.store_slice(&mut self.objects[packet::<S>(first)]);
@@ -142,7 +137,6 @@ fn steps(sum: &Sum) -> Vec3A {
     Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32)
 }
 
-/// Returns the sums of four points at (x, y) after the film, without keys.
 fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2]) -> [Sum; 4] {
     let mut four = sums.map(|sum| {
         let light: f32x4<Baseline> = i32x4::simd_from(simd, sum).to_float();
@@ -155,20 +149,19 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution, as a multiple of full brightness: with it the sum over the 255 nodes of the deepest ray
-/// tree does not overflow. Contributions are not negative, so the excess over 1 is invisible.
+/// The upper limit of a ray's contribution, in full brightness: the sum over the 255 nodes of the deepest ray tree does not
+/// overflow, and the excess over 1 is invisible.
 const BRIGHTEST: f32 = 2.0;
 
 pub(super) struct Contribution<S: Isa> {
     pub colour: Vec3x<S>,
     pub key: U<S>,
-    /// The colour before the texture, and the texture's factor; for surfaces, not for lights and the background.
+    /// Undefined for lights and the background.
     pub untextured: Vec3x<S>,
     pub reflectance: F<S>,
 }
 
 impl<S: Isa> Contribution<S> {
-    /// Stores blue, green, red and the key, point by point.
     #[inline(always)]
     pub fn store(&self, simd: S, sums: &mut [i32]) {
         let Vec3x { x, y, z } = self.colour;
@@ -176,7 +169,6 @@ impl<S: Isa> Contribution<S> {
         store_transposed([blue, green, red, self.key.bitcast()], sums);
     }
 
-    /// Stores the layers, point by point, in output steps.
     #[inline(always)]
     pub fn store_layers(&self, layers: &mut [f32]) {
         let Vec3x { x, y, z } = self.untextured;

@@ -1,4 +1,4 @@
-//! Haze, the gradient of the sky, and the glow around lights.
+//! Haze, sky, and the glow around lights.
 
 use super::rays::Rays;
 use super::surface::SurfaceLanes;
@@ -6,8 +6,8 @@ use crate::lanes::*;
 use crate::prepare::World;
 use glam::Vec3A;
 
-/// The density of haze added everywhere, in 1 / scene units. At the distance of a miss, 1e30, it hides everything, so that the sky
-/// shows; within a scene it is invisible.
+/// The density of haze added everywhere, in 1 / scene units: it hides everything at the distance of a miss, 1e30, so that the sky
+/// shows, and nothing within a scene.
 const BACKGROUND_HAZE: f32 = 1e-20;
 
 pub(super) struct AirLanes<S: Isa> {

@@ -15,15 +15,13 @@ const STATE_BITS: u32 = 2;
 #[derive(Clone, Copy)]
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
-    /// The nodes that count in the key.
     counted: M<S>,
-    /// Whether any node counts. For most secondary rays none does.
+    /// For most secondary rays none counts.
     has_any: bool,
     states: U<S>,
 }
 
 impl<S: Isa> Keys<S> {
-    /// Returns the nodes where active rays end, before any light.
     #[inline(always)]
     pub fn new(simd: S, quality: &Quality, active: M<S>, rays: &Rays<S>) -> Self {
         let paths = rays.paths();
@@ -54,7 +52,7 @@ impl<S: Isa> Keys<S> {
         self.states = (self.states << STATE_BITS) | state;
     }
 
-    /// Returns the nodes' terms of the keys; 0 for nodes that do not count.
+    /// Returns the nodes' terms of the keys.
     #[inline(always)]
     pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>) -> U<S> {
         let zero = U::<S>::splat(simd, 0);

@@ -54,12 +54,9 @@ use surface::SurfaceRows;
 pub(crate) struct Batch {
     pub points: Queue,
     pub results: Accumulator,
-    /// The work since the last reset.
     pub counts: Counts,
     stack: RayStack,
-    /// The blocks that the current packet may hit.
     blocks: Candidates,
-    /// The occluders of the current packet and light.
     occluders: Occluders,
     surfaces: SurfaceRows,
 }
@@ -83,7 +80,7 @@ impl Batch {
         self.surfaces.clear();
     }
 
-    /// Converts the sums to samples. This takes a thousandth of the time, so one instruction set is enough.
+    /// This takes a thousandth of the time, so one instruction set is enough.
     #[inline(never)]
     fn finish(&mut self, film: &Film) {
         self.results.finish(film, &self.points);
@@ -101,7 +98,7 @@ pub(crate) struct Tracer<'a, I> {
 /// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `seen`.
 pub(crate) type Kernel = fn(&Tracer<'_, Level>, VisibleGroups, &mut Batch);
 
-/// The kernels for AVX-512, AVX2 and the baseline. The linker drops the AVX-512 kernel if a program never refers to this function.
+/// The linker drops the AVX-512 kernel if a program never refers to this function.
 pub(crate) fn trace_wide(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
     match avx512(tracer.isa) {
         Some(isa) => by_isa!(isa: trace_packets(tracer.by(isa), seen, batch)),
@@ -109,7 +106,6 @@ pub(crate) fn trace_wide(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch:
     }
 }
 
-/// The kernels for AVX2 and the baseline.
 pub(crate) fn trace_narrow(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
     by_isa!(tracer.isa, isa => trace_packets(tracer.by(isa), seen, batch));
 }

@@ -12,22 +12,18 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub p: Vec3x<S>,
     /// Of length 1, towards the ray.
     pub n: Vec3x<S>,
-    /// The dot product of the ray's direction and the normal, at most 0.
     pub dn: F<S>,
     pub r: Vec3x<S>,
     /// The distance of `p` from a block's surface, on the ray's side; 0 for other objects.
     pub hit_error: F<S>,
-    /// The [`departure`]s of rays to the ray's side.
     pub departure: U<S>,
     /// The direction of the grooves, of length 1; undefined where `anisotropy` is 0.
     pub groove: Vec3x<S>,
     pub anisotropy: F<S>,
     /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
     pub reflectance: F<S>,
-    /// The limit for the cosine of the angle between normal and light, divided by the light's distance.
-    ///
-    /// It is above 0 inside a sphere, whose far side blocks all lights beyond it: the chord towards a light has the length of twice
-    /// the cosine times the radius.
+    /// The limit for the cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere,
+    /// whose far side blocks all lights beyond it. The chord towards a light has the length of twice the cosine times the radius.
     pub horizon: F<S>,
     pub inside: M<S>,
     pub solid: M<S>,
@@ -106,7 +102,6 @@ impl<S: Isa> ShadingPoint<S> {
             let texture_point = if let Object::Block(block) = object {
                 let on_block = BlockHit::near(simd, block, out);
                 let error = splat(simd, block::hit_error(block));
-                // Move the point to the ray's side of the surface.
                 let n = on_block.texture_point.n;
                 let sign = !d.dot(n).bitcast::<U<S>>() & (1 << 31);
                 let p = centre + on_block.out;

@@ -1,5 +1,3 @@
-//! The points that are traced together.
-
 use super::rays::{Rays, primary_directions};
 use crate::lanes::*;
 use crate::prepare::World;
@@ -61,7 +59,6 @@ impl Queue {
         (position & 0xffff, position >> 16)
     }
 
-    /// Returns the positions of four points in pixels. `start` is a multiple of 4.
     #[inline(always)]
     pub(super) fn pixels<S: Isa>(&self, simd: S, start: usize) -> [f32x4<S>; 2] {
         let start = start % BATCH / 4 * 4;
@@ -87,7 +84,6 @@ impl Queue {
     }
 }
 
-/// Returns the indices of a packet's points, in a form that needs no bounds checks in arrays of [`BATCH`].
 #[inline(always)]
 pub(super) fn packet<S: Isa>(first: usize) -> Range<usize> {
     let first = first % BATCH / lanes::<S>() * lanes::<S>();

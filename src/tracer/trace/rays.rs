@@ -3,13 +3,12 @@ use crate::lanes::*;
 use crate::prepare::{MAX_OBJECTS, ObjectId, World};
 use crate::quality::Quality;
 
-/// A packet of rays, one per lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Rays<S: Isa> {
     pub o: Vec3x<S>,
     /// Of length 1.
     pub d: Vec3x<S>,
-    /// The products of the coefficients along the rays' paths.
+    /// The product of the coefficients along the path.
     pub weight: F<S>,
     /// The index of the ray's point in the batch, and its node in that point's ray tree: `slot << PATH_BITS | path`. A primary ray
     /// has the path 1; a ray with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the
@@ -45,7 +44,6 @@ pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> 
 pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
 
 impl<S: Isa> Rays<S> {
-    /// Returns the `slot_path`s of the primary rays of consecutive points from `slot`.
     #[inline(always)]
     pub fn slot_paths(simd: S, slot: usize) -> U<S> {
         (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
@@ -67,7 +65,7 @@ impl<S: Isa> Rays<S> {
         (self.slot_path + self.paths()) & ((1 << DEPARTURE) - 1)
     }
 
-    /// Returns the marks of reflected rays: set if the first plane, object number `plane`, reflects a primary ray.
+    /// Returns the marks of rays that the first plane, object number `plane`, reflects.
     #[inline(always)]
     pub fn mirror_marks(&self, simd: S, objects: U<S>, plane: usize) -> U<S> {
         let plane = objects.simd_eq(U::<S>::splat(simd, plane as u32));
@@ -89,7 +87,6 @@ pub(super) fn primary_directions<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: 
     d.scaled(splat(simd, 1.0) / d.dot(d).sqrt())
 }
 
-/// Returns the vectors from the eye to points of the picture, at distance 1.
 #[inline(always)]
 pub(super) fn to_picture<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: F<S>) -> Vec3x<S> {
     let raster = &world.raster;

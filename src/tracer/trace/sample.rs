@@ -1,5 +1,3 @@
-//! Samples: the results of traced points.
-
 use crate::lanes::*;
 use crate::prepare::ObjectId;
 use fearless_simd::{i16x8, i32x4, u64x2};
@@ -21,7 +19,6 @@ pub(crate) struct Sample(pub u64);
 
 const SAMPLE_BITS: i32 = 7;
 
-/// One output step.
 pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 
 const OBJECT: u32 = 48;
@@ -29,7 +26,6 @@ const OBJECT: u32 = 48;
 impl Sample {
     pub const COLOUR: u64 = (1 << OBJECT) - 1;
 
-    /// The bit for a pattern that is finer than squares.
     pub const PATTERN: u64 = 1 << 62;
 
     pub fn showing(self, object: u32) -> Self {
@@ -48,14 +44,13 @@ impl Sample {
         self.label().checked_sub(1).map(ObjectId::new)
     }
 
-    /// Returns the object's number plus one, or 0 if it is unknown.
     pub fn label(self) -> usize {
         ((self.0 & !Self::PATTERN) >> OBJECT) as usize
     }
 
     /// Returns the mean colour, and the object if both are the same.
     pub fn mean(self, other: Self) -> Self {
-        // Channels are below 2^15, so sums do not carry into the next one.
+        // Sums do not carry into the next channel.
         let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
         let object = if self.object() == other.object() {
             self.0 & !Self::COLOUR

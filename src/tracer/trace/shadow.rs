@@ -1,5 +1,3 @@
-//! Shadow rays.
-
 use super::candidates::{CONES, Candidate, Occluders};
 use crate::lanes::*;
 use crate::prepare::{PreparedLight, ShadowCone, World};
@@ -12,15 +10,13 @@ pub(super) struct ShadowRays<S: Isa> {
     pub d: Vec3x<S>,
     /// To the light; 0 in inactive lanes.
     pub distance: F<S>,
-    /// See [`departure`](super::rays::departure).
     pub departure: U<S>,
 }
 
 impl Occluders {
     /// Returns the rays that planes block, or spheres if the light is a point, and lists other occluders.
     ///
-    /// A bound's shadow cone contains the cones of its solids. All solids of a leaf are tested without a branch that could be
-    /// mispredicted.
+    /// A bound's shadow cone contains the cones of its solids. All solids of a leaf are tested without a branch.
     #[inline(always)]
     pub fn find<S: Isa>(
         &mut self,
@@ -70,8 +66,8 @@ impl<S: Isa> ShadowRays<S> {
         is_near & self.distance.simd_gt(splat(simd, cone.from))
     }
 
-    /// Returns the rays that certainly miss the solid of a shadow cone and its penumbra, or are wholly inside the sphere, as in
-    /// [`ShadowRays::meet_sphere`]. `diameter` is the light's.
+    /// Returns the rays that certainly miss a solid and its penumbra, or are wholly inside the sphere, as in
+    /// [`ShadowRays::meet_sphere`].
     #[inline(always)]
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
@@ -79,8 +75,7 @@ impl<S: Isa> ShadowRays<S> {
         let f = Vec3x::splat(simd, cone.from_light);
         let way = f.dot(d);
         let across = f.add_scaled(d, -way);
-        // Half of the penumbra is outside the sphere: the light's radius times the ratio of the distances to the sphere and to the
-        // light. All terms are multiplied by the distance, which saves a division.
+        // Half of the penumbra is outside the sphere. All terms are multiplied by the distance, which saves a division.
         let share = at_least::<S>(distance - way, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
         let across2 = across.dot(across);

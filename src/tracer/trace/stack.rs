@@ -3,11 +3,11 @@ use crate::lanes::*;
 
 /// The capacity, a power of two.
 ///
-/// A packet of depth d is popped from the top and replaced by at most two packets of depth d + 1. So at most two packets of each of
-/// the depths 1 to 7 wait at once.
+/// A packet of depth d is replaced by at most two packets of depth d + 1. So at most two packets of each of the depths 1 to 7 wait
+/// at once.
 const CAPACITY: usize = 256;
 
-/// The waiting rays as a structure of arrays, longer than the capacity, so that a whole packet can be written at the top.
+/// Longer than the capacity, so that a whole packet can be written at the top.
 pub(crate) struct RayStack {
     /// Origin, direction, weight, and the bits of `slot_path`.
     columns: [[f32; CAPACITY + MAX_LANES]; 8],

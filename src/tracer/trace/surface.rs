@@ -1,17 +1,15 @@
-//! The surfaces of a packet's hits.
-
 use crate::lanes::*;
 use crate::prepare::{
     ObjectId, Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable, World,
 };
 
-/// The number of cached surfaces: more than most tiles show. Packets of primary and of secondary rays alternate, and so do their
-/// objects: with one cached surface, the model scene's frame takes 3 % more instructions.
+/// The number of cached surfaces: more than most tiles show. With one, the model scene's frame takes 3 % more instructions, since
+/// primary and secondary rays alternate.
 const KEPT: usize = 16;
 
 const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
 
-/// A thread's cache of surfaces spread over lanes. An object's surface is at its number modulo [`KEPT`].
+/// A thread's cache of surfaces spread over lanes, an object's at its number modulo [`KEPT`].
 pub(super) struct SurfaceRows {
     kept: [SurfaceTable; KEPT],
     objects: [Option<ObjectId>; KEPT],
@@ -32,15 +30,14 @@ impl SurfaceRows {
 
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
-    /// The parameters; those of any object in lanes that hit the background.
     table: &'a SurfaceTable,
     background: &'a SurfaceNumbers,
     is_background: M<S>,
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
-    /// Looks up the objects of the active lanes. Most packets hit one object, usually a cached one, and perhaps the background.
-    /// Otherwise the surfaces of all objects are mixed lane by lane. The cache must be of this frame.
+    /// Looks up the objects of the active lanes. Most packets hit one object, usually a cached one. Otherwise the surfaces of all
+    /// objects are mixed lane by lane. The cache must be of this frame.
     #[inline(always)]
     pub fn look_up(
         simd: S,
@@ -80,7 +77,6 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
             let mask: U<S> = same.to_vector().bitcast();
             let new = &world.surfaces[id.index()];
             for ((row, &first), &new) in mixed.iter_mut().zip(first).zip(new) {
-                // Bit operations: a select would compile to a masked store, which takes 20 cycles on AMD.
                 let old: F<S> = if is_first {
                     splat(simd, first)
                 } else {
@@ -101,14 +97,12 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         load(self.simd, &self.table[parameter as usize])
     }
 
-    /// Returns a vector parameter, undefined in lanes that hit the background.
     #[inline(always)]
     pub fn vector(&self, parameter: Parameter) -> Vec3x<S> {
         let [x, y, z] = [0, 1, 2].map(|i| load(self.simd, &self.table[parameter as usize + i]));
         Vec3x { x, y, z }
     }
 
-    /// Returns the lanes that lights illuminate: neither visible lights nor the background.
     #[inline(always)]
     pub fn is_lit(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
@@ -148,7 +142,7 @@ fn load<S: Isa>(simd: S, row: &PerLane) -> F<S> {
     F::<S>::from_slice(simd, &row[..lanes::<S>()])
 }
 
-/// Copies a surface to all lanes. This is rare, so it is compiled once, not for each instruction set.
+/// Copies a surface to all lanes. This is rare, so it is compiled once.
 #[inline(never)]
 fn spread(surface: &SurfaceNumbers, table: &mut SurfaceTable) {
     for (row, &number) in table.iter_mut().zip(surface) {

@@ -10,7 +10,6 @@ use fearless_simd::f32x4;
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
-    /// Returns the texture points of hits, `out` relative to the object's centre.
     #[inline(always)]
     pub fn on(simd: S, object: &Object<'_>, out: Vec3x<S>) -> Self {
         match object {
@@ -28,13 +27,13 @@ impl<S: Isa> TexturePoint<S> {
         let [x, z] = [axes.x_axis, axes.z_axis].map(|axis| Vec3x::splat(simd, axis));
         let around = x.scaled(self.own.z).add_scaled(z, -self.own.x);
         let along = around.add_scaled(self.n, -around.dot(self.n));
-        // There is no direction on the axis itself.
+        // Avoids NaN on the axis.
         let length2 = at_least::<S>(along.dot(along), splat(simd, f32::MIN_POSITIVE));
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// Returns the pattern's factor on the colour, 0 to 1, seen along `d` from the distance `t`; negative where the pattern is
-    /// [`FINE`]. `t` is multiplied by the length of `d`.
+    /// Returns the pattern's factor on the colour, 0 to 1, seen along `d` from the distance `t` (times the length of `d`); negative
+    /// where the pattern is [`FINE`].
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -84,14 +83,13 @@ impl<'a> SeenPattern<'a> {
             Object::Light(_) | Object::Background => return splat(simd, 1.0),
         };
         let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
-        // `t` is in lengths of `d`.
         let share = point.reflectance(simd, world, self.pattern, &d, t * length2);
         share.abs()
     }
 }
 
-/// A pattern is fine where a sharp edge of it is narrower than this number of pixels. Squares then evaluate it at each pixel.
-/// Coarser patterns are interpolated, which halves the time for the marble of the show's colonnade.
+/// A pattern is fine where a sharp edge is narrower than this number of pixels: squares evaluate it at each pixel. Coarser patterns
+/// are interpolated, which halves the time for the marble of the show's colonnade.
 const FINE: f32 = 4.0;
 
 /// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long. It is
@@ -112,12 +110,11 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
         own.y * along_y,
         own.z * along_z,
     ] {
-        // A triangle wave of period 1 between -1 and 1, with a maximum at 0.
         let wave = off_integer::<S>(v).abs() * -4.0 + 1.0;
         height = at_most::<S>(wave.abs(), height);
         sign ^= wave.bitcast::<U<S>>();
     }
-    // A wave falls from 1 to -1 within half a period. Edges are at least a pixel wide.
+    // Edges are at least a pixel wide.
     let steepest = pixels * (0.5 / pattern.waves.max_element());
     let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
     let one = splat(simd, 1.0);
@@ -149,7 +146,6 @@ fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
     sum
 }
 
-/// Returns smoothly interpolated random numbers from -1 to 1.
 #[inline(always)]
 fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     let (cell_u, s) = cell::<S>(u);
@@ -164,13 +160,11 @@ fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     upper + (lower - upper) * t
 }
 
-/// The addends to the hash for a step along each coordinate.
 const ACROSS: u32 = 0x9e37_79b9;
 const ALONG: u32 = 0x85eb_ca6b;
-/// The addends for the corners of a cell.
 const STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
 
-/// Returns the bits of a cell's lower corner, and the smooth step from there, 0 to 1.
+/// Returns the bits of a cell's lower corner, and the smooth step from there.
 #[inline(always)]
 fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     let cell = u - 0.5 + ROUND_TO_INTEGER;

@@ -30,7 +30,7 @@ impl<S: Isa> ShadingPoint<S> {
 }
 
 /// Replaces `count` points of water by their normals. The rows are x and z of the points, y of the rays' directions and the rays'
-/// lengths; they become x, y and z of the normals. One instruction set is enough.
+/// lengths; they become the normals. One instruction set is enough.
 #[inline(never)]
 fn tilt(world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
     tilt_by(baseline(), world, rows, count);
@@ -55,7 +55,7 @@ fn tilt_by<S: Isa>(simd: S, world: World<'_>, rows: &mut [PerLane; 4], count: us
     }
 }
 
-/// Returns the slopes of the water along x and z at points, where a pixel sees `seen` scene units of it.
+/// Returns the slopes of the water along x and z, where a pixel sees `seen` scene units of it.
 #[inline(always)]
 fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>; 2] {
     let zero = splat(simd, 0.0);
@@ -73,7 +73,7 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>
         let u = (x * along_x + z * along_z) * per_unit - phase;
         let u = off_integer::<S>(u);
         let rise = u * (u.abs() * -2.0 + 1.0) * share * (8.0 * waves.slope);
-        // A NaN of an invalid scene must not reach lanes that do not see this wave: other lanes decide whether it is added.
+        // A NaN of an invalid scene must not reach lanes that do not see this wave.
         let rise = is_seen.select(rise, zero);
         slope_x += rise * along_x;
         slope_z += rise * along_z;

@@ -5,20 +5,16 @@ use crate::scene::{Block, Plane, Shape};
 use crate::trace::rays::INWARD;
 use glam::{Mat3, Quat, Vec3};
 
-/// The number of spheres or planes.
 const SHAPES: usize = 4000;
 const BLOCKS: usize = 2000;
-/// The number of rays that leave each hit.
 const RAYS: usize = 1000;
 
-/// The hit of a ray with the only object of a scene.
+/// The hit of a ray with a scene's only object.
 struct Met {
     p: Vec3,
-    /// The normal towards the ray.
     n: Vec3,
     /// See [`ShadingPoint::hit_error`].
     error: f32,
-    /// The departures of rays to the ray's side.
     departure: u32,
     is_inside: bool,
 }
@@ -39,7 +35,7 @@ impl Met {
     }
 }
 
-/// Traces `count` rays with a departure from a point, and calls `check` with each direction and the distance of its hit.
+/// Calls `check` with the direction of each ray from a point, and the distance of its hit.
 #[inline(always)]
 fn each_ray<S: Isa>(
     simd: S,
@@ -61,14 +57,13 @@ fn each_ray<S: Isa>(
     }
 }
 
-/// Returns a vector with components from -1 to 1.
 fn share(random: &mut Random) -> DVec3 {
     let mut part = || random.between(-1.0, 1.0);
     DVec3::new(part(), part(), part())
 }
 
 struct Spheres {
-    /// The logarithm of the largest coordinate of a centre; `None` for the origin.
+    /// The decimal logarithm of the largest coordinate; `None` for the origin.
     centre: Option<f64>,
 }
 
@@ -264,7 +259,6 @@ impl Property for Blocks {
             let off = outside(&block, p) / f64::from(error);
             assert!((off - 1.0).abs() < 0.5, "{what}: {p} is {off} errors off");
             assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
-            // Rays that continue inside.
             let direction = || random.direction_from(-n);
             let from = (p - 2.0 * error * n, departure | INWARD);
             each_ray(simd, world, from, RAYS / 16, direction, |way, t| {

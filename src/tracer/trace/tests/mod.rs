@@ -89,7 +89,6 @@ impl Random {
         }
     }
 
-    /// Returns a direction on the side of a normal.
     fn direction_from(&mut self, n: Vec3) -> Vec3 {
         let any = self.direction().as_vec3();
         if any.dot(n) < 0.0 { -any } else { any }

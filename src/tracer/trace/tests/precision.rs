@@ -1,9 +1,8 @@
-//! The number of rays that wrongly hit or miss small distant spheres. With `PRECISION_SEEDS=60` and `--nocapture` the test takes a
-//! minute, and prints the figures of [`crate::limits`].
+//! Small distant spheres. With `PRECISION_SEEDS=60` and `--nocapture` the test takes a minute, and prints the figures of
+//! [`crate::limits`].
 
 use super::*;
 
-/// The number of rays per distance and seed.
 const RAYS: usize = 200_000;
 
 const SEEDS: u64 = 3;
@@ -11,8 +10,8 @@ const SEEDS: u64 = 3;
 /// The probability that a seed exceeds its bound.
 const EXCEEDED: f64 = 1e-6;
 
-/// Distances from the sphere's centre in radii, and the bounds on the mean number of wrong rays per million: for a sphere at the origin
-/// with fused multiply-add, without it, and for spheres up to twice as far from the origin.
+/// Distances in radii, and bounds on the wrong rays per million: for a sphere at the origin with fused multiply-add, without it,
+/// and for spheres up to twice as far from the origin.
 const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e0, [3.0, 4.0, 5.0]),
     (1e1, [1.0, 1.0, 1.0]),
@@ -23,7 +22,7 @@ const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e6, [1400.0, 1650.0, 9700.0]),
 ];
 
-/// The largest error of the distance of a hit, relative to the distance and to the radius, without the outermost tenth of the sphere.
+/// The largest error of a hit's distance, relative to the distance and to the radius, without the outermost tenth of the sphere.
 const OFF: [f64; 2] = [4e-7, 1e-7];
 
 /// Returns the count that Poisson's distribution with a mean exceeds with a probability below [`EXCEEDED`].
@@ -38,8 +37,7 @@ fn poisson_bound(mean: f64) -> usize {
     count
 }
 
-/// Traces the rays of a seed to spheres at a distance in radii. Returns the number of wrong rays, and the largest error of the distance
-/// of a hit, in radii.
+/// Returns the number of wrong rays to spheres at a distance in radii, and the largest error of a hit's distance, in radii.
 #[inline(always)]
 fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> (usize, f64) {
     let mut random = Random(seed << 32 | distance as u64);
@@ -114,8 +112,8 @@ impl Property for HitOrMiss {
     }
 }
 
-/// Returns the exact hit of a ray that starts at `o` from the sphere's centre: the distance in lengths of `d`, and the distance of the
-/// ray from the centre in radii.
+/// Returns the exact hit of a ray from `o`, relative to the sphere's centre: the distance in lengths of `d`, and the ray's distance
+/// from the centre in radii.
 fn exact(o: DVec3, d: Vec3, radius: f64) -> Option<(f64, f64)> {
     let d = d.as_dvec3();
     let length = d.length();
