@@ -1,6 +1,6 @@
 //! Properties of the pictures, each checked on every instruction set of the machine.
 
-use eightfold_lab::{error, flip, missed, overlay, picture, threaded_renderer};
+use eightfold_lab::{error, overlay, picture, threaded_renderer};
 use eightfold_window::cpu;
 
 mod accuracy;
@@ -12,8 +12,8 @@ mod errors;
 mod extremes;
 mod film;
 mod golden;
+mod governor;
 mod method;
-mod observed;
 mod patches;
 mod patterned;
 mod penumbra;

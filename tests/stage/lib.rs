@@ -14,7 +14,7 @@ use std::{
     path::PathBuf,
     process::{Child, Command, Output, Stdio},
     sync::LazyLock,
-    thread::sleep,
+    thread::{self, sleep},
     time::{Duration, Instant},
 };
 use tempfile::TempDir;
@@ -311,10 +311,11 @@ pub fn on_displays(servers: &[&[&str]], work: fn()) {
         return work();
     }
     needs!(DISPLAY);
+    let test = thread::current().name().expect("a test").to_owned();
     for arguments in servers {
         let server = Server::start_with(1280, 1024, arguments);
         let output = Command::new(env::current_exe().expect("this program"))
-            .args(["--nocapture", "--test-threads", "1"])
+            .args([&test, "--exact", "--nocapture"])
             .env("DISPLAY", &server.display)
             .env(INSIDE, "1")
             .output()

@@ -1,7 +1,10 @@
 //! In a window the intro shows the frames of the show, and obeys keys and the window manager.
 
+mod allocation;
 mod ending;
 mod keys;
+mod pixels;
+mod shared_memory;
 mod shown;
 
 use eightfold_stage::{Process, Server};

@@ -3,13 +3,7 @@
 use eightfold_lab::cargo::Build;
 use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, texts, wait_for};
 use eightfold_tracer::Quality;
-use std::{
-    collections::BTreeSet,
-    fs,
-    path::{Path, PathBuf},
-    process::Command,
-    sync::LazyLock,
-};
+use std::{collections::BTreeSet, fs, path::Path, process::Command, sync::LazyLock};
 use tempfile::TempDir;
 
 /// The program of an example.
@@ -36,23 +30,6 @@ fn pixels(folder: &TempDir, name: &str) -> Vec<u32> {
 
 #[test]
 #[ignore = "examples are compiled"]
-fn examples_need_the_library_a_window_and_png_alone() {
-    let arguments = "tree --package eightfold-examples --offline --prefix none --no-dedupe";
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
-    let (output, tree) = run(cargo.args(arguments.split(' ')));
-    assert!(output.status.success(), "{}", texts(&output).1);
-    let names = tree.lines().filter_map(|line| line.split(' ').next());
-    let crates: BTreeSet<&str> = names.collect();
-    assert!(crates.contains("eightfold-tracer"), "{tree}");
-    for needless in ["eightfold-lab", "eightfold-pack", "eightfold-stage"] {
-        assert!(!crates.contains(needless), "{tree}");
-    }
-    assert!(crates.len() < 30, "{} crates: {tree}", crates.len());
-}
-
-#[test]
-#[ignore = "examples are compiled"]
 fn turntable_turns_things_under_a_blue_sky() {
     let (folder, _) = output("turntable");
     let [first, last] = ["turntable-00.png", "turntable-35.png"].map(|name| pixels(&folder, name));
@@ -68,7 +45,7 @@ fn turntable_turns_things_under_a_blue_sky() {
 
 #[test]
 #[ignore = "examples are compiled"]
-fn squares_draws_lines_over_less_than_half_of_the_picture() {
+fn squares_marks_less_than_half_of_the_picture() {
     let (folder, text) = output("squares");
     let count = text.trim_end_matches(" squares\n").parse::<usize>();
     let count = count.expect("a number");
@@ -83,7 +60,7 @@ fn squares_draws_lines_over_less_than_half_of_the_picture() {
 
 #[test]
 #[ignore = "examples are compiled"]
-fn trade_tells_speed_and_error_of_each_preset() {
+fn trade_lists_speed_and_error_of_each_preset() {
     let (_, text) = output("trade");
     let rows = text.lines().skip(1).map(|row| row.split_whitespace());
     let rows: Vec<Vec<&str>> = rows.map(Iterator::collect).collect();
@@ -137,7 +114,7 @@ fn window_shows_a_picture_until_esc() {
     let git = git.current_dir(env!("CARGO_MANIFEST_DIR"));
     let (ignored, _) = run(git.args(["check-ignore", "examples/window/target"]));
     assert!(ignored.status.success(), "{ignored:?}");
-    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("window");
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--release", "--locked"]);
     cargo.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/window"));

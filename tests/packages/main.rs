@@ -1,0 +1,5 @@
+//! Dependents of the library, the examples, and the pages.
+
+mod dependency;
+mod examples;
+mod pages;
