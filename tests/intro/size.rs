@@ -55,14 +55,6 @@ fn file_has_at_most_64_kib() {
     assert_is_packed(intro());
 }
 
-#[test]
-fn packed_intro_starts() {
-    let output = run(&intro().program, "--version");
-    assert!(output.status.success(), "{output:?}");
-    let version = concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n");
-    assert_eq!(String::from_utf8_lossy(&output.stdout), version);
-}
-
 /// That Windows does not start a file that was cut, and that a damaged one says so, is tried by `tests/platforms`.
 #[test]
 #[ignore = "the intro for Windows is compiled"]
