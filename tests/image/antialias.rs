@@ -2,7 +2,6 @@
 
 use crate::drawn::draw_best;
 use crate::error::worst_channel;
-use eightfold::show;
 use eightfold_oracle::squares::TILE;
 use eightfold_scenes::{Kinds, cases};
 use eightfold_tracer::Quality;
@@ -20,7 +19,7 @@ fn with(antialias: bool, quality: Quality) -> Quality {
 
 /// Tolerances are on both sides of the one beyond which a filled square may have an edge within it.
 #[test]
-fn point_between_two_pixels_is_traced_where_they_differ() {
+fn points_are_added_between_differing_pixels() {
     for mut random in cases(120) {
         let scene = Kinds {
             overlays: false,
@@ -64,23 +63,6 @@ fn point_between_two_pixels_is_traced_where_they_differ() {
             "case {}: {traced} of {points}",
             random.seed
         );
-    }
-}
-
-#[test]
-fn edge_between_bands_is_mixed_as_within_one() {
-    // More and more of the box is seen. Its upper side cuts the row above the first that it covers, which is then the only one that
-    // changes, in the middle of a band as at its ends.
-    let (width, height) = (64, 160);
-    for row in 20..70 {
-        let scene = half_plane(0.0, 0.5 * height as f32 - 0.7 - row as f32, height);
-        let [plain, smooth] = [false, true].map(|antialias| {
-            let quality = with(antialias, Quality::EXHAUSTIVE);
-            draw_best(&scene, &quality, width, height).pixels
-        });
-        let changed = |y: usize| plain[y * width..][..width] != smooth[y * width..][..width];
-        let rows: Vec<usize> = (0..height).filter(|&y| changed(y)).collect();
-        assert_eq!(rows, [row], "a box from row {row} down");
     }
 }
 
@@ -141,28 +123,4 @@ fn half_plane(angle: f32, distance: f32, height: usize) -> Scene {
         ..Block::default()
     });
     scene
-}
-
-#[test]
-fn captions_and_the_overlay_are_not_antialiased() {
-    let mut scene = Scene::ZEROED;
-    let is_white = |pixels: &[u32]| -> Vec<bool> {
-        pixels.iter().map(|&pixel| pixel == 0x00ff_ffff).collect()
-    };
-    // The greetings, over a picture with edges.
-    show::at(110.0, &mut scene);
-    let mut captions = scene.captions.iter();
-    assert!(captions.any(|caption| caption.brightness == 1.0));
-    let both = |scene: &Scene| {
-        [false, true].map(|antialias| {
-            let quality = with(antialias, Quality::DEFAULT);
-            draw_best(scene, &quality, 200, 150).pixels
-        })
-    };
-    let [plain, smooth] = both(&scene);
-    assert!(plain != smooth);
-    assert!(is_white(&plain) == is_white(&smooth));
-    show::at(36.0, &mut scene);
-    let [plain, smooth] = both(&scene);
-    assert!(plain == smooth);
 }

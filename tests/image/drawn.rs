@@ -9,10 +9,13 @@
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
+use eightfold_oracle::squares::Splits;
+use eightfold_tracer::observe::{Fill, Observer, Split};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Quality};
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::sync::Mutex;
 
 /// The sides of squares.
 pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];
@@ -116,4 +119,20 @@ pub fn of_the_show(time: f32) -> Scene {
     let mut scene = Scene::default();
     show::at(time, &mut scene);
     scene
+}
+
+/// Records the work of all points of a frame, and the squares that were split.
+#[derive(Default)]
+pub struct Record(pub Mutex<(Counts, Splits)>);
+
+impl Observer for &Record {
+    fn point(self, _: usize, _: usize, work: Counts) {
+        self.0.lock().unwrap().0 += work;
+    }
+
+    fn square(self, _: usize, _: usize, _: usize, _: usize, _: Fill) {}
+
+    fn split(self, x: usize, y: usize, side: usize, _: Split) {
+        self.0.lock().unwrap().1.insert([x, y, side]);
+    }
 }

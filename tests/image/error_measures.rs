@@ -1,13 +1,7 @@
-//! The measures of a picture's error: differences, FLIP and missed objects.
+//! The measures of a picture's error.
 
-use crate::cpu;
 use crate::error::Difference;
-use crate::flip::Flip;
-use crate::missed::Visible;
-use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::show;
-use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{List, Scene};
+use crate::overlay::{draw_error, heat};
 
 const WIDTH: usize = 20;
 const HEIGHT: usize = 20;
@@ -25,7 +19,7 @@ fn block(column: usize, row: usize, light: u32) -> Vec<u32> {
 }
 
 #[test]
-fn a_difference_is_that_of_the_furthest_channel() {
+fn difference_is_of_the_furthest_channel() {
     let difference = Difference::between(&DARK, &block(0, 0, 0x0002_0900));
     assert_eq!((difference.largest, difference.over_8), (9, 64));
     let squares = f64::from(64 * (2 * 2 + 9 * 9)) / (3 * DARK.len()) as f64;
@@ -33,7 +27,7 @@ fn a_difference_is_that_of_the_furthest_channel() {
 }
 
 #[test]
-fn frames_together_have_the_psnr_of_their_squares_mean() {
+fn pooled_psnr_is_of_the_mean_squared_error() {
     let lights = [0x0002_0900, 0x0000_0011, 0];
     let differences = lights.map(|light| Difference::between(&DARK, &block(0, 0, light)));
     let squares = f64::from(64 * (2 * 2 + 9 * 9 + 17 * 17)) / (3 * 3 * DARK.len()) as f64;
@@ -45,39 +39,9 @@ fn frames_together_have_the_psnr_of_their_squares_mean() {
 }
 
 #[test]
-fn flip_is_0_for_the_same_picture_and_near_1_for_its_opposite() {
-    let light = [0x00ff_ffff; WIDTH * HEIGHT];
-    let same = Flip::between(WIDTH, &light, &light);
-    assert_eq!(same.mean(), 0.0);
-    let opposite = Flip::between(WIDTH, &light, &DARK);
-    assert!(opposite.mean() > 0.9 && opposite.mean() <= 1.0);
-}
-
-fn exhaustive(scene: &Scene) -> Vec<u32> {
-    let mut pixels = vec![0; 160 * 120];
-    ThreadedRenderer::new(1).draw(
-        cpu::best().level,
-        scene,
-        &Quality::EXHAUSTIVE,
-        160,
-        &mut pixels,
-    );
-    pixels
-}
-
-#[test]
-fn an_object_is_missed_where_it_is_not_shown() {
-    let scene = show::field(40, 2.0);
-    let picture = exhaustive(&scene);
-    let visible = Visible::new(&scene, 160, 120);
-    assert_eq!(visible.missed(&picture, &picture), 0);
-    // A small change of brightness misses nothing.
-    let brighter: Vec<u32> = picture.iter().map(|pixel| pixel | 0x0007_0707).collect();
-    assert_eq!(visible.missed(&picture, &brighter), 0);
-    let bare = Scene {
-        spheres: List::default(),
-        ..scene
-    };
-    let missed = visible.missed(&picture, &exhaustive(&bare));
-    assert!((28..=40).contains(&missed), "{missed} of 40");
+fn error_is_drawn_from_black_to_white() {
+    let exhaustive = [0x0010_2030, 0x0010_2030, 0x0010_2030];
+    let mut pixels = [0x0010_2030, 0x0010_2130, 0x00ff_2030];
+    draw_error(&mut pixels, &exhaustive, 32);
+    assert_eq!(pixels, [0.0, 1.0 / 32.0, 1.0].map(heat));
 }

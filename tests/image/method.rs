@@ -2,8 +2,7 @@
 //! picture has squares of one colour.
 
 use crate::cpu;
-use crate::drawn::{Drawn, REFINEMENTS, SIDES, draw, jagged};
-use crate::error::worst_channel;
+use crate::drawn::{Drawn, REFINEMENTS, SIDES, draw, jagged, of_side};
 use crate::overlay::FrameTrace;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
@@ -80,39 +79,56 @@ fn marks_lie_where_points_are_traced() {
     }
 }
 
+/// Squares cover each pixel once.
 #[test]
-fn lines_are_the_upper_and_left_sides_of_filled_squares() {
+fn lines_are_the_upper_and_left_sides_of_squares() {
     let method = Method {
         squares: 1.0,
         ..MARKS
     };
-    let mut expected = vec![0; SIZE.0 * SIZE.1];
-    let trace = trace(&Quality::DEFAULT);
-    for square in trace.squares().filter(|square| square.fill != Fill::Points) {
-        for y in square.y..square.y + square.h {
-            for x in square.x..square.x + square.w {
-                if x == square.x || y == square.y {
-                    expected[y * SIZE.0 + x] = WHITE;
+    let sides = [2, 32].map(|side| of_side(side, Quality::THESIS));
+    for quality in Quality::LADDER.iter().chain(&sides) {
+        let mut expected = vec![0; SIZE.0 * SIZE.1];
+        let mut covered = expected.clone();
+        for square in trace(quality).squares() {
+            assert!(square.side <= quality.square, "{square:?} by {quality:?}");
+            for y in square.y..square.y + square.h {
+                for x in square.x..square.x + square.w {
+                    covered[y * SIZE.0 + x] += 1;
+                    if square.fill != Fill::Points && (x == square.x || y == square.y) {
+                        expected[y * SIZE.0 + x] = WHITE;
+                    }
                 }
             }
         }
+        assert!(covered.iter().all(|&times| times == 1), "{quality:?}");
+        assert!(drawn(method, *quality).pixels == expected, "{quality:?}");
     }
-    assert!(drawn(method, Quality::DEFAULT).pixels == expected);
 }
 
+/// Coarse squares of one pixel leave it as it is.
 #[test]
-fn picture_is_dimmed_between_marks() {
+fn overlay_keeps_or_dims_the_picture_between_marks() {
     let dimmed = Method {
         picture: 0.5,
         ..Method::PLAIN
     };
+    let coarse = Method {
+        coarse: 1.9,
+        ..Method::PLAIN
+    };
     // With an overlay nothing is antialiased.
     let plain = drawn(Method::PLAIN, jagged(Quality::DEFAULT));
-    let dimmed = drawn(dimmed, Quality::DEFAULT);
-    assert_eq!(plain.counts.points, dimmed.counts.points);
-    for (plain, dimmed) in plain.pixels.iter().zip(&dimmed.pixels) {
-        for (plain, dimmed) in plain.to_be_bytes().into_iter().zip(dimmed.to_be_bytes()) {
-            assert!(plain.abs_diff(2 * dimmed) <= 2, "{plain} to {dimmed}");
+    for (method, factor) in [(dimmed, 2), (coarse, 1)] {
+        let drawn = drawn(method, Quality::DEFAULT);
+        assert_eq!(plain.counts.points, drawn.counts.points);
+        for (plain, drawn) in plain.pixels.iter().zip(&drawn.pixels) {
+            for (plain, drawn) in plain.to_be_bytes().into_iter().zip(drawn.to_be_bytes()) {
+                assert!(
+                    plain.abs_diff(factor * drawn) <= factor,
+                    "{method:?}: {plain}, {drawn}"
+                );
+            }
         }
     }
 }
@@ -143,23 +159,7 @@ fn coarse_picture_has_squares_of_one_colour() {
 }
 
 #[test]
-fn coarse_squares_of_a_pixel_leave_the_picture() {
-    let coarse = Method {
-        coarse: 1.9,
-        ..Method::PLAIN
-    };
-    let [plain, drawn] =
-        [Method::PLAIN, coarse].map(|method| drawn(method, jagged(Quality::DEFAULT)));
-    assert_eq!(plain.counts.points, drawn.counts.points);
-    // An overlay that shows nothing rounds colours down.
-    for (&plain, &drawn) in plain.pixels.iter().zip(&drawn.pixels) {
-        let off = worst_channel(plain, drawn);
-        assert!(off <= 1, "{plain:06x} to {drawn:06x}");
-    }
-}
-
-#[test]
-fn picture_is_finished_behind_the_front_and_marked_ahead() {
+fn front_parts_finished_from_marked_picture() {
     let overlay = Method {
         points: 1.0,
         squares: 0.5,

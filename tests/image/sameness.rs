@@ -1,8 +1,7 @@
 //! The picture depends on the scene, the size, the quality and the instruction set, and on nothing else.
 
 use crate::cpu;
-use crate::drawn::{REFINEMENTS, draw, of_side, of_the_show};
-use crate::overlay::FrameTrace;
+use crate::drawn::{REFINEMENTS, Record, draw, of_side, of_the_show};
 use crate::threaded_renderer::{ThreadedRenderer, whole};
 use eightfold::show;
 use eightfold_tracer::{Band, Counts, Job, Quality, Renderer, Threads, Worker};
@@ -49,10 +48,19 @@ fn threads_order_observers_and_probes_change_no_bit() {
                 assert_same(&pixels, counts.expect("a valid scene"), "backwards");
                 let mut renderer = ThreadedRenderer::new(2);
                 renderer.set_probes(3000, 11);
-                let trace = FrameTrace::new(width, height);
-                let counts =
-                    renderer.draw_observed(isa.level, &scene, &quality, width, &mut pixels, &trace);
+                let record = Record::default();
+                let counts = renderer.draw_observed(
+                    isa.level,
+                    &scene,
+                    &quality,
+                    width,
+                    &mut pixels,
+                    &record,
+                );
                 assert_same(&pixels, counts, "observed and probed");
+                // Observers hear of all points but for those on edges.
+                let (heard, _) = record.0.into_inner().unwrap();
+                assert!(quality.antialias || work(heard) == work(counts));
             }
         }
     }

@@ -145,18 +145,6 @@ fn objects(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     colours.into_values().map(Effect::promised).collect()
 }
 
-/// Asserts that the objects of a view for each case are shown.
-fn assert_objects(count: u64, view: fn(&mut Random) -> View) -> Tally {
-    let mut tally = Tally::new(of_all_sides());
-    for mut random in cases(count) {
-        let view = view(&mut random);
-        tally.add(isa_of(random.seed), &view, 0, |exhaustive| {
-            objects(&view, exhaustive)
-        });
-    }
-    tally
-}
-
 #[test]
 fn known_objects_are_shown() {
     let mut tally = Tally::new(of_all_sides());
@@ -168,39 +156,42 @@ fn known_objects_are_shown() {
     tally.assert_counts(600, 600);
 }
 
-#[test]
-fn placed_objects_are_shown() {
-    assert_objects(100, placed).assert_counts(1000, 100);
-}
-
-#[test]
-fn blocks_of_any_size_are_shown() {
-    assert_objects(100, placed_blocks).assert_counts(400, 50);
-}
-
-#[test]
-fn things_that_touch_or_rise_are_shown() {
-    assert_objects(60, floor::contact).assert_counts(500, 100);
-}
-
-#[test]
-fn objects_of_the_show_are_shown() {
-    let view = |random: &mut Random| {
-        let scene = of_the_show(random.between(0.0, show::LENGTH));
-        let objects = Scene {
-            camera: scene.camera,
-            spheres: scene.spheres,
-            planes: scene.planes,
-            blocks: scene.blocks,
-            ..Scene::default()
-        };
-        View {
-            scene: coloured(&objects, 28),
-            width: 1 + random.below(160),
-            height: 1 + random.below(120),
-        }
+/// The objects of the show at a random time, in a picture of a random size.
+fn of_the_show_at_any_time(random: &mut Random) -> View {
+    let scene = of_the_show(random.between(0.0, show::LENGTH));
+    let objects = Scene {
+        camera: scene.camera,
+        spheres: scene.spheres,
+        planes: scene.planes,
+        blocks: scene.blocks,
+        ..Scene::default()
     };
-    assert_objects(100, view).assert_counts(1000, 100);
+    View {
+        scene: coloured(&objects, 28),
+        width: 1 + random.below(160),
+        height: 1 + random.below(120),
+    }
+}
+
+/// Asserts that the objects of random views are shown, and that some are missed without the guard.
+#[track_caller]
+fn assert_objects(view: fn(&mut Random) -> View, count: u64, [shown, bare]: [usize; 2]) {
+    let mut tally = Tally::new(of_all_sides());
+    for mut random in cases(count) {
+        let view = view(&mut random);
+        tally.add(isa_of(random.seed), &view, 0, |exhaustive| {
+            objects(&view, exhaustive)
+        });
+    }
+    tally.assert_counts(shown, bare);
+}
+
+#[test]
+fn random_objects_are_shown() {
+    assert_objects(placed, 100, [1000, 100]);
+    assert_objects(placed_blocks, 100, [400, 50]);
+    assert_objects(floor::contact, 60, [500, 100]);
+    assert_objects(of_the_show_at_any_time, 100, [1000, 100]);
 }
 
 /// The pixel of a shaded floor under [`Hidden`] things: 0.2 of 0.8.
@@ -257,11 +248,10 @@ fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
 }
 
 #[test]
-#[ignore = "many scenes by chance"]
 fn single_shadows_are_shown_however_thin_and_near() {
     let mut tally = Tally::new(named());
     let known = known::thin_shadows().into_iter().enumerate();
-    let random = cases(400).map(|mut random| (random.seed as usize, floor::shadow(&mut random)));
+    let random = cases(150).map(|mut random| (random.seed as usize, floor::shadow(&mut random)));
     for (seed, view) in known.chain(random) {
         let glaring = view.glaring();
         let views = [view, glaring.clone(), glaring.with_box()];
@@ -270,20 +260,7 @@ fn single_shadows_are_shown_however_thin_and_near() {
             tally.add(isa, &view, 0, |exhaustive| shadow(isa, &view, exhaustive));
         }
     }
-    tally.assert_counts(400, 100);
-}
-
-/// A corner that is as dark without the shadow does not hide it, since it is thin.
-#[test]
-fn thin_shadow_beside_a_dark_corner_is_shown() {
-    let view = known::shadow_beside_a_dark_corner();
-    for isa in cpu::instruction_sets() {
-        let mut tally = Tally::new(named());
-        for view in [view.glaring(), view.clone()] {
-            tally.add(isa, &view, 0, |exhaustive| shadow(isa, &view, exhaustive));
-        }
-        assert_eq!((tally.shown, tally.missed), ([2, 0], [0, 0]));
-    }
+    tally.assert_counts(150, 40);
 }
 
 /// A mirror that is black except for images of things, whose channels are half of 255 at least.
@@ -347,17 +324,16 @@ fn image(exhaustive: &[u32]) -> Vec<Effect> {
 }
 
 #[test]
-#[ignore = "many scenes by chance"]
 fn single_images_are_shown_however_thin_and_near() {
     let mut tally = Tally::new(named());
     for isa in cpu::instruction_sets() {
         tally.add(isa, &known::wide_image(), 1, image);
     }
-    for mut random in cases(400) {
+    for mut random in cases(250) {
         let isa = isa_of(random.seed);
         tally.add(isa, &floor::image(&mut random), 1, image);
     }
-    tally.assert_counts(170, 50);
+    tally.assert_counts(100, 30);
 }
 
 /// The step by which differences from pixel to pixel are taken, in pixels.
@@ -420,32 +396,22 @@ fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
 }
 
 #[test]
-fn thin_highlights_are_shown() {
-    let mut tally = Tally::new(named());
-    for isa in cpu::instruction_sets() {
-        for view in known::thin_highlights().map(sized) {
-            tally.add(isa, &view, 8, |exhaustive| {
-                highlights(isa, &view, exhaustive)
-            });
-        }
-    }
-    let isas = cpu::instruction_sets().count();
-    tally.assert_counts(2 * isas, 2 * isas);
-}
-
-#[test]
-#[ignore = "many scenes by chance"]
 fn highlights_of_five_pixels_are_shown() {
     for are_blocks in [false, true] {
         let mut tally = Tally::new(named());
-        for mut random in cases(100) {
-            let isa = isa_of(random.seed);
-            let view = sized(shiny(&mut random, are_blocks));
-            tally.add(isa, &view, 8, |exhaustive| {
-                highlights(isa, &view, exhaustive)
-            });
+        let mut add = |seed, view: &View| {
+            let isa = isa_of(seed);
+            tally.add(isa, view, 8, |exhaustive| highlights(isa, view, exhaustive));
+        };
+        if are_blocks {
+            for view in known::thin_highlights().map(sized) {
+                (0..4).for_each(|seed| add(seed, &view));
+            }
         }
-        tally.assert_counts(200, tally.shown[0] / 30);
+        for mut random in cases(15) {
+            add(random.seed, &sized(shiny(&mut random, are_blocks)));
+        }
+        tally.assert_counts(40, tally.shown[0] / 30);
         assert!(tally.missed[1] <= tally.shown[1] / 400, "{tally:?}");
     }
 }

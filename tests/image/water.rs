@@ -1,16 +1,9 @@
 //! Waves on the first plane. Their slopes are the oracle's, see `accuracy.rs`.
 
 use crate::drawn::draw_best;
-use crate::error::Difference;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere, Waves};
 use glam::{Vec3, vec3};
-
-/// The share of pixels that differ.
-fn differing(a: &[u32], b: &[u32]) -> f64 {
-    let pairs = a.iter().zip(b);
-    pairs.filter(|(a, b)| a != b).count() as f64 / a.len() as f64
-}
 
 /// A red ball over a mirror seen from a height, under a sky that is brighter above; deep below the mirror a black floor.
 fn sea(height: f32, water: Waves) -> Vec<u32> {
@@ -47,14 +40,4 @@ fn no_wave_mirrors_the_floor_below_the_water() {
             assert!(pixels.iter().all(|&pixel| pixel >> 16 >= 51), "{height}");
         }
     }
-}
-
-#[test]
-fn reflections_move_with_the_waves_and_come_back() {
-    let at = |phase: f32| sea(4.0, Waves { phase, ..ROUGH });
-    let first = at(0.0);
-    assert!(differing(&first, &at(0.1)) > 0.2);
-    // 3^6 lengths: each of six waves moves by 4/3 of the count of the one before.
-    let psnr = Difference::between(&first, &at(729.0)).psnr;
-    assert!(psnr > 45.0, "{psnr} dB");
 }

@@ -33,20 +33,7 @@ fn signs_stand_for_the_digits_of_four_numbers() {
 }
 
 #[test]
-fn lines_begin_at_the_left() {
-    let pixels = written(b" I", [0; 4]);
-    let lit = |x: usize| {
-        pixels
-            .iter()
-            .skip(x)
-            .step_by(SIZE.0)
-            .any(|&pixel| pixel != 0)
-    };
-    assert!(!(0..7).any(lit) && (7..24).any(lit) && !(24..SIZE.0).any(lit));
-}
-
-#[test]
-fn a_copper_bar_is_a_rod_across_the_picture_that_covers_its_share_of_it() {
+fn copper_bar_covers_its_share_of_the_picture() {
     for brightness in [0.0, 0.5, 1.0] {
         let bar = CopperBar {
             middle: 0.25,
