@@ -10,9 +10,9 @@
 //! | eye | outside a sphere, inside, on its surface, and looking along it |
 //! | angles from a time | an error of 1e-6 up to 1e6 rad |
 //!
-//! `validate` rejects NaN and infinity. The tracer accepts them: the picture has the same bits on any number of threads, and takes
-//! at most 2.5 times the work of the scene without them. An invalid number affects only the rays that meet it. A point takes at
-//! most `2^(depth + 1) - 1` rays, and one shadow ray per light for each of them.
+//! `validate` rejects NaN and infinity. The tracer accepts them: the picture has the same bits on any number of threads, takes at
+//! most 2.5 times the work of the valid scene, and differs only where rays meet the invalid number. A point takes at most `2^(depth
+//! + 1) - 1` rays, and one shadow ray per light for each of them.
 //!
 //! # Rays
 //!
@@ -30,16 +30,15 @@
 //! | bits of a ray's result that depend on its lane or on other rays, also with invalid numbers | 0 |
 //! | PSNR of a scene scaled by 1e-8 to 1e8 against the original | 50 dB |
 //!
-//! Figures that depend on random numbers were checked with 13 seeds on each instruction set. To try another seed, run `RAY_SEED=1
-//! cargo test -p eightfold-tracer trace`.
+//! Figures of random rays were checked with 13 seeds on each instruction set. For another seed, run `RAY_SEED=1 cargo test -p
+//! eightfold-tracer trace`.
 //!
 //! A hit is projected back to its sphere, so its error is the rounding of the sphere's own coordinates. A ray that starts within
 //! this error starts on the sphere: outward it misses the sphere, inward it hits the far side. Points on a plane are exact. Hits
 //! have no minimal distance, so a scene may have any scale.
 //!
-//! The next table counts rays that wrongly hit or miss a sphere, by the distance in radii. Each cell has the wrong rays per
-//! million, measured with twelve million rays of sixty seeds; the bound on that mean; and the number of wrong rays among 200,000 of
-//! one seed that fewer than one seed in a million exceeds.
+//! Rays that wrongly hit or miss a sphere, by the distance in radii: the mean per million, measured with twelve million rays of
+//! sixty seeds; the bound on that mean; and the number among 200,000 rays of a seed that fewer than one seed in a million exceeds.
 //!
 //! | distance | sphere at the origin, AVX2 and AVX-512 | at the origin, SSE2 | anywhere |
 //! | ---: | ---: | ---: | ---: |
@@ -51,14 +50,14 @@
 //! | 100,000 | 13; 16; 15 | 14; 20; 17 | 890; 930; 254 |
 //! | 1,000,000 | 1,322; 1,400; 363 | 1,556; 1,650; 420 | 9,490; 9,700; 2,153 |
 //!
-//! "Anywhere" is up to twice as far from the origin as from the eye, where the vector from the eye to the centre is already
-//! rounded. To measure again, run `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of
-//! a hit's distance is at most 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the sphere's disc. In the
-//! model scene's picture at 3840x2160, a sphere 1,000 radii away is 5 pixels wide.
+//! "Anywhere" is up to twice as far from the origin as from the eye: the vector from the eye to the centre is rounded. To measure
+//! again, run `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of a hit's distance is
+//! at most 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the sphere's disc. At 3840x2160, a sphere 1,000
+//! radii away in the model scene is 5 pixels wide.
 //!
-//! Coordinates have a relative error of 6e-8, and the tracer does not move a scene to the eye, so keep scenes near the origin. The
-//! model scene, 24 units wide, has this PSNR in dB when it is moved away from the origin, with every pixel traced at 320x240,
-//! against an oracle that draws the same moved numbers in f64:
+//! Coordinates have a relative error of 6e-8, so keep scenes near the origin: the tracer does not move them to the eye. The model
+//! scene, 24 units wide and moved away from the origin, has this PSNR in dB, with every pixel traced at 320x240, against an oracle
+//! that draws the same numbers in f64:
 //!
 //! | distance from the origin | PSNR, at least | measured, at 0 and 2.5 s |
 //! | ---: | ---: | ---: |
@@ -104,15 +103,15 @@
 //! # Known limitations
 //!
 //! - Coincident surfaces, such as two planes at the same height: rounding decides which one a ray hits.
-//! - Chords of a sphere shorter than the rounding error above: the ray misses.
-//! - Shadows between the corners of squares. The guard tests shadows on planes, and light between them. A shadow of a sphere by a
-//!   point light makes one corner right, but that corner may be dark without the shadow, too, when a light low above a plane lights
-//!   only a few pixels. Then a shadow wider than a square can be missed. A light that is bright enough to show a shadow everywhere
-//!   causes no misses. Other shadows on planes are rarely missed.
-//! - Holes in wider objects: at a corner, or in a narrow strip between occluders, up to 8 connected pixels were lost. Thin shadows
-//!   by lights with a diameter have soft edges, which are not guarded.
-//! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB because
-//!   of a bright slit on a block's face, 41.0 dB at worst.
+//! - Chords of a sphere shorter than the rounding error: the ray misses.
+//! - Shadows between corners. The guard tests shadows on planes, and light between them. A shadow of a sphere by a point light
+//!   makes one corner right, but that corner may be dark without the shadow, too, when a light low above a plane lights only a few
+//!   pixels. Then a shadow wider than a square can be missed. Bright lights cause no misses. Other shadows on planes are rarely
+//!   missed.
+//! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and in thin shadows by
+//!   lights with a diameter, whose soft edges are not guarded.
+//! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB, with
+//!   41.0 dB, because of a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
 //!   both.
 //! - PSNR of other scenes: 38.8 dB for crowds of glass in glass, 40.3 dB for mirrors in mirrors, 39.0 dB for coincident faces; less
@@ -120,9 +119,9 @@
 //! - Thin bright or dark strips in such images, in slits of light on blocks, and in waves: the show has patches of up to 229
 //!   pixels.
 //! - Highlights in mirrors, on waves, and seen from inside a sphere, a cylinder or a capsule. Highlights without the point that
-//!   mirrors the light: it is hidden, in shadow, on the object's dark side, beyond an edge, or on a white surface. A corner
-//!   identifies its object, but neither the face nor the light there: a slit of light between shadows, the lit rim of a sphere, or
-//!   the narrow side of a flat cylinder can lose its highlight, whatever its length.
-//! - Reflections other than those in the first plane without waves, and refractions: they are not guarded.
+//!   mirrors the light: it is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its
+//!   object, but neither the face nor the light there: a slit of light between shadows, the lit rim of a sphere, or the narrow side
+//!   of a flat cylinder can lose its highlight, whatever its length.
+//! - Reflections other than in the first plane without waves, and refractions: they are not guarded.
 //! - The position of hits on a sphere whose radius is below the rounding error of its coordinates, about 1e-6 of the largest. Rays
 //!   that leave it still never hit it again.

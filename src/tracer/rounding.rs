@@ -1,8 +1,7 @@
 //! Error bounds of single-precision geometry.
 //!
-//! An operation has a relative error of at most `u` = 2^-24. A few operations add up to a few `u` of their largest number. Each
-//! bound here is the sum of such errors and some room above. Tests of the kernels check the bounds with millions of rays (see
-//! [`limits`](crate::limits)).
+//! Rounding has a relative error of at most `u` = 2^-24. Each bound here is the sum of the errors of its operations, in `u` of
+//! their largest number, and some room above. Tests check the bounds with millions of rays (see [`limits`](crate::limits)).
 //!
 //! # Shadows of spheres by point lights
 //!
@@ -14,10 +13,10 @@
 //!
 //! - The vector from the light and the perpendicular: some `u` of the distance from the light, less than `e / 2`.
 //! - The coordinates of the point on the plane: less than `h / 3` from the sphere's coordinates and `e / 3` from the distance to
-//!   it. An error at the far end of a ray from the light is smaller at the sphere. (Points are computed from the plane's centre,
-//!   which must not be much farther from the eye.)
-//! - The distance of the point on the plane from the eye: some `u` of it. [`SIDE`] is 1e-5 of that distance there, as a side's
-//!   terms are scaled by the distance from the light to the eye's mirror image, which exceeds the eye's height.
+//!   it, since an error at the far end of a ray from the light is smaller at the sphere. (Points are computed from the plane's
+//!   centre, which must not be much farther from the eye.)
+//! - The distance of the point from the eye: some `u` of it, and [`SIDE`] is 1e-5 of it, as a side's terms are scaled by the
+//!   distance from the light to the eye's mirror image, which exceeds the eye's height.
 //! - The cone's own terms: below [`SIDE`], and [`WIDE`] covers the cosine.
 
 use glam::Vec3A;

@@ -85,11 +85,6 @@ impl Frame<'_> {
 /// assert!(probes.psnr() > 30.0 && probes.margin() < 3.0);
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
-///
-/// # Determinism
-///
-/// A frame depends on the scene, the quality, the size, the offset and the instruction set only. Its bits are the same for any
-/// number of threads, and after any other frames.
 pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature = "std"))] M> {
     isa: Level,
     kernel: Kernel,

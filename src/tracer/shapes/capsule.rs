@@ -8,7 +8,7 @@ use glam::Vec3;
 /// Returns the intervals of rays inside the capsule. For a ray that starts outside, both ends are the entry; for one that starts
 /// inside, or is in the mask `inward`, they are 0 and the exit.
 ///
-/// The surface where a ray crosses the infinite cylinder is that of a sphere around the nearest point of the core.
+/// The hit is on the sphere around the point of the core that is nearest to the ray's crossing of the infinite cylinder.
 #[inline(always)]
 pub(super) fn span<S: Isa>(
     simd: S,
@@ -49,8 +49,8 @@ fn nearest<S: Isa>(simd: S, half: Vec3, y: F<S>) -> F<S> {
 /// Returns the vectors from the core to points, and their lengths in radii.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> (Vec3x<S>, F<S>) {
-    let way = from_core(simd, half, p);
-    (way, way.dot(way).sqrt() * (1.0 / half.x))
+    let out = from_core(simd, half, p);
+    (out, out.dot(out).sqrt() * (1.0 / half.x))
 }
 
 #[inline(always)]

@@ -26,7 +26,7 @@ pub(super) struct ShadingPoint<S: Isa> {
     /// whose far side blocks all lights beyond it. The chord towards a light has the length of twice the cosine times the radius.
     pub horizon: F<S>,
     pub inside: M<S>,
-    pub solid: M<S>,
+    pub shaded: M<S>,
 }
 
 impl<S: Isa> ShadingPoint<S> {
@@ -37,9 +37,9 @@ impl<S: Isa> ShadingPoint<S> {
         rays: &Rays<S>,
         hit: &Hit<S>,
         surface: &SurfaceLanes<'_, S>,
-        solid: M<S>,
+        shaded: M<S>,
     ) -> Self {
-        let mut point = Self::on_sphere_or_plane(simd, rays, hit.t, surface, solid);
+        let mut point = Self::on_sphere_or_plane(simd, rays, hit.t, surface, shaded);
         if world.has_details {
             point.add_detail(simd, world, rays, hit);
         }
@@ -56,7 +56,7 @@ impl<S: Isa> ShadingPoint<S> {
         rays: &Rays<S>,
         t: F<S>,
         surface: &SurfaceLanes<'_, S>,
-        solid: M<S>,
+        shaded: M<S>,
     ) -> Self {
         let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
         let inverse_radius = surface.number(Parameter::InverseRadius);
@@ -65,7 +65,7 @@ impl<S: Isa> ShadingPoint<S> {
         let out = (rays.o - surface.vector(Parameter::Centre)).add_scaled(rays.d, t);
         let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
         let mut scale = square.mul_add(splat(simd, -0.5), is_plane.select(one, splat(simd, 1.5)));
-        let far = solid & (scale - 1.0).abs().simd_gt(splat(simd, rounding::NEWTON));
+        let far = shaded & (scale - 1.0).abs().simd_gt(splat(simd, rounding::NEWTON));
         if far.any_true() {
             scale = far.select(one / square.sqrt(), scale);
         }
@@ -84,8 +84,8 @@ impl<S: Isa> ShadingPoint<S> {
             anisotropy: zero,
             reflectance: splat(simd, 1.0),
             horizon: inverse_radius * 0.5,
-            inside: solid,
-            solid,
+            inside: shaded,
+            shaded,
         }
     }
 
@@ -93,7 +93,7 @@ impl<S: Isa> ShadingPoint<S> {
     #[inline(always)]
     fn add_detail(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;
-        let mut rest = self.solid.to_bitmask();
+        let mut rest = self.shaded.to_bitmask();
         while rest != 0 {
             let (id, same) = object_at(simd, hit.object, &mut rest);
             let (object, material) = world.object(id);

@@ -33,7 +33,7 @@ pub(super) fn shade<S: Isa>(
         ..
     } = batch;
     let surface = SurfaceLanes::look_up(simd, world, hit.object, active, surfaces);
-    let solid = active & surface.is_lit();
+    let shaded = active & surface.is_lit();
     let air = AirLanes::along(simd, world, &rays.d, hit.t, &surface);
     // The weight of the light that leaves the surface.
     let weight = match &air {
@@ -44,8 +44,8 @@ pub(super) fn shade<S: Isa>(
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
     let mut keys = Keys::new(simd, quality, active, rays);
-    if solid.any_true() {
-        let point = &ShadingPoint::new(simd, world, rays, hit, &surface, solid);
+    if shaded.any_true() {
+        let point = &ShadingPoint::new(simd, world, rays, hit, &surface, shaded);
         let reflected = light::gather(tracer, &surface, point, &mut keys, occluders, counts);
         untextured = reflected.untextured;
         reflectance = point.reflectance;
@@ -86,7 +86,7 @@ fn scatter<S: Isa>(
     let one = splat(simd, 1.0);
     let least = splat(simd, quality.least_contribution);
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
-    let follow = point.solid & parents.paths().simd_lt(deepest);
+    let follow = point.shaded & parents.paths().simd_lt(deepest);
     let reflected = parents.reflected_slot_paths();
     let ShadingPoint {
         p,

@@ -73,10 +73,10 @@ impl<S: Isa> ShadowRays<S> {
         let &Self { d, distance, .. } = self;
         let off = d.dot(Vec3x::splat(simd, cone.side));
         let f = Vec3x::splat(simd, cone.from_light);
-        let way = f.dot(d);
-        let across = f.add_scaled(d, -way);
+        let along = f.dot(d);
+        let across = f.add_scaled(d, -along);
         // Half of the penumbra is outside the sphere. All terms are multiplied by the distance, which saves a division.
-        let share = at_least::<S>(distance - way, splat(simd, 0.0));
+        let share = at_least::<S>(distance - along, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
         let across2 = across.dot(across);
         if cone.around_light {
@@ -92,16 +92,16 @@ impl<S: Isa> ShadowRays<S> {
         let zero = splat(simd, 0.0);
         // The distance from the light back along the ray to the point nearest to the sphere's centre.
         let f = Vec3x::splat(simd, cone.from_light);
-        let way = f.dot(self.d);
-        let across = f.add_scaled(self.d, -way);
+        let along = f.dot(self.d);
+        let across = f.add_scaled(self.d, -along);
         let half2 = splat(simd, cone.r2) - across.dot(across);
         if cone.around_light {
             // The chord extends by sqrt(half2) to both sides of that point, and ends between the light and the origin.
-            let left = at_least::<S>(self.distance - way, zero);
+            let left = at_least::<S>(self.distance - along, zero);
             return half2.simd_lt(left * left);
         }
         // A part of the chord lies between the light and the origin.
-        let short = at_least::<S>(at_least::<S>(way - self.distance, -way), zero);
+        let short = at_least::<S>(at_least::<S>(along - self.distance, -along), zero);
         half2.simd_gt(short * short)
     }
 

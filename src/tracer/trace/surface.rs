@@ -5,26 +5,26 @@ use crate::prepare::{
 
 /// The number of cached surfaces: more than most tiles show. With one, the model scene's frame takes 3 % more instructions, since
 /// primary and secondary rays alternate.
-const KEPT: usize = 16;
+const CACHED: usize = 16;
 
 const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
 
-/// A thread's cache of surfaces spread over lanes, an object's at its number modulo [`KEPT`].
+/// A thread's cache of surfaces spread over lanes, an object's at its number modulo [`CACHED`].
 pub(super) struct SurfaceRows {
-    kept: [SurfaceTable; KEPT],
-    objects: [Option<ObjectId>; KEPT],
+    cached: [SurfaceTable; CACHED],
+    objects: [Option<ObjectId>; CACHED],
     mixed: SurfaceTable,
 }
 
 impl SurfaceRows {
     pub const NONE: Self = Self {
-        kept: [NO_SURFACES; KEPT],
-        objects: [None; KEPT],
+        cached: [NO_SURFACES; CACHED],
+        objects: [None; CACHED],
         mixed: NO_SURFACES,
     };
 
     pub fn clear(&mut self) {
-        self.objects = [None; KEPT];
+        self.objects = [None; CACHED];
     }
 }
 
@@ -62,10 +62,10 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         };
         let first = &world.surfaces[id.index()];
         if rest == 0 {
-            let table = &mut memory.kept[id.index() % KEPT];
-            let kept = &mut memory.objects[id.index() % KEPT];
-            if *kept != Some(id) {
-                *kept = Some(id);
+            let table = &mut memory.cached[id.index() % CACHED];
+            let cached = &mut memory.objects[id.index() % CACHED];
+            if *cached != Some(id) {
+                *cached = Some(id);
                 spread(first, table);
             }
             return surfaces(table);

@@ -168,8 +168,8 @@ const STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
 #[inline(always)]
 fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     let cell = u - 0.5 + ROUND_TO_INTEGER;
-    let way: F<S> = u - (cell - ROUND_TO_INTEGER);
-    (cell.bitcast(), smooth_step::<S>(way))
+    let fraction: F<S> = u - (cell - ROUND_TO_INTEGER);
+    (cell.bitcast(), smooth_step::<S>(fraction))
 }
 
 #[inline(always)]

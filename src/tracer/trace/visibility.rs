@@ -35,7 +35,7 @@ impl<S: Isa> ShadingPoint<S> {
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(splat::<S>(simd, 1.0) / distance);
         let nl = self.n.dot(l);
-        let mut facing = self.solid & nl.simd_gt(distance * self.horizon);
+        let mut facing = self.shaded & nl.simd_gt(distance * self.horizon);
         if !light.is_point {
             let inward: F<S> = -l.dot(Vec3x::splat(simd, light.cone.aim));
             facing &= inward.simd_gt(splat(simd, light.cone.cos_outer));

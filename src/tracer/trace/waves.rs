@@ -14,7 +14,7 @@ impl<S: Isa> ShadingPoint<S> {
     #[inline(always)]
     pub fn ripple(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let plane = U::<S>::splat(simd, world.first_plane() as u32);
-        let is_water = self.solid & hit.object.simd_eq(plane);
+        let is_water = self.shaded & hit.object.simd_eq(plane);
         if !is_water.any_true() {
             return;
         }

@@ -46,13 +46,13 @@ fn each_ray<S: Isa>(
     mut check: impl FnMut(Vec3, Option<f64>),
 ) {
     for _ in 0..count / lanes::<S>() {
-        let ways = [(); MAX_LANES].map(|()| direction());
-        let mut rays = packet(simd, from, &ways);
+        let directions = [(); MAX_LANES].map(|()| direction());
+        let mut rays = packet(simd, from, &directions);
         rays.slot_path |= departure;
         let hit = hits(simd, world, &rays);
-        for (i, &way) in ways.iter().enumerate().take(lanes::<S>()) {
+        for (i, &d) in directions.iter().enumerate().take(lanes::<S>()) {
             let is_hit = hit.object.as_slice()[i] == 0;
-            check(way, is_hit.then(|| f64::from(hit.t.as_slice()[i])));
+            check(d, is_hit.then(|| f64::from(hit.t.as_slice()[i])));
         }
     }
 }
@@ -97,17 +97,17 @@ impl Property for Spheres {
             let largest = f64::from(centre.abs().max_element()) + radius;
             let off = f64::from(f32::EPSILON) * largest;
             let direction = || random.direction().as_vec3();
-            each_ray(simd, world, (p, 0), RAYS, direction, |way, t| {
-                let cosine = way.as_dvec3().dot(outward);
+            each_ray(simd, world, (p, 0), RAYS, direction, |d, t| {
+                let cosine = d.as_dvec3().dot(outward);
                 let chord = -2.0 * cosine * radius;
                 if cosine >= 0.0 {
-                    assert!(t.is_none(), "{what}: {p} is hit again along {way}");
+                    assert!(t.is_none(), "{what}: {p} is hit again along {d}");
                     left += 1;
                 } else if chord * chord > 64.0 * off * radius {
                     // Longer chords than rounding errors.
                     let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
                     let is_right = t.is_some_and(|t| (t - chord).abs() < most);
-                    assert!(is_right, "{what}: {way} from {p} goes {t:?} of {chord}");
+                    assert!(is_right, "{what}: {d} from {p} goes {t:?} of {chord}");
                     entered += 1;
                 }
             });
@@ -147,12 +147,12 @@ impl Property for Planes {
                 continue;
             };
             let direction = || {
-                let way = random.direction().as_vec3();
+                let d = random.direction().as_vec3();
                 // Also along the plane, with both signs of zero.
-                [way, way, way, way.with_y(0.0), way.with_y(-0.0)][random.bits() as usize % 5]
+                [d, d, d, d.with_y(0.0), d.with_y(-0.0)][random.bits() as usize % 5]
             };
-            each_ray(simd, world, (p, 0), RAYS, direction, |way, t| {
-                assert!(t.is_none(), "{isa}: {p} is hit again along {way}");
+            each_ray(simd, world, (p, 0), RAYS, direction, |d, t| {
+                assert!(t.is_none(), "{isa}: {p} is hit again along {d}");
                 left += 1;
             });
         }
@@ -185,8 +185,8 @@ fn outside(block: &Block, p: Vec3) -> f64 {
         Shape::Cylinder => out.y.max(own.x.hypot(own.z) - half.x),
         Shape::Capsule => {
             let core = half.y - half.x;
-            let way = own.with_y(own.y - own.y.clamp(-core, core));
-            way.length() - half.x
+            let from_core = own.with_y(own.y - own.y.clamp(-core, core));
+            from_core.length() - half.x
         }
     }
 }
@@ -249,8 +249,8 @@ impl Property for Blocks {
             } = met;
             let what = std::format!("{isa}: {block:?} from {o} along {d}");
             let direction = || random.direction_from(n);
-            each_ray(simd, world, (p, departure), RAYS, direction, |way, t| {
-                assert!(t.is_none(), "{what}: {p} is hit again along {way}");
+            each_ray(simd, world, (p, departure), RAYS, direction, |d, t| {
+                assert!(t.is_none(), "{what}: {p} is hit again along {d}");
                 left[kind] += 1;
             });
             if self.is_far {
@@ -261,8 +261,8 @@ impl Property for Blocks {
             assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
             let direction = || random.direction_from(-n);
             let from = (p - 2.0 * error * n, departure | INWARD);
-            each_ray(simd, world, from, RAYS / 16, direction, |way, t| {
-                assert!(t.is_some(), "{what}: {way} from {p} leaks");
+            each_ray(simd, world, from, RAYS / 16, direction, |d, t| {
+                assert!(t.is_some(), "{what}: {d} from {p} leaks");
                 crossed += 1;
             });
         }

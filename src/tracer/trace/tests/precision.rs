@@ -53,15 +53,15 @@ fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> (us
         let o = (c + (1e-5 + distance) * r * random.direction()).as_vec3();
         let scene = prepared(&one_sphere(centre, radius, Material::default()));
         for _ in 0..64 / lanes::<S>() {
-            let mut ways = [Vec3::ZERO; MAX_LANES];
-            for way in ways.iter_mut().take(lanes::<S>()) {
+            let mut directions = [Vec3::ZERO; MAX_LANES];
+            for d in directions.iter_mut().take(lanes::<S>()) {
                 let aim = c + 1.2 * r * random.direction();
-                *way = unit(aim - o.as_dvec3());
+                *d = unit(aim - o.as_dvec3());
             }
-            let hit = hits(simd, scene.world(), &packet(simd, o, &ways));
-            for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
+            let hit = hits(simd, scene.world(), &packet(simd, o, &directions));
+            for (i, d) in directions.iter().enumerate().take(lanes::<S>()) {
                 let is_hit = hit.object.as_slice()[i] == 0;
-                let exact = exact(o.as_dvec3() - c, *way, r);
+                let exact = exact(o.as_dvec3() - c, *d, r);
                 wrong += usize::from(is_hit != exact.is_some());
                 let Some((t, across)) = exact.filter(|_| is_hit) else {
                     continue;

@@ -87,11 +87,11 @@ impl Property for Lengths {
             let scene = prepared(&one_sphere(Vec3::ZERO, radius as f32, glass(index)));
             let at = [0.0, 0.5, 1.0, 2.0, 1e3][random.bits() as usize % 5];
             let o = (random.direction() * (radius * at)).as_vec3();
-            let mut ways =
+            let mut directions =
                 [(); MAX_LANES].map(|()| unit(random.direction() * radius - o.as_dvec3()));
             // Towards the centre: rounding may make the cosine exceed 1.
-            ways[0] = unit(if at == 0.0 { DVec3::ONE } else { -o.as_dvec3() });
-            let rays = packet(simd, o, &ways);
+            directions[0] = unit(if at == 0.0 { DVec3::ONE } else { -o.as_dvec3() });
+            let rays = packet(simd, o, &directions);
             let (.., secondary) =
                 shaded(simd, scene.world(), &Quality::EXHAUSTIVE, &rays, &mut batch);
             for (_, d, weight) in secondary.into_iter().flatten().flatten() {

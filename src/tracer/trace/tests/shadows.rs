@@ -23,7 +23,7 @@ impl Property for OwnShadow {
             let centre = random.vector(-4.0, 4.0);
             // Rounding keeps a sphere of this size.
             let centre = centre * (1e3 * r / centre.length()).min(1.0);
-            let from = |way: DVec3, distance: f64| (centre + way * (distance * r)).as_vec3();
+            let from = |d: DVec3, distance: f64| (centre + d * (distance * r)).as_vec3();
             let eye_at = 10_f64.powf(random.between(0.1, 3.0));
             let eye_at = if self.is_inside { 0.5 } else { eye_at };
             let eye = from(random.direction(), eye_at);
@@ -45,17 +45,17 @@ impl Property for OwnShadow {
                 scene.lights[0].diameter = (1.9 * (1.0 - light_at).max(0.0) * r) as f32;
             }
             let scene = prepared(&scene);
-            let ways = [(); MAX_LANES]
+            let directions = [(); MAX_LANES]
                 .map(|()| unit(from(random.direction(), 0.99).as_dvec3() - eye.as_dvec3()));
-            let rays = packet(simd, eye, &ways);
+            let rays = packet(simd, eye, &directions);
             let (hit, node, _) =
                 shaded(simd, scene.world(), &Quality::EXHAUSTIVE, &rays, &mut batch);
-            for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
+            for (i, d) in directions.iter().enumerate().take(lanes::<S>()) {
                 if hit.object.as_slice()[i] != 0 {
                     continue;
                 }
                 let t = f64::from(hit.t.as_slice()[i]);
-                let p = eye.as_dvec3() + t * way.as_dvec3();
+                let p = eye.as_dvec3() + t * d.as_dvec3();
                 let out = (p - centre).normalize();
                 let p = centre + out * r;
                 let to_light = (light.as_dvec3() - p).normalize();
@@ -70,7 +70,7 @@ impl Property for OwnShadow {
                 let is_lit = node.colour.x.as_slice()[i] > 0.0;
                 assert_eq!(
                     is_lit, expected,
-                    "{isa}: radius {r} at {centre}, light at {light}, seen from {eye} along {way}, cosine {cosine}"
+                    "{isa}: radius {r} at {centre}, light at {light}, seen from {eye} along {d}, cosine {cosine}"
                 );
                 lit += usize::from(is_lit);
                 dark += usize::from(!is_lit);
