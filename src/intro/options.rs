@@ -55,7 +55,7 @@ pub struct Options {
     pub fps: u64,
     /// Whether the user gave a frame rate.
     pub has_fps: bool,
-    /// The accuracy to hold in dB, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
+    /// The accuracy to hold in dB to exhaustive frames, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
     pub psnr: Option<u64>,
     /// The fixed quality, as an index in [`qualities::NAMED`]; with `None` the governor chooses.
     pub quality: Option<usize>,

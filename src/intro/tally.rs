@@ -69,7 +69,7 @@ impl Tally {
     pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
         let hud = [
             line(b" #### FPS $$$$$$$ POINTS", 0.04),
-            line(b"  %%.% / &&.& DB", 0.09),
+            line(b"  %%.% / &&.& DB TO EXHAUSTIVE", 0.09),
         ];
         // The accuracy is shown once there is an error.
         let lines = 1 + usize::from(self.recent.squares > 0);
@@ -117,7 +117,12 @@ impl Tally {
     fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) -> fmt::Result {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
-            write!(output, ", {} ± {} dB", Tenths(psnr), Tenths(margin))?;
+            write!(
+                output,
+                ", {} ± {} dB to exhaustive",
+                Tenths(psnr),
+                Tenths(margin)
+            )?;
         }
         let Options { fps, has_fps, .. } = *options;
         // A hundredth of the frames may be late.

@@ -98,7 +98,7 @@ impl Probes {
         self.squares as f64 / (3 * self.pixels) as f64
     }
 
-    /// Returns the peak signal-to-noise ratio in dB, to 0.01 dB; infinite without errors.
+    /// Returns the peak signal-to-noise ratio to the exhaustive frame in dB, to 0.01 dB; infinite without errors.
     #[must_use]
     #[inline(never)]
     pub fn psnr(&self) -> f32 {

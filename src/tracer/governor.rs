@@ -151,6 +151,7 @@ const RETRY_GAIN: f32 = 0.5;
 /// a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the finest preset, the accuracy
 /// is up to 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
 pub struct AccuracyGovernor {
+    /// In dB to exhaustive frames.
     target: f32,
     preset: usize,
     probes: Probes,
@@ -161,7 +162,7 @@ pub struct AccuracyGovernor {
 }
 
 impl AccuracyGovernor {
-    /// Returns a governor that holds a peak signal-to-noise ratio in dB. It starts at the finest preset.
+    /// Returns a governor that holds a peak signal-to-noise ratio to exhaustive frames, in dB. It starts at the finest preset.
     #[must_use]
     pub fn new(target: f32) -> Self {
         Self {

@@ -83,10 +83,10 @@
 //! | the same for thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
-//! | PSNR of any field of up to 320 spheres at the default quality, 1024x768 | 42 dB |
-//! | PSNR of crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, at the default quality, 640x480 | 42 dB |
-//! | PSNR of crowds of 20 spheres and 4 to 64 blocks without mirrors, at the default quality, 640x480, with the exceptions below | 42 dB |
-//! | PSNR of floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, at the default quality, 480x270 | 42 dB |
+//! | dB to exhaustive of any field of up to 320 spheres at the default quality, 1024x768 | 42 dB |
+//! | dB to exhaustive of crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, at the default quality, 640x480 | 42 dB |
+//! | dB to exhaustive of crowds of 20 spheres and 4 to 64 blocks without mirrors, at the default quality, 640x480, with the exceptions below | 42 dB |
+//! | dB to exhaustive of floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, at the default quality, 480x270 | 42 dB |
 //! | the guard's share of the default quality's time in the model scene (measured by `lab trade`) | 10 % |
 //!
 //! # Approximations
@@ -114,8 +114,8 @@
 //!   41.0 dB, because of a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
 //!   both.
-//! - PSNR of other scenes: 38.8 dB for crowds of glass in glass, 40.3 dB for mirrors in mirrors, 39.0 dB for coincident faces; less
-//!   for an eye inside glass, extreme scales and the fastest quality.
+//! - dB to exhaustive of other scenes: 38.8 for crowds of glass in glass, 40.3 for mirrors in mirrors, 39.0 for coincident faces;
+//!   less for an eye inside glass, extreme scales and the fastest quality.
 //! - Thin bright or dark strips in such images, in slits of light on blocks, and in waves: the show has patches of up to 229
 //!   pixels.
 //! - Highlights in mirrors, on waves, and seen from inside a sphere, a cylinder or a capsule. Highlights without the point that

@@ -81,7 +81,7 @@ impl Frame<'_> {
 ///     let frame = Frame::new(160, 120, &mut pixels).with_probes(2000, number);
 ///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?.probes;
 /// }
-/// println!("{:.1} ± {:.1} dB", probes.psnr(), probes.margin());
+/// println!("{:.1} ± {:.1} dB to exhaustive", probes.psnr(), probes.margin());
 /// assert!(probes.psnr() > 30.0 && probes.margin() < 3.0);
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```

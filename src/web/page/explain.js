@@ -123,7 +123,7 @@ function plot(front, about, present) {
     parts.push(`<text x="${left - 5}" y="${y(accuracy) + 4}" text-anchor="end">${accuracy}</text>`);
   }
   parts.push(`<text x="${(left + right) / 2}" y="${bottom + 33}" text-anchor="middle">times as fast as every pixel</text>`);
-  parts.push(`<text transform="translate(10 ${(top + bottom) / 2}) rotate(-90)" text-anchor="middle">PSNR, dB</text>`);
+  parts.push(`<text transform="translate(10 ${(top + bottom) / 2}) rotate(-90)" text-anchor="middle">dB to every pixel traced</text>`);
   parts.push(`<polyline points="${front.map(({ speed, accuracy }) => `${x(speed)},${y(accuracy)}`).join(" ")}"/>`);
   for (const { speed, accuracy } of front) parts.push(`<circle r="3" cx="${x(speed)}" cy="${y(accuracy)}"/>`);
   get("front-axes").innerHTML = parts.join("");
