@@ -1,8 +1,8 @@
-//! The parameters that trade accuracy for speed.
+//! Qualities and presets.
 
 use crate::range_error::{Checked, Range, RangeError};
 
-/// The refinement of a frame, and the depth of its rays.
+/// Settings that trade accuracy for speed: the refinement of squares, and the depth of rays.
 ///
 /// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
 /// it is split. One tolerance is for corners with equal *keys*, which show the same objects in the same light, and one for corners
@@ -68,7 +68,7 @@ impl Quality {
     };
 
     /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in all objects of the ray tree and in the
-    /// lights' states at the primary hit.
+    /// lights' states at the primary hit, whatever their colours.
     pub const THESIS: Self = Self {
         square: 8,
         tolerance_agreeing: f32::INFINITY,

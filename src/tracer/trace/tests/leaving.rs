@@ -11,6 +11,7 @@ const RAYS: usize = 1000;
 
 /// The hit of a ray with a scene's only object.
 struct Met {
+    t: f32,
     p: Vec3,
     n: Vec3,
     /// See [`ShadingPoint::hit_error`].
@@ -26,6 +27,7 @@ impl Met {
         let hit = hits(simd, world, &rays);
         let point = shading_point(simd, world, &rays, &hit);
         (hit.object.as_slice()[0] == 0).then(|| Self {
+            t: hit.t.as_slice()[0],
             p: lane(point.p, 0),
             n: lane(point.n, 0),
             error: point.hit_error.as_slice()[0],
@@ -241,6 +243,7 @@ impl Property for Blocks {
                 continue;
             };
             let Met {
+                t,
                 p,
                 n,
                 error,
@@ -256,8 +259,13 @@ impl Property for Blocks {
             if self.is_far {
                 continue;
             }
-            let off = outside(&block, p) / f64::from(error);
-            assert!((off - 1.0).abs() < 0.5, "{what}: {p} is {off} errors off");
+            for (point, errors) in [(o + t * d, 0.0), (p, 1.0)] {
+                let off = outside(&block, point) / f64::from(error);
+                assert!(
+                    (off - errors).abs() < 0.5,
+                    "{what}: {point} is {off} errors off"
+                );
+            }
             assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
             let direction = || random.direction_from(-n);
             let from = (p - 2.0 * error * n, departure | INWARD);

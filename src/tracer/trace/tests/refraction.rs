@@ -1,4 +1,4 @@
-//! Refracted and reflected directions have length 1, and lose no light at the critical angle.
+//! Refracted and reflected rays have directions of length 1, and carry all light at the critical angle.
 
 use super::*;
 
