@@ -113,7 +113,7 @@
 //!
 //! # Scenes as data
 //!
-//! The feature `serde` implements serialization of a [`Scene`](scene::Scene) and a [`Quality`]. Missing fields get their defaults;
+//! The feature `serde` implements serialisation of a [`Scene`](scene::Scene) and a [`Quality`]. Missing fields get their defaults;
 //! objects need a position, a size and a material. Call [`Scene::validate`](scene::Scene::validate) after reading. Some qualities
 //! have infinite numbers, which JSON lacks.
 //!
@@ -121,7 +121,7 @@
 //!
 //! Coordinates are right-handed with y up, in scene units of any size. Angles are in radians, times in seconds. Pixel (0, 0) is the
 //! upper left one, with x to the right and y down, and is sampled at its centre. Colours are linear RGB, 1 the brightest displayed
-//! value. Pixels are `0x00RRGGBB`: colours clamped to 0 to 1, times 255, rounded, without gamma. Vectors are those of [`glam`].
+//! value. Pixels are `0x00RRGGBB`: colours clamped to 0 to 1, times 255, rounded, without gamma. Vectors are [`glam`]'s.
 //!
 //! # Determinism
 //!

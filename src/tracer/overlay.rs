@@ -97,7 +97,7 @@ impl Frame<'_> {
     /// digits of the first to the fourth number, see [`Caption::letters`].
     ///
     /// # Panics
-    /// If the frame has fewer pixels than its size says.
+    /// If the frame has too few pixels.
     pub fn write(&mut self, captions: &[Caption], numbers: [usize; 4]) {
         let overlay = Overlay {
             copper_bars: &[],

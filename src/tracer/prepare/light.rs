@@ -113,7 +113,7 @@ impl PreparedLight {
         self.cone = light.spot.map_or(SpotCone::ALL_BRIGHT, SpotCone::new);
         self.diameter = light.shadow_diameter();
         self.glow2 = light.glow_radius() * light.glow_radius();
-        // Below 0, the shadow of a sphere would not be inside that of its bound.
+        // Below 0, a sphere's shadow would extend beyond its bound's.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {
             let radius = if !node.is_block {

@@ -28,7 +28,7 @@ pub struct Waves {
 impl Waves {
     /// The ratio of the longest to the shortest wave is below this.
     pub const FINEST: f32 = 20.0;
-    /// The ratio of a wave's length to that of the previous one.
+    /// The ratio of the lengths of a wave and the previous one.
     pub const SHORTER: f32 = 0.5625;
     /// The ratio of the distances travelled by a wave and the previous one, in their lengths: the root of 1 / [`Waves::SHORTER`].
     pub const FASTER: f32 = 4.0 / 3.0;

@@ -7,7 +7,7 @@ use crate::prepare::World;
 use glam::Vec3A;
 
 /// The density of haze added everywhere, in 1 / scene units: it hides everything at the distance of a miss, 1e30, so that the sky
-/// shows, and nothing within a scene.
+/// shows, and is invisible within a scene.
 const BACKGROUND_HAZE: f32 = 1e-20;
 
 pub(super) struct AirLanes<S: Isa> {

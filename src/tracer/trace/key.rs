@@ -16,7 +16,7 @@ const STATE_BITS: u32 = 2;
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
     counted: M<S>,
-    /// For most secondary rays none counts.
+    /// Most secondary rays have no such node.
     has_any: bool,
     states: U<S>,
 }
