@@ -1,12 +1,7 @@
 //! The command line's flags, and the text of `--help`.
 
-use core::fmt::{self, Display, Formatter, Write};
-
 use eightfold::show;
-use eightfold_window::{
-    cpu,
-    line::{Text, Writer},
-};
+use eightfold_window::{cpu, line::Writer};
 
 use super::qualities::NAMED;
 
@@ -106,47 +101,44 @@ impl Flag {
     }
 
     /// Writes the help, and the names that the value may have.
-    fn write_help(&self, f: &mut dyn Write) -> fmt::Result {
-        f.write_str(self.help)?;
+    fn write_help(&self, output: &mut Writer) {
+        output.text(self.help);
         match self.switch {
-            Switch::Quality => write_names(f, NAMED.iter().map(|&(name, _)| name)),
-            Switch::Isa => write_names(f, cpu::NAMES.iter().copied()),
-            _ => Ok(()),
+            Switch::Quality => write_names(output, NAMED.iter().map(|&(name, _)| name)),
+            Switch::Isa => write_names(output, cpu::NAMES.iter().copied()),
+            _ => {}
         }
     }
-}
 
-/// The flag's line of `--help`, for error messages.
-impl Display for Flag {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)?;
+    /// Writes the flag's line of `--help`, for error messages.
+    pub fn write(&self, errors: &mut Writer) {
+        errors.text(self.name);
         if !self.value.is_empty() {
-            write!(f, " {}", Text(self.value))?;
+            errors.text(" ").text(self.value);
         }
-        f.write_str("  ")?;
-        self.write_help(f)
+        self.write_help(errors.text("  "));
     }
 }
 
 /// Writes the text of `--help`.
-pub fn write_help(output: &mut Writer) -> fmt::Result {
-    writeln!(output, "{}", Text(VERSION))?;
+pub fn write_help(output: &mut Writer) {
+    output.text(VERSION).text("\n");
     for flag in FLAGS {
-        write!(output, "{} {}", Text(flag.name), Text(flag.value))?;
+        output.text(flag.name).text(" ").text(flag.value);
         for _ in flag.name.len() + flag.value.len()..=COLUMN {
-            output.write_str(" ")?;
+            output.text(" ");
         }
-        flag.write_help(output)?;
-        writeln!(output)?;
+        flag.write_help(output);
+        output.text("\n");
     }
-    output.write_str("instruction sets of this CPU:")?;
-    write_names(output, cpu::shipped().map(|isa| isa.name))?;
-    writeln!(output, "\n{}", Text(KEYS))
+    output.text("instruction sets of this CPU:");
+    write_names(output, cpu::shipped().map(|isa| isa.name));
+    output.text("\n").text(KEYS).text("\n");
 }
 
 /// Writes names, each preceded by a space.
-fn write_names(f: &mut dyn Write, names: impl IntoIterator<Item = &'static str>) -> fmt::Result {
-    names
-        .into_iter()
-        .try_for_each(|name| write!(f, " {}", Text(name)))
+fn write_names(output: &mut Writer, names: impl IntoIterator<Item = &'static str>) {
+    for name in names {
+        output.text(" ").text(name);
+    }
 }

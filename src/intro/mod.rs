@@ -16,13 +16,11 @@ mod renderer;
 mod still;
 mod tally;
 
-use core::fmt::{self, Write};
-
 use eightfold::show;
 use eightfold_window::{
     arguments::Arguments,
     clock::SECOND,
-    line::{self, Text, Writer},
+    line::{self, Writer},
 };
 use options::{Options, Task};
 
@@ -40,7 +38,7 @@ pub fn run(arguments: Arguments) -> i32 {
     let options = match Options::parse(arguments) {
         Ok(options) => options,
         Err(misuse) => {
-            line::complain(format_args!("{misuse}"));
+            misuse.write(&mut line::complaint());
             return MISUSE;
         }
     };
@@ -48,21 +46,24 @@ pub fn run(arguments: Arguments) -> i32 {
         Task::Play => playing::play(&options),
         Task::Still(time) => still::write(time, &options),
         Task::Help => print(flags::write_help),
-        Task::Version => print(|output| writeln!(output, "{}", Text(flags::VERSION))),
+        Task::Version => print(|output| _ = output.text(flags::VERSION).text("\n")),
     }
 }
 
 /// Writes text to standard output. Returns the exit code.
-fn print(write: impl FnOnce(&mut Writer) -> fmt::Result) -> i32 {
+fn print(write: impl FnOnce(&mut Writer)) -> i32 {
     let mut output = Writer::new(line::OUTPUT);
-    exit_code(write(&mut output).and_then(|()| output.flush()))
+    write(&mut output);
+    exit_code(output.flush())
 }
 
 /// Returns the exit code after writing to standard output, and reports an error on standard error.
-fn exit_code(written: fmt::Result) -> i32 {
-    if written.is_ok() {
+fn exit_code(is_written: bool) -> i32 {
+    if is_written {
         return 0;
     }
-    line::complain(format_args!("can't write to standard output"));
+    line::complaint()
+        .text("can't write to standard output\n")
+        .flush();
     FAILURE
 }

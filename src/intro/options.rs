@@ -1,13 +1,11 @@
 //! The options, parsed from the command line.
 
-use core::fmt::{self, Display, Formatter};
-
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     arguments::Arguments,
     clock::SECOND,
     cpu::{self, Isa},
-    line::{Printable, ascii},
+    line::Writer,
 };
 
 use super::{
@@ -80,19 +78,23 @@ pub enum Misuse {
     TwoQualities,
 }
 
-impl Display for Misuse {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+impl Misuse {
+    /// Writes the error in one line.
+    pub fn write(&self, errors: &mut Writer) {
         match *self {
             Misuse::UnknownFlag(given) => {
-                write!(f, "no such flag: '{}'; --help lists them", Printable(given))
+                errors.text("no such flag: '").printable(given);
+                errors.text("'; --help lists them");
             }
-            Misuse::NoValue(flag) => write!(f, "no value: {flag}"),
+            Misuse::NoValue(flag) => flag.write(errors.text("no value: ")),
             Misuse::BadValue(flag, given) => {
-                write!(f, "can't use '{}': {flag}", Printable(given))
+                errors.text("can't use '").printable(given).text("': ");
+                flag.write(errors);
             }
-            Misuse::NotInThisCpu(name) => write!(f, "this CPU has no {}", Printable(name)),
-            Misuse::TwoQualities => f.write_str("more than one quality"),
+            Misuse::NotInThisCpu(name) => _ = errors.text("this CPU has no ").printable(name),
+            Misuse::TwoQualities => _ = errors.text("more than one quality"),
         }
+        errors.text("\n").flush();
     }
 }
 
@@ -141,30 +143,31 @@ impl Options {
     /// Sets a flag's option.
     fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
         let bad_value = Misuse::BadValue(flag, value);
-        let text = ascii(value).ok_or(bad_value)?;
         match flag.switch {
-            Switch::Size => self.size = size(text).ok_or(bad_value)?,
+            Switch::Size => self.size = size(value).ok_or(bad_value)?,
             Switch::Fullscreen => self.is_fullscreen = true,
-            Switch::Threads => self.threads = Some(number(text, MAX_THREADS).ok_or(bad_value)?),
-            Switch::Isa if !cpu::NAMES.contains(&text) => return Err(bad_value),
-            Switch::Isa => self.isa = cpu::named(text).ok_or(Misuse::NotInThisCpu(value))?,
+            Switch::Threads => self.threads = Some(number(value, MAX_THREADS).ok_or(bad_value)?),
+            Switch::Isa if !cpu::NAMES.iter().any(|name| name.as_bytes() == value) => {
+                return Err(bad_value);
+            }
+            Switch::Isa => self.isa = cpu::named(value).ok_or(Misuse::NotInThisCpu(value))?,
             Switch::Seconds => {
-                let length = nanoseconds(text).filter(|&length| length > 0);
+                let length = nanoseconds(value).filter(|&length| length > 0);
                 self.length = Some(length.ok_or(bad_value)?);
             }
             Switch::Loop => self.is_looping = true,
             Switch::Fps => {
-                self.fps = number(text, MAX_FPS).ok_or(bad_value)? as u64;
+                self.fps = number(value, MAX_FPS).ok_or(bad_value)? as u64;
                 self.has_fps = true;
             }
-            Switch::Psnr => self.psnr = Some(number(text, MAX_PSNR).ok_or(bad_value)? as u64),
-            Switch::Quality => self.keep_to(qualities::find(text).ok_or(bad_value)?)?,
+            Switch::Psnr => self.psnr = Some(number(value, MAX_PSNR).ok_or(bad_value)? as u64),
+            Switch::Quality => self.keep_to(qualities::find(value).ok_or(bad_value)?)?,
             Switch::Exhaustive => self.keep_to(qualities::EXHAUSTIVE)?,
             Switch::Uncapped => self.is_uncapped = true,
             Switch::Hud => self.has_hud = true,
             Switch::Silent => self.is_silent = true,
             Switch::Still => {
-                let time = nanoseconds(text).filter(|&time| time < SHOW_NANOSECONDS);
+                let time = nanoseconds(value).filter(|&time| time < SHOW_NANOSECONDS);
                 self.task = Task::Still(time.ok_or(bad_value)?);
             }
             Switch::Help => self.task = Task::Help,
@@ -192,43 +195,45 @@ fn split_at_equals(argument: &[u8]) -> (&[u8], Option<&[u8]>) {
 }
 
 /// Parses a decimal integer, 1 to `most`.
-fn number(text: &str, most: usize) -> Option<usize> {
-    // `parse` would accept a sign.
-    is_digits(text)
-        .then(|| text.parse().ok())?
-        .filter(|number| (1..=most).contains(number))
+fn number(text: &[u8], most: usize) -> Option<usize> {
+    let number = decimal(text, 1, most as u64)?;
+    (number > 0).then_some(number as usize)
 }
 
 /// Parses a width and a height, separated by `x`, up to the largest frame.
-fn size(text: &str) -> Option<(usize, usize)> {
-    let (width, height) = text.split_once('x')?;
+fn size(text: &[u8]) -> Option<(usize, usize)> {
+    let mut sides = text.splitn(2, |&byte| byte == b'x');
+    let [width, height] = [sides.next()?, sides.next()?];
     Some((number(width, MAX_WIDTH)?, number(height, MAX_HEIGHT)?))
 }
 
-/// Parses seconds, with or without a decimal fraction, up to [`MAX_SECONDS`]. Returns nanoseconds, rounded down.
-fn nanoseconds(text: &str) -> Option<u64> {
-    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
-    if whole.is_empty() && fraction.is_empty() || !is_digits(whole) || !is_digits(fraction) {
-        return None;
-    }
-    let seconds = if whole.is_empty() {
-        0
-    } else {
-        whole
-            .parse()
-            .ok()
-            .filter(|&seconds| seconds <= MAX_SECONDS)?
-    };
-    let mut time = seconds * SECOND;
-    let mut unit = SECOND;
-    for digit in fraction.bytes() {
-        unit /= 10;
-        time += u64::from(digit - b'0') * unit;
-    }
-    Some(time)
+/// Parses seconds up to [`MAX_SECONDS`]. Returns nanoseconds, rounded down.
+fn nanoseconds(text: &[u8]) -> Option<u64> {
+    decimal(text, SECOND, MAX_SECONDS * SECOND)
 }
 
-/// Returns whether a text consists of decimal digits; an empty one does.
-fn is_digits(text: &str) -> bool {
-    text.bytes().all(|byte| byte.is_ascii_digit())
+/// Parses a decimal number as a multiple of 1 / `one`, rounded down, at most `most`. If `one` is 1, it has no fraction.
+fn decimal(text: &[u8], one: u64, most: u64) -> Option<u64> {
+    let (mut number, mut unit) = (0, one);
+    let (mut has_digits, mut has_point) = (false, false);
+    for &byte in text {
+        let digit = u64::from(byte.wrapping_sub(b'0'));
+        if byte == b'.' && !has_point && one > 1 {
+            has_point = true;
+        } else if digit > 9 {
+            return None;
+        } else {
+            has_digits = true;
+            if has_point {
+                unit /= 10;
+                number += digit * unit;
+            } else {
+                number = number * 10 + digit * one;
+            }
+            if number > most {
+                return None;
+            }
+        }
+    }
+    has_digits.then_some(number)
 }

@@ -5,7 +5,7 @@ use eightfold::sound::Synthesizer;
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     clock::SECOND,
-    line::{self, Text},
+    line,
     render_target::{Headless, Next, RenderTarget, fit},
     sound::{Player, Source},
     static_cell::StaticCell,
@@ -44,7 +44,12 @@ pub fn play(options: &Options) -> i32 {
         } else {
             "without a screen"
         };
-        line::complain(format_args!("{}; playing {}", Text(why), Text(place)));
+        line::complaint()
+            .text(why)
+            .text("; playing ")
+            .text(place)
+            .text("\n")
+            .flush();
     }
     let mut playing = Playing {
         options,

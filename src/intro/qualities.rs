@@ -25,6 +25,8 @@ pub const DEFAULT: usize = Quality::DEFAULT_PRESET;
 pub const EXHAUSTIVE: usize = PRESETS + 1;
 
 /// The index in [`NAMED`] of a quality by its name.
-pub fn find(name: &str) -> Option<usize> {
-    NAMED.iter().position(|&(known, _)| known == name)
+pub fn find(name: &[u8]) -> Option<usize> {
+    NAMED
+        .iter()
+        .position(|&(known, _)| known.as_bytes() == name)
 }

@@ -1,10 +1,8 @@
 //! Writes one frame as a binary PPM file: a header with the size, then bytes for red, green and blue of every pixel.
 
-use core::fmt::{self, Write};
-
 use eightfold_tracer::Frame;
 use eightfold_window::{
-    line::{self, Decimal, Writer},
+    line::{self, Writer},
     render_target::{Headless, RenderTarget},
 };
 
@@ -18,9 +16,9 @@ use super::{
 /// Writes the frame at a time in nanoseconds to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options) -> i32 {
     if line::terminal(line::OUTPUT) {
-        line::complain(format_args!(
-            "a terminal can't show a PPM file: --still S > frame.ppm"
-        ));
+        line::complaint()
+            .text("a terminal can't show a PPM file: --still S > frame.ppm\n")
+            .flush();
         return MISUSE;
     }
     let (_, quality) = &NAMED[options.quality.unwrap_or(qualities::DEFAULT)];
@@ -33,20 +31,19 @@ pub fn write(time: u64, options: &Options) -> i32 {
 }
 
 /// Writes a picture of `0x00RRGGBB` pixels in row-major order.
-fn write_ppm(width: usize, height: usize, pixels: &[u32]) -> fmt::Result {
+fn write_ppm(width: usize, height: usize, pixels: &[u32]) -> bool {
     let mut head = Writer::new(line::OUTPUT);
-    let size = [width, height].map(|side| Decimal(side as u64));
-    write!(head, "P6\n{} {}\n255\n", size[0], size[1])?;
-    head.flush()?;
+    head.text("P6\n").decimal(width as u64);
+    head.text(" ").decimal(height as u64).text("\n255\n");
+    let mut is_written = head.flush();
     let mut part = [[0; 3]; 1024];
     for pixels in pixels.chunks(part.len()) {
         for (to, pixel) in part.iter_mut().zip(pixels) {
             let [_, red, green, blue] = pixel.to_be_bytes();
             *to = [red, green, blue];
         }
-        if !line::write(line::OUTPUT, part[..pixels.len()].as_flattened()) {
-            return Err(fmt::Error);
-        }
+        let bytes = part[..pixels.len()].as_flattened();
+        is_written = is_written && line::write(line::OUTPUT, bytes);
     }
-    Ok(())
+    is_written
 }

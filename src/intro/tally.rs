@@ -1,11 +1,6 @@
 //! Statistics of a run.
 
-use core::fmt::{self, Write};
-
-use eightfold_window::{
-    clock::SECOND,
-    line::{Decimal, Hundredths, Tenths, Text, Writer},
-};
+use eightfold_window::{clock::SECOND, line::Writer};
 
 use eightfold_tracer::{
     Frame, Probes,
@@ -84,60 +79,52 @@ impl Tally {
     }
 
     /// Writes the statistics in one line, with the number of threads, the instruction set, and unmet requests.
-    pub fn report(&self, output: &mut Writer, threads: usize, options: &Options) -> fmt::Result {
+    pub fn report(&self, output: &mut Writer, threads: usize, options: &Options) {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);
-        let hundredths = |time: u64| Hundredths(time / (SECOND / 100));
-        write!(
-            output,
-            "{} frames in {} s: {} fps, worst second {} fps",
-            Decimal(self.frames),
-            hundredths(self.time),
-            Tenths(mean),
-            Tenths(worst),
-        )?;
-        self.report_accuracy(output, mean, options)?;
-        write!(
-            output,
-            ", {}x{}, threads {}, {}",
-            Decimal(self.size.0 as u64),
-            Decimal(self.size.1 as u64),
-            Decimal(threads as u64),
-            Text(options.isa.name),
-        )?;
+        output.decimal(self.frames).text(" frames in ");
+        output.hundredths(hundredths(self.time)).text(" s: ");
+        output.tenths(mean).text(" fps, worst second ");
+        output.tenths(worst).text(" fps");
+        self.report_accuracy(output, mean, options);
+        output.text(", ").decimal(self.size.0 as u64);
+        output.text("x").decimal(self.size.1 as u64);
+        output.text(", threads ").decimal(threads as u64);
+        output.text(", ").text(options.isa.name);
         for ((name, _), &time) in NAMED.iter().zip(&self.used) {
             if time > 0 {
-                write!(output, ", {} {} s", Text(name), hundredths(time))?;
+                output.text(", ").text(name);
+                output.text(" ").hundredths(hundredths(time)).text(" s");
             }
         }
-        writeln!(output)
+        output.text("\n");
     }
 
     /// Writes the accuracy with its 95 % interval, and unmet requests, at a mean rate in tenths of a frame per second.
-    fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) -> fmt::Result {
+    fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
-            write!(
-                output,
-                ", {} ± {} dB to exhaustive",
-                Tenths(psnr),
-                Tenths(margin)
-            )?;
+            output.text(", ").tenths(psnr);
+            output.text(" ± ").tenths(margin).text(" dB to exhaustive");
         }
         let Options { fps, has_fps, .. } = *options;
         // A hundredth of the frames may be late.
         let is_slow = has_fps && rate * 10 < fps * 99;
         match options.psnr {
             Some(asked) if is_slow || psnr.saturating_add(margin) < 10 * asked => {
-                write!(output, ", short of {} dB", Decimal(asked))?;
+                output.text(", short of ").decimal(asked).text(" dB");
                 if has_fps {
-                    write!(output, " at {} fps", Decimal(fps))?;
+                    output.text(" at ").decimal(fps).text(" fps");
                 }
-                Ok(())
             }
-            _ => Ok(()),
+            _ => {}
         }
     }
+}
+
+/// Converts nanoseconds to hundredths of a second.
+fn hundredths(time: u64) -> u64 {
+    time / (SECOND / 100)
 }
 
 /// Returns a line over the picture.

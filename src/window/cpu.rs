@@ -51,8 +51,8 @@ pub fn shipped() -> impl Iterator<Item = Isa> {
 
 /// Returns the intro's instruction set of this name, if this machine has it.
 #[must_use]
-pub fn named(name: &str) -> Option<Isa> {
-    shipped().find(|isa| isa.name == name)
+pub fn named(name: &[u8]) -> Option<Isa> {
+    shipped().find(|isa| isa.name.as_bytes() == name)
 }
 
 /// Returns the best instruction set of the intro on this machine.

@@ -1,8 +1,6 @@
 //! Text on standard output and standard error.
 //!
-//! `write!` and `format_args!` format values as usual. This module replaces only std's I/O, with its locks and error messages.
-
-use core::fmt::{self, Arguments, Display, Formatter, Write};
+//! `core::fmt` and std's I/O would take 600 more packed bytes.
 
 use crate::system;
 pub use crate::system::{ERROR, OUTPUT, write};
@@ -10,7 +8,7 @@ pub use crate::system::{ERROR, OUTPUT, write};
 /// A buffered writer to a file descriptor.
 ///
 /// It writes when its buffer is full and when it is [flushed](Writer::flush), but not when it is dropped. After an error it writes
-/// nothing more, and every call returns the error again.
+/// nothing more.
 pub struct Writer {
     file: i32,
     has_failed: bool,
@@ -30,85 +28,64 @@ impl Writer {
         }
     }
 
-    /// Writes the buffered bytes.
-    ///
-    /// # Errors
-    /// If this or an earlier write failed.
-    pub fn flush(&mut self) -> fmt::Result {
-        let is_written = !self.has_failed && write(self.file, &self.buffer[..self.length]);
-        self.has_failed = !is_written;
+    /// Writes the buffered bytes. Returns false if this or an earlier write failed.
+    pub fn flush(&mut self) -> bool {
+        self.has_failed |= !write(self.file, &self.buffer[..self.length]);
         self.length = 0;
-        if is_written { Ok(()) } else { Err(fmt::Error) }
+        !self.has_failed
     }
-}
 
-impl Write for Writer {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        let mut rest = text.as_bytes();
-        while !rest.is_empty() {
-            if self.length == self.buffer.len() {
-                self.flush()?;
-            }
-            let room = &mut self.buffer[self.length..];
-            let (fitting, later) = rest.split_at(rest.len().min(room.len()));
-            room[..fitting.len()].copy_from_slice(fitting);
-            self.length += fitting.len();
-            rest = later;
+    fn byte(&mut self, byte: u8) {
+        if self.length == self.buffer.len() {
+            self.flush();
         }
-        Ok(())
+        self.buffer[self.length] = byte;
+        self.length += 1;
     }
-}
 
-/// An integer in decimal. The integers' own `Display`, with padding, alignment and sign, takes 628 more packed bytes.
-pub struct Decimal(pub u64);
-
-impl Display for Decimal {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        if self.0 >= 10 {
-            Decimal(self.0 / 10).fmt(f)?;
+    /// Adds a text.
+    pub fn text(&mut self, text: &str) -> &mut Writer {
+        for byte in text.bytes() {
+            self.byte(byte);
         }
-        f.write_char(char::from(b'0' + (self.0 % 10) as u8))
+        self
     }
-}
 
-/// Tenths, shown with one decimal: 594 as `59.4`.
-pub struct Tenths(pub u64);
-
-impl Display for Tenths {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{}", Decimal(self.0 / 10), Decimal(self.0 % 10))
-    }
-}
-
-/// Hundredths, shown with two decimals: 101 as `1.01`.
-pub struct Hundredths(pub u64);
-
-impl Display for Hundredths {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}", Tenths(self.0 / 10), Decimal(self.0 % 10))
-    }
-}
-
-/// Text without padding. `str`'s own `Display` takes 364 more packed bytes.
-pub struct Text<'a>(pub &'a str);
-
-impl Display for Text<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(self.0)
-    }
-}
-
-/// Bytes from the user, made harmless to a terminal: `?` for everything except printable ASCII, at most 60.
-pub struct Printable<'a>(pub &'a [u8]);
-
-impl Display for Printable<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        for &byte in self.0.iter().take(60) {
+    /// Adds bytes from the user, made harmless to a terminal: `?` for everything except printable ASCII, at most 60.
+    pub fn printable(&mut self, bytes: &[u8]) -> &mut Writer {
+        for &byte in bytes.iter().take(60) {
             let is_printable = byte == b' ' || byte.is_ascii_graphic();
-            f.write_char(if is_printable { byte.into() } else { '?' })?;
+            self.byte(if is_printable { byte } else { b'?' });
         }
-        Ok(())
+        self
     }
+
+    /// Adds a decimal integer.
+    pub fn decimal(&mut self, number: u64) -> &mut Writer {
+        if number >= 10 {
+            self.decimal(number / 10);
+        }
+        self.byte(b'0' + (number % 10) as u8);
+        self
+    }
+
+    /// Adds tenths with one decimal: 594 as `59.4`.
+    pub fn tenths(&mut self, number: u64) -> &mut Writer {
+        self.decimal(number / 10).text(".").decimal(number % 10)
+    }
+
+    /// Adds hundredths with two decimals: 101 as `1.01`.
+    pub fn hundredths(&mut self, number: u64) -> &mut Writer {
+        self.tenths(number / 10).decimal(number % 10)
+    }
+}
+
+/// Begins an error message. Errors of its writes cannot be reported.
+#[must_use]
+pub fn complaint() -> Writer {
+    let mut errors = Writer::new(ERROR);
+    errors.text("eightfold: ");
+    errors
 }
 
 /// Returns bytes as text if they are ASCII.
@@ -120,14 +97,6 @@ pub fn ascii(bytes: &[u8]) -> Option<&str> {
     is_ascii.then(|| unsafe { str::from_utf8_unchecked(bytes) })
 }
 
-/// Writes the program's name and a message to standard error.
-///
-/// Ignores errors, which it could not report.
-pub fn complain(message: Arguments<'_>) {
-    let mut errors = Writer::new(ERROR);
-    let _ = writeln!(errors, "eightfold: {message}").and_then(|()| errors.flush());
-}
-
 /// Returns whether a standard stream is a terminal.
 #[must_use]
 pub fn terminal(file: i32) -> bool {
@@ -136,41 +105,45 @@ pub fn terminal(file: i32) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Hundredths, Printable, Tenths, Writer};
-    use core::fmt::{self, Write};
+    use super::Writer;
     use std::{
-        format,
         io::{Read, pipe},
         os::fd::AsRawFd,
         string::String,
     };
 
+    fn written(write: impl FnOnce(&mut Writer)) -> String {
+        let (mut read, file) = pipe().unwrap();
+        let mut writer = Writer::new(file.as_raw_fd());
+        write(&mut writer);
+        assert!(writer.flush());
+        drop(file);
+        let mut written = String::new();
+        read.read_to_string(&mut written).unwrap();
+        written
+    }
+
     #[test]
     fn decimals_keep_leading_zeros() {
         for (hundredths, expected) in [(0, "0.00"), (7, "0.07"), (123, "1.23"), (2513, "25.13")] {
-            assert_eq!(format!("{}", Hundredths(hundredths)), expected);
+            let shown = written(|writer| _ = writer.hundredths(hundredths));
+            assert_eq!(shown, expected);
         }
-        assert_eq!(format!("{}", Tenths(0)), "0.0");
-        assert_eq!(format!("{}", Tenths(u64::MAX)), "1844674407370955161.5");
+        let shown = written(|writer| _ = writer.tenths(0).text(" ").tenths(u64::MAX));
+        assert_eq!(shown, "0.0 1844674407370955161.5");
     }
 
     #[test]
     fn printable_replaces_control_bytes() {
-        let shown = format!("{}", Printable(b"a b\x1b[2J\xff\n"));
+        let shown = written(|writer| _ = writer.printable(b"a b\x1b[2J\xff\n"));
         assert_eq!(shown, "a b?[2J??");
     }
 
     #[test]
     fn text_longer_than_buffer_is_written() {
-        let (mut read, write) = pipe().unwrap();
-        let mut writer = Writer::new(write.as_raw_fd());
         let long = "x".repeat(5000);
-        write!(writer, "{long}y{}", 1).unwrap();
-        writer.flush().unwrap();
-        drop(write);
-        let mut written = String::new();
-        read.read_to_string(&mut written).unwrap();
-        assert_eq!(written, long + "y1");
+        let shown = written(|writer| _ = writer.text(&long).text("y").decimal(1));
+        assert_eq!(shown, long + "y1");
     }
 
     #[test]
@@ -179,9 +152,9 @@ mod tests {
         drop(read);
         // Rust's programs ignore SIGPIPE.
         let mut writer = Writer::new(write.as_raw_fd());
-        assert_eq!(writer.write_str("x"), Ok(()), "it is only in the buffer");
-        assert_eq!(writer.flush(), Err(fmt::Error));
-        assert_eq!(writer.flush(), Err(fmt::Error));
-        assert_eq!(writer.write_str(&"x".repeat(1025)), Err(fmt::Error));
+        writer.text("x");
+        assert!(!writer.flush());
+        assert!(!writer.flush());
+        assert!(!writer.text(&"x".repeat(1025)).flush());
     }
 }

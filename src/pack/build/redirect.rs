@@ -8,12 +8,11 @@
 //!
 //! | measure | where | bytes |
 //! | --- | --- | ---: |
-//! | `rust_begin_unwind` and the rows below, together | [`REPLACEMENTS`] | 83,356 |
+//! | `rust_begin_unwind` and the rows below, together | [`REPLACED`] | 83,356 |
 //! | `str::slice_error_fail`, which formats the string | | 3,433 |
 //! | `handle_alloc_error`, which prints | | 2,122 |
 //! | `rust_eh_personality`, which reads unwind tables | | 936 |
 //! | the other panicking functions, with their messages' arguments | | 975 |
-//! | `str::count::do_count_chars`, which counts eight bytes at a time (of 64,400) | | 405 |
 //! | C's `main`, not Rust's (of 59,633) | `main!` in `src/window/arguments.rs` | 9,564 |
 //! | C's arguments, not std's (of 59,633) | the same | 432 |
 //! | `opt-level = 2`, as fast as 3 (of 72,726) | `Cargo.toml` | 6,566 |
@@ -41,25 +40,16 @@ const CRATES: [&str; 6] = [
     "rustc_demangle",
 ];
 
-/// Replacements, and parts of the paths of std's functions. The linker warns of missing ones.
-const REPLACEMENTS: [(&str, &[&str]); 2] = [
-    (
-        ABORT,
-        &[
-            "__rustc::rust_begin_unwind",
-            "alloc::alloc::handle_alloc_error",
-            "alloc::raw_vec::handle_error",
-            "core::option::unwrap_failed",
-            "core::panicking",
-            "core::slice::index::slice_index_fail",
-            "core::str::slice_error_fail",
-            "rust_eh_personality",
-        ],
-    ),
-    (
-        "eightfold_count_chars",
-        &["core::str::count::do_count_chars"],
-    ),
+/// Parts of the paths of the functions that [`ABORT`] replaces. The linker warns of missing ones.
+const REPLACED: [&str; 8] = [
+    "__rustc::rust_begin_unwind",
+    "alloc::alloc::handle_alloc_error",
+    "alloc::raw_vec::handle_error",
+    "core::option::unwrap_failed",
+    "core::panicking",
+    "core::slice::index::slice_index_fail",
+    "core::str::slice_error_fail",
+    "rust_eh_personality",
 ];
 
 /// Returns an object with the redirections, and the missing functions.
@@ -69,51 +59,44 @@ pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), 
         write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
     // Tells linkers that the object needs no executable stack.
     object.add_section(Vec::new(), b".note.GNU-stack".into(), SectionKind::Other);
+    let section = object.add_section(Vec::new(), b".text.abort".into(), SectionKind::Text);
+    object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);
+    let symbol = |name: &str, section, scope| write::Symbol {
+        name: name.into(),
+        value: 0,
+        size: 0,
+        kind: SymbolKind::Text,
+        scope,
+        weak: false,
+        section,
+        flags: SymbolFlags::None,
+    };
+    let undefined = write::SymbolSection::Undefined;
+    let abort = object.add_symbol(symbol(ABORT, undefined, SymbolScope::Unknown));
+    let jump = write::Relocation {
+        offset: 1,
+        symbol: abort,
+        addend: -4,
+        flags: RelocationFlags::Generic {
+            kind: RelocationKind::Relative,
+            encoding: RelocationEncoding::X86Branch,
+            size: 32,
+        },
+    };
+    object.add_relocation(section, jump)?;
     let mut missing = Vec::new();
     let mut done = HashSet::new();
-    for (target, paths) in REPLACEMENTS {
-        let name = format!(".text.{target}_redirection").into_bytes();
-        let section = object.add_section(Vec::new(), name, SectionKind::Text);
-        object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);
-        let symbol = |name: &str, section, scope| write::Symbol {
-            name: name.into(),
-            value: 0,
-            size: 0,
-            kind: SymbolKind::Text,
-            scope,
-            weak: false,
-            section,
-            flags: SymbolFlags::None,
-        };
-        let to = object.add_symbol(symbol(
-            target,
-            write::SymbolSection::Undefined,
-            SymbolScope::Unknown,
-        ));
-        let jump = write::Relocation {
-            offset: 1,
-            symbol: to,
-            addend: -4,
-            flags: RelocationFlags::Generic {
-                kind: RelocationKind::Relative,
-                encoding: RelocationEncoding::X86Branch,
-                size: 32,
-            },
-        };
-        object.add_relocation(section, jump)?;
-        for path in paths {
-            let part = mangled(path);
-            let is_named = |symbol: &&String| {
-                **symbol == part || path.contains("::") && symbol.contains(&part)
-            };
-            if !names.iter().any(|name| is_named(&name)) {
-                missing.push(*path);
-            }
-            for name in names.iter().filter(is_named) {
-                if done.insert(name) {
-                    let here = write::SymbolSection::Section(section);
-                    object.add_symbol(symbol(name, here, SymbolScope::Linkage));
-                }
+    for path in REPLACED {
+        let part = mangled(path);
+        let is_named =
+            |symbol: &&String| **symbol == part || path.contains("::") && symbol.contains(&part);
+        if !names.iter().any(|name| is_named(&name)) {
+            missing.push(path);
+        }
+        for name in names.iter().filter(is_named) {
+            if done.insert(name) {
+                let here = write::SymbolSection::Section(section);
+                object.add_symbol(symbol(name, here, SymbolScope::Linkage));
             }
         }
     }

@@ -19,7 +19,7 @@ pub fn pixels() -> &'static mut [u32] {
             0,
         );
         if memory == libc::MAP_FAILED {
-            line::complain(format_args!("no memory for frames"));
+            line::complaint().text("no memory for frames\n").flush();
             libc::_exit(1);
         }
         slice::from_raw_parts_mut(memory.cast(), COUNT)

@@ -22,8 +22,7 @@ use heard::Heard;
 use crate::{
     backend::threads::spawn,
     clock::{self, Clock, SECOND},
-    line::{self, Text},
-    system,
+    line, system,
 };
 
 /// Samples per second and channel.
@@ -143,7 +142,10 @@ fn nanoseconds(samples: i64) -> i64 {
 
 /// Reports why the show continues without sound.
 fn say_silent(why: &str) {
-    line::complain(format_args!("{}; playing silently", Text(why)));
+    line::complaint()
+        .text(why)
+        .text("; playing silently\n")
+        .flush();
 }
 
 /// Waits until [`play`] has opened the device or failed, or for three seconds. Returns [`OPENED`].

@@ -4,7 +4,6 @@
 use core::{
     cell::UnsafeCell,
     ffi::{CStr, c_int},
-    fmt::{self, Write},
     mem::{MaybeUninit, zeroed},
     sync::atomic::{
         AtomicBool, AtomicI32,
@@ -14,7 +13,7 @@ use core::{
 
 use crate::{
     backend::memory::pixels,
-    line::{self, Decimal, Text, Writer},
+    line::{self, Writer},
     render_target::{Next, RenderTarget},
     system,
 };
@@ -22,8 +21,8 @@ use crate::{
 /// The upper half of a cell in the foreground colour; the lower half shows the background.
 const UPPER_HALF: &str = "\u{2580}";
 
-const FOREGROUND: &str = "38";
-const BACKGROUND: &str = "48";
+const FOREGROUND: &str = "\x1b[38;";
+const BACKGROUND: &str = "\x1b[48;";
 
 const CLEAR: &str = "\x1b[0m\x1b[2J";
 
@@ -118,46 +117,45 @@ impl Terminal {
         Some(terminal)
     }
 
-    fn draw(&mut self) -> fmt::Result {
+    fn draw(&mut self) -> bool {
         let mut text = Writer::new(line::OUTPUT);
         if self.shown != self.size {
-            text.write_str(CLEAR)?;
+            text.text(CLEAR);
             self.shown = self.size;
         }
         let (width, height) = self.size;
         for row in 0..height / 2 {
-            write!(text, "\x1b[{};1H", Decimal(row as u64 + 1))?;
+            text.text("\x1b[").decimal(row as u64 + 1).text(";1H");
             // No pixel has all bits set, so each row begins with its colours.
             let (mut foreground, mut background) = (u32::MAX, u32::MAX);
             for x in 0..width {
                 let upper = self.pixels[2 * row * width + x];
                 let lower = self.pixels[(2 * row + 1) * width + x];
-                self.set_colour(&mut text, FOREGROUND, &mut foreground, upper)?;
-                self.set_colour(&mut text, BACKGROUND, &mut background, lower)?;
-                text.write_str(UPPER_HALF)?;
+                self.set_colour(&mut text, FOREGROUND, &mut foreground, upper);
+                self.set_colour(&mut text, BACKGROUND, &mut background, lower);
+                text.text(UPPER_HALF);
             }
         }
         text.flush()
     }
 
     /// Sets a colour for the next cells, if it changes.
-    fn set_colour(
-        &self,
-        text: &mut Writer,
-        which: &str,
-        set: &mut u32,
-        colour: u32,
-    ) -> fmt::Result {
+    fn set_colour(&self, text: &mut Writer, which: &str, set: &mut u32, colour: u32) {
         if *set == colour {
-            return Ok(());
+            return;
         }
         *set = colour;
-        let which = Text(which);
+        text.text(which);
         if self.is_coarse {
-            return write!(text, "\x1b[{which};5;{}m", Decimal(coarse(colour)));
+            text.text("5;").decimal(coarse(colour));
+        } else {
+            let [_, channels @ ..] = colour.to_be_bytes();
+            text.text("2");
+            for channel in channels {
+                text.text(";").decimal(channel.into());
+            }
         }
-        let [_, red, green, blue] = colour.to_be_bytes().map(|channel| Decimal(channel.into()));
-        write!(text, "\x1b[{which};2;{red};{green};{blue}m")
+        text.text("m");
     }
 }
 
@@ -198,7 +196,7 @@ impl RenderTarget for Terminal {
         let drawn = self.draw();
         match signal() {
             // If the terminal does not read, the show continues without this frame.
-            0 if drawn.is_err() && system::error() != libc::EAGAIN => Next::End(1),
+            0 if !drawn && system::error() != libc::EAGAIN => Next::End(1),
             0 if self.keys.read(SAVED.keyboard()) => Next::End(0),
             0 if core::mem::take(&mut self.keys.toggles) => Next::Toggle,
             0 => Next::GoOn,

@@ -39,7 +39,9 @@ pub unsafe fn start() {
         let mut stack: libc::rlimit = zeroed();
         libc::getrlimit(libc::RLIMIT_STACK, &mut stack);
         if stack.rlim_cur < STACK {
-            line::complain(format_args!("stack limit is below 96 kB"));
+            line::complaint()
+                .text("stack limit is below 96 kB\n")
+                .flush();
             libc::_exit(1);
         }
     }

@@ -30,7 +30,11 @@ impl Arguments {
             // The functions for the start and the message come first in the table.
             system::start();
             if let Err(name) = loaded {
-                line::complain(format_args!("this Windows has no {name}"));
+                line::complaint()
+                    .text("this Windows has no ")
+                    .text(name)
+                    .text("\n")
+                    .flush();
                 end(1);
             }
             // Sleep with a resolution of 1 ms.
