@@ -23,8 +23,10 @@ const CALM: u64 = SECOND / 5;
 /// The number of frames after a step down that are compared with those before it.
 const COMPARED: u64 = 8;
 
-/// Selects a preset of [`Quality::LADDER`] to hold a frame rate: steps down when frames are late, and up when the next finer preset
-/// would leave a sixth of the time unused. The last step down shows the ratio of both presets' times.
+/// Selects presets of [`Quality::LADDER`] to hold a frame rate.
+///
+/// It steps down when frames are late, and up when the next finer preset would leave a sixth of the time unused. The last step down
+/// shows the ratio of both presets' times.
 ///
 /// The preset is stable under a constant load, even if times vary. After a change of the load the first step follows within half a
 /// second, or within two frames if these are longer. A load that falls within eight frames of a step down looks like the effect of
@@ -143,9 +145,11 @@ const STEP_LOSS: [f32; 2] = [1.4, 3.0];
 /// The additional dB that are required to try a preset again.
 const RETRY_GAIN: f32 = 0.5;
 
-/// Selects a preset of [`Quality::LADDER`] to hold an accuracy, from the results of
-/// [`Frame::with_probes`](crate::Frame::with_probes): steps to a finer preset when frames are certainly less accurate, and to a
-/// faster one when that is certainly accurate enough. The last step to a finer preset shows the difference between both.
+/// Selects presets of [`Quality::LADDER`] to hold an accuracy.
+///
+/// It evaluates the results of [`Frame::with_probes`](crate::Frame::with_probes), and steps to a finer preset when frames are certainly
+/// less accurate, and to a faster one when that is certainly accurate enough. The last step to a finer preset shows the difference
+/// between both.
 ///
 /// A few pixels make most of the error, so the accuracy of a second of frames is uncertain by some dB. A difference of 6 dB causes
 /// a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the finest preset, the accuracy
