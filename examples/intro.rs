@@ -11,7 +11,7 @@ use std::{error::Error, process::ExitCode};
 const LENGTH: f32 = 10.0;
 const BEAT: f32 = 0.5;
 
-/// The soundtrack: the number of the next sample, and the last ones that were made.
+/// The soundtrack: the number of the next sample, and the last block.
 struct Kick(u32, [[f32; 2]; 48]);
 
 static KICK: StaticCell<Kick> = StaticCell::new(Kick(0, [[0.0; 2]; 48]));
@@ -20,7 +20,7 @@ impl Source for Kick {
     fn chunk(&mut self) -> &[[f32; 2]] {
         for sample in &mut self.1 {
             let time = self.0 as f32 / RATE as f32 % BEAT;
-            // From 250 Hz down to 50 within some hundredths of a second.
+            // A sine that falls from 250 Hz to 50 Hz within 0.1 s.
             let turns = 50.0 * time + 5.0 * (1.0 - (-40.0 * time).exp());
             *sample = [0.7 * (-8.0 * time).exp() * (std::f32::consts::TAU * turns).sin(); 2];
             self.0 += 1;

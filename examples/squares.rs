@@ -1,5 +1,5 @@
-//! The squares that were filled, drawn over the picture, as a PNG file:
-//! `cargo run --release -p eightfold-examples --bin squares squares.png`
+//! Draws the filled squares over the picture, into a PNG file: `cargo run --release -p eightfold-examples --bin squares
+//! squares.png`
 
 use eightfold::show;
 use eightfold_tracer::observe::{Fill, Observer};
@@ -9,10 +9,10 @@ use std::{env, error::Error, fs::File, sync::Mutex};
 const WIDTH: usize = 640;
 const HEIGHT: usize = 360;
 
-/// A square's upper left pixel, its width and its height. Those at the right and at the bottom may be cut.
+/// The upper left pixel, the width and the height, clipped to the picture.
 type Square = [usize; 4];
 
-/// Notes the squares that are filled. It hears of them from all threads.
+/// Collects filled squares, from all threads.
 #[derive(Clone, Copy)]
 struct Squares<'a>(&'a Mutex<Vec<Square>>);
 
@@ -26,7 +26,7 @@ impl Observer for Squares<'_> {
     }
 }
 
-/// Draws the upper and the left side of a square, half as bright as white.
+/// Draws the upper and the left side of a square.
 fn outline(pixels: &mut [u32], [x, y, w, h]: Square) {
     let brighten = |pixel: &mut u32| *pixel = (*pixel >> 1 & 0x007f_7f7f) + 0x0060_6060;
     for x in x..x + w {

@@ -1,4 +1,4 @@
-//! Speed and error of each preset of the ladder, on a scene of one's own: `cargo run --release -p eightfold-examples --bin trade`
+//! Prints speed and error of each preset for a scene: `cargo run --release -p eightfold-examples --bin trade`
 
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
@@ -9,7 +9,7 @@ const WIDTH: usize = 640;
 const HEIGHT: usize = 360;
 const FRAMES: usize = 20;
 
-/// A field of spheres; the camera flies over it along z.
+/// Returns a field of spheres, with the camera at z.
 fn scene(z: f32) -> Scene {
     let material = Material::matt(vec3(0.9, 0.6, 0.3), 0.8);
     let mut scene = Scene::default();
@@ -26,7 +26,7 @@ fn scene(z: f32) -> Scene {
     scene
 }
 
-/// Renders frames by a quality. Returns how many it does in a second.
+/// Renders frames. Returns the number of frames per second.
 fn film(quality: &Quality, frames: &mut [u32]) -> Result<f64, Error> {
     let mut renderer = Renderer::detect();
     let mut worker = Worker::new();
@@ -38,7 +38,7 @@ fn film(quality: &Quality, frames: &mut [u32]) -> Result<f64, Error> {
     Ok(FRAMES as f64 / start.elapsed().as_secs_f64())
 }
 
-/// How far frames are from others, in dB: 50 can hardly be seen, 40 can.
+/// Returns the PSNR in dB: 40 is visible, 50 hardly.
 fn psnr(frames: &[u32], others: &[u32]) -> f64 {
     let channels = |&pixel: &u32| [16, 8, 0].map(|shift| f64::from(pixel >> shift & 0xff));
     let pairs = frames

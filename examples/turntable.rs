@@ -1,11 +1,10 @@
-//! Things on a turntable, as PNG files: `cargo run --release -p eightfold-examples --bin turntable`
+//! Draws a turntable into PNG files: `cargo run --release -p eightfold-examples --bin turntable`
 
 use eightfold_tracer::glam::{Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Light, Material, Pattern, Plane, Scene, Shape, Sphere};
 use eightfold_tracer::{Frame, Governor, Renderer, ScopedThreads};
 use std::{error::Error, f32::consts::TAU, fs::File, time};
 
-/// The scene after a number of turns.
 fn scene(turns: f32) -> Scene {
     let (mut scene, axes) = (Scene::default(), Mat3::from_rotation_y(turns * TAU));
     (scene.camera.eye, scene.camera.look_at) = (vec3(0.0, 3.0, -7.0), vec3(0.0, 0.6, 0.0));

@@ -1,4 +1,4 @@
-//! Pictures are the oracle's: exhaustive ones pixel by pixel, refined ones square by square.
+//! Compares pictures with the oracle: exhaustive ones by pixels, refined ones by squares.
 
 use crate::cpu;
 use crate::drawn::{
@@ -16,15 +16,15 @@ use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphe
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{Vec3, vec3};
 
-/// Asserts that a picture is the oracle's: at most 0.02 % of the pixels, or four in a small picture, are wrong by more than 8/255,
-/// only on silhouettes, and the mean error of the others is at most 0.01/255.
+/// Asserts that at most 0.02 % of the pixels (four in a small picture) differ from the oracle's by more than 8/255, all on
+/// silhouettes, and that the mean difference of the others is at most 0.01/255.
 #[track_caller]
 fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     let expected = frame.picture_like(&drawn.pixels);
     let difference = Difference::between(&expected, &drawn.pixels);
     let mean = mean_of_right(&expected, &drawn.pixels);
     assert!(mean <= 0.01, "{what}: {mean}, {difference:?}");
-    // In small pictures reflections of other spheres in glass and mirror balls may have four.
+    // Reflections of other spheres in glass and mirror balls can have four in small pictures.
     let most = (expected.len() / 5000).max(4);
     assert!(difference.over_8 <= most, "{what}: {difference:?}");
     let silhouettes = frame.silhouettes();
@@ -38,7 +38,7 @@ fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     }
 }
 
-/// The mean error of the pixels that are off by 8/255 at most: in a small picture a single other one is more than that.
+/// Returns the mean difference of the pixels within 8/255. In a small picture one pixel off a silhouette would dominate the mean.
 fn mean_of_right(expected: &[u32], drawn: &[u32]) -> f64 {
     let pairs = expected.iter().zip(drawn);
     let right = pairs.filter(|&(&a, &b)| worst_channel(a, b) <= 8);
@@ -46,7 +46,7 @@ fn mean_of_right(expected: &[u32], drawn: &[u32]) -> f64 {
     Difference::between(&expected, &drawn).mean
 }
 
-/// Asserts that exhaustive pictures of a scene by all instruction sets are the oracle's.
+/// Asserts that exhaustive pictures match the oracle on all instruction sets.
 #[track_caller]
 fn assert_traced(scene: &Scene, [width, height]: [usize; 2], what: &str) {
     let frame = Frame::new(scene, &Quality::EXHAUSTIVE, width, height);
@@ -55,8 +55,8 @@ fn assert_traced(scene: &Scene, [width, height]: [usize; 2], what: &str) {
     }
 }
 
-/// Asserts that pictures by all instruction sets are those of the oracle's squares: the number of points differs by at most 0.2 %, or
-/// 24, and few pixels by more than 8/255, around points on silhouettes, where rounding decides what a ray hits.
+/// Asserts that refined pictures match the oracle's squares on all instruction sets: the numbers of points differ by at most 0.2 %,
+/// or 24, and few pixels by more than 8/255, near silhouettes, where rounding decides which object a ray hits.
 #[track_caller]
 fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2], what: &str) {
     let mut renderer = ThreadedRenderer::new(1);
@@ -103,16 +103,16 @@ fn fields_and_crowds_are_as_traced() {
     }
 }
 
-/// Besides, instruction sets differ by 1/255 at most, except on silhouettes.
+/// Instruction sets differ by at most 1/255, except on silhouettes.
 #[test]
 fn show_is_as_traced() {
     for time in TIMES.into_iter().step_by(2) {
         let mut scene = of_the_show(time as f32 / 1000.0);
-        // The oracle draws no captions and bars, and every pixel of a transition.
+        // The oracle draws neither captions nor bars nor coarse squares.
         scene.captions.clear();
         scene.copper_bars.clear();
         scene.method = Method::default();
-        // In a smaller picture the share of silhouettes, which rounding may change, would be too large.
+        // In smaller pictures rounding affects too large a share of the pixels.
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);
         let silhouettes = frame.silhouettes();
         let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180);
@@ -138,16 +138,16 @@ fn silhouettes_and_rays_are_the_oracles() {
         let what = format!("{}: {counts:?}", isa.name);
         assert_eq!(counts.points, 1024 * 768, "{what}");
         assert!(near(counts.rays, rays), "{what}, {rays} expected");
-        // The library need not cast shadow rays that cannot be blocked.
+        // The library skips shadow rays that have no occluder.
         let most = shadow_rays + shadow_rays / 5000;
         assert!(counts.shadow_rays <= most, "{what}, {most} expected");
     }
-    // Otherwise it would mean little that large errors lie on silhouettes.
+    // Few silhouettes: otherwise the tolerance for their pixels would hide errors.
     let on = frame.silhouettes().iter().filter(|&&on| on).count();
     assert!(on < width * height / 8, "{on} pixels");
 }
 
-/// Concentric glass shells around the eye: every ray hits one, and is both reflected and transmitted.
+/// Returns concentric glass shells around the eye: every ray hits one, and is both reflected and transmitted.
 fn shells(count: usize) -> Scene {
     let glass = Material {
         colour: Vec3::splat(0.9),
@@ -169,7 +169,7 @@ fn shells(count: usize) -> Scene {
     }
 }
 
-/// A light that is drawn.
+/// Returns a visible light.
 fn light(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
     Light {
         drawn_radius,
@@ -177,7 +177,7 @@ fn light(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
     }
 }
 
-/// Rays that hit the black light before the eye end there, so that packets of secondary rays are not full.
+/// Rays end at a black light in front of the eye, so that packets of secondary rays are partly empty.
 #[test]
 fn no_ray_is_lost_at_any_depth() {
     let whole = shells(Quality::MAX_DEPTH as usize + 1);
@@ -222,7 +222,7 @@ fn spheres_around_lights_and_cameras_are_as_traced() {
     let mut scene = show::model_scene(0.0);
     let (glass, plastic) = (scene.spheres[3].material, scene.spheres[0].material);
     for material in [glass, plastic] {
-        // In the mirror's position, so that light comes from all directions.
+        // At the mirror's position, where light arrives from all directions.
         scene.spheres[1].material = material;
         let Sphere { centre, radius, .. } = scene.spheres[1];
         let towards = [0.0, 0.5, 0.999, 1.0, 1.5].map(|distance| (distance, Vec3::Z));
@@ -251,7 +251,7 @@ fn random_scenes_are_as_traced_and_refined() {
     }
 }
 
-/// Rounding decides about every pixel of this scene.
+/// Rounding decides every pixel of this scene.
 #[test]
 fn colour_half_way_between_steps_is_either() {
     assert_traced(&known::tie(), [96, 72], "a tie");
@@ -260,7 +260,7 @@ fn colour_half_way_between_steps_is_either() {
     }
 }
 
-/// Asserts that the model scene is right to the last row and column.
+/// Asserts that the model scene matches the oracle to the last row and column.
 fn assert_size(width: usize, height: usize, time: f32) {
     let scene = show::model_scene(time);
     let what = format!("{width}x{height} at {time} s");
@@ -292,13 +292,13 @@ fn pictures_of_any_size_are_right() {
     let scene = show::model_scene(0.5);
     for side in SIDES {
         for (width, height) in [(MAX_WIDTH, 40), (40, MAX_HEIGHT)] {
-            // No pixel is left out.
+            // `draw` asserts that every pixel is drawn.
             draw_best(&scene, &of_side(side, Quality::THESIS), width, height);
         }
     }
 }
 
-/// At one pixel in each stretch of 97, and in the last rows and columns.
+/// Compares one pixel in 97, and all pixels of the last two rows and columns.
 #[test]
 fn largest_picture_is_right_to_its_last_pixel() {
     let (width, height) = (MAX_WIDTH, MAX_HEIGHT);
@@ -329,7 +329,7 @@ fn largest_picture_is_right_to_its_last_pixel() {
 
 #[test]
 fn squares_are_filled_and_split_by_the_rules() {
-    // Few edges and many, and so many that nearly every square has one.
+    // Few edges, and an edge in nearly every square.
     for scene in [show::field(40, 2.0), show::field(320, 5.0)] {
         for quality in RULES.map(bare) {
             assert_refined(&scene, &quality, [139, 101], "a field");

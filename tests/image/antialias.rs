@@ -1,4 +1,4 @@
-//! Antialiasing changes pixels at edges alone, by the share that an edge covers.
+//! Antialiasing changes pixels at edges only, by the share that an edge covers.
 
 use crate::drawn::draw_best;
 use crate::error::worst_channel;
@@ -9,7 +9,6 @@ use eightfold_tracer::glam::{Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Material, Scene};
 use std::f32::consts::TAU;
 
-/// The quality with antialiasing, or without.
 fn with(antialias: bool, quality: Quality) -> Quality {
     Quality {
         antialias,
@@ -17,7 +16,7 @@ fn with(antialias: bool, quality: Quality) -> Quality {
     }
 }
 
-/// Tolerances are on both sides of the one beyond which a filled square may have an edge within it.
+/// The tolerances are on both sides of the one above which a filled square can have an edge inside it.
 #[test]
 fn points_are_added_between_differing_pixels() {
     for mut random in cases(120) {
@@ -37,7 +36,7 @@ fn points_are_added_between_differing_pixels() {
             .map(|antialias| draw_best(&scene, &with(antialias, quality), width, height));
         let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
         let mut is_beside_an_edge = vec![false; width * height];
-        // Middles between two bands, and between two stretches of 64 columns are traced for each.
+        // Both bands trace the midpoints between them; so do both stretches of 64 columns.
         let band = width * TILE[1];
         let points = (0..width * height).map(|i| {
             let right = i % width + 1 < width && is_edge(i, i + 1);
@@ -56,7 +55,7 @@ fn points_are_added_between_differing_pixels() {
             let is_same = plain.pixels[i] == smooth.pixels[i];
             assert!(is_same || is_beside, "case {}: pixel {i}", random.seed);
         }
-        // In each half of the way between two pixels bisection adds two at most.
+        // Bisection adds at most two points on each side of the midpoint.
         let traced = smooth.counts.points - plain.counts.points;
         assert!(
             (points..=5 * points).contains(&traced),
@@ -66,8 +65,8 @@ fn points_are_added_between_differing_pixels() {
     }
 }
 
-/// Along the axis that an edge crosses, its place is found to an eighth of a pixel, whose middle is taken. Where it cuts off a corner
-/// of the pixel alone, that axis tells up to an eighth less than there is.
+/// Bisection finds the position of an edge to an eighth of a pixel along the axis that it crosses. An edge that cuts off a corner
+/// of the pixel has an error of another eighth.
 #[test]
 fn share_of_a_cut_pixel_is_known_to_an_eighth() {
     const SIDE: usize = 40;
@@ -80,7 +79,7 @@ fn share_of_a_cut_pixel_is_known_to_an_eighth() {
             let [x, y] = [i % SIDE, i / SIDE].map(|at| at as f32 + 0.5 - 0.5 * SIDE as f32);
             let share = covered(angle, distance - (x * angle.sin() - y * angle.cos()));
             let error = (pixel as u8 as f32 / 255.0 - share).abs();
-            // Pixels at the picture's rim have no neighbour on one side.
+            // Pixels at the border of the picture have no neighbour on one side.
             if error > 0.002 && x.abs().max(y.abs()) < 0.5 * SIDE as f32 - 1.0 {
                 worst = worst.max(error);
                 squares += error * error;
@@ -93,7 +92,7 @@ fn share_of_a_cut_pixel_is_known_to_an_eighth() {
     assert!(worst <= 0.14 && mean < 0.05, "{worst}, {mean}");
 }
 
-/// The share of a pixel on the inner side of an edge, which is so far from its centre and leans by an angle.
+/// Returns the share of a pixel inside an edge, by the edge's angle and its distance from the pixel's centre.
 fn covered(angle: f32, distance: f32) -> f32 {
     const SLICES: usize = 200;
     let (across, along) = (angle.sin().abs(), angle.cos().abs());
@@ -105,14 +104,14 @@ fn covered(angle: f32, distance: f32) -> f32 {
     (0..SLICES).map(slice).sum::<f32>() / SLICES as f32
 }
 
-/// A white box, lit evenly, that ends at a line so many pixels from the centre of a picture that is so many high: above it, or
-/// turned clockwise by an angle. It covers the centre, so that its sides are not seen.
+/// Returns a white, evenly lit box whose edge is `distance` pixels from the centre of a picture of `height` rows, turned clockwise
+/// by an angle. It covers the centre; its other sides are outside the picture.
 fn half_plane(angle: f32, distance: f32, height: usize) -> Scene {
     let mut scene = Scene {
         ambient: Vec3::ONE,
         ..Scene::default()
     };
-    // At distance 1 a pixel is so high; the centre of the picture lies between two rows.
+    // The height of a pixel at distance 1. The centre of the picture is between two rows.
     let pixel = 2.0 * (0.5 * scene.camera.field_of_view).tan() / height as f32;
     let axes = Mat3::from_rotation_z(-angle);
     scene.blocks.push(Block {

@@ -1,4 +1,4 @@
-//! A reflected ray does not meet the convex solid that it leaves: no pixel of a single mirror in a bright scene is dark.
+//! A reflected ray does not hit the convex solid that it leaves: a lone mirror in a bright scene has no dark pixel.
 
 use crate::cpu;
 use crate::drawn::draw_by_all;
@@ -8,13 +8,13 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Camera, List, Material, Scene};
 
-/// A mirror before the background, whose pixel is 0.8 of white.
+/// Its pixels are 0.8 of the white background.
 const MIRROR: Material = Material {
     kr: 0.8,
     ..Material::BLACK
 };
 
-/// A mirror of any shape and size that fills most of a picture.
+/// Returns a mirror of any shape and size that fills most of the picture.
 fn mirror(random: &mut Random) -> Scene {
     let half = Vec3::splat(1.0).map(|_| random.power(-1.5, 0.0));
     let scale = random.power(-2.0, 2.0);

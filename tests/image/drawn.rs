@@ -1,10 +1,10 @@
-//! Draws pictures with the library. The instruction sets, qualities, sides and numbers of threads of all properties are here.
+//! Draws pictures with the library, by the instruction sets, qualities, sides and thread counts that all tests share.
 //!
 //! | property | instruction sets |
 //! | --- | --- |
-//! | of a few scenes' bits | all of the machine: [`draw_by_all`] |
-//! | of many random scenes | one for each scene, in turns: [`isa_of`] |
-//! | of errors in dB, of what a number means | the best: [`draw_best`] |
+//! | the bits of a few scenes | all: [`draw_by_all`] |
+//! | many random scenes | one per scene, in turns: [`isa_of`] |
+//! | errors in dB, the meaning of a number | the best: [`draw_best`] |
 
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
@@ -17,13 +17,11 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::Mutex;
 
-/// The sides of squares.
 pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];
 
-/// The rules of 2008, and those of the intro.
 pub const RULES: [Quality; 2] = [Quality::THESIS, Quality::DEFAULT];
 
-/// The ways in which pictures are refined: not at all, antialiased or not, by the rules of 2008, and as the intro plays.
+/// Exhaustive, jagged and antialiased; the rules of 2008; the intro's.
 pub const REFINEMENTS: [Quality; 4] = [
     Quality::EXHAUSTIVE,
     Quality::DEFAULT.reference(),
@@ -31,17 +29,14 @@ pub const REFINEMENTS: [Quality; 4] = [
     Quality::DEFAULT,
 ];
 
-/// All named qualities with squares.
 pub fn named() -> impl Iterator<Item = Quality> {
     Quality::LADDER.iter().copied().chain([Quality::THESIS])
 }
 
-/// The quality with squares of another side.
 pub const fn of_side(square: usize, quality: Quality) -> Quality {
     Quality { square, ..quality }
 }
 
-/// The quality without antialiasing, which mixes pixels that refining leaves as they were traced.
 pub const fn jagged(quality: Quality) -> Quality {
     Quality {
         antialias: false,
@@ -49,7 +44,7 @@ pub const fn jagged(quality: Quality) -> Quality {
     }
 }
 
-/// The quality without the guard and without antialiasing.
+/// Returns the quality without guard and antialiasing.
 pub const fn bare(quality: Quality) -> Quality {
     Quality {
         guarded: false,
@@ -57,27 +52,26 @@ pub const fn bare(quality: Quality) -> Quality {
     }
 }
 
-/// The instruction set for a random scene with a seed.
+/// Returns the instruction set for the random scene of a seed.
 pub fn isa_of(seed: u64) -> Isa {
     let all: Vec<Isa> = cpu::instruction_sets().collect();
     all[seed as usize % all.len()]
 }
 
-/// A picture and the work that it took.
 pub struct Drawn {
     pub pixels: Vec<u32>,
     pub counts: Counts,
 }
 
-/// The value of pixels before they are drawn. Drawn pixels have a highest byte of 0.
+/// The value of pixels before they are drawn; the highest byte of drawn ones is 0.
 const UNDRAWN: u32 = 0xdead_beef;
 
 thread_local! {
-    /// The renderers of a test by their numbers of threads: making one takes longer than a small picture.
+    /// Renderers by thread count: a new one takes longer than a small picture.
     static RENDERERS: RefCell<HashMap<usize, ThreadedRenderer>> = RefCell::default();
 }
 
-/// Draws a picture by one instruction set, on a number of threads.
+/// Draws a picture, and asserts that every pixel is drawn.
 pub fn draw(
     isa: Isa,
     threads: usize,
@@ -97,12 +91,10 @@ pub fn draw(
     Drawn { pixels, counts }
 }
 
-/// Draws a picture by the best instruction set of the machine, on two threads.
 pub fn draw_best(scene: &Scene, quality: &Quality, width: usize, height: usize) -> Drawn {
     draw(cpu::best(), 2, scene, quality, width, height)
 }
 
-/// Draws a picture by every instruction set of the machine, on two threads.
 pub fn draw_by_all(
     scene: &Scene,
     quality: &Quality,
@@ -114,14 +106,13 @@ pub fn draw_by_all(
         .collect()
 }
 
-/// The show's scene at a time in seconds.
 pub fn of_the_show(time: f32) -> Scene {
     let mut scene = Scene::default();
     show::at(time, &mut scene);
     scene
 }
 
-/// Records the work of all points of a frame, and the squares that were split.
+/// Records the work of all points, and the squares that were split.
 #[derive(Default)]
 pub struct Record(pub Mutex<(Counts, Splits)>);
 

@@ -1,4 +1,4 @@
-//! Few pixels are wrong, and they lie in small patches.
+//! Wrong pixels are few, in small patches.
 
 use crate::cpu;
 use crate::drawn::{bare, draw_best};
@@ -11,12 +11,12 @@ use eightfold_tracer::scene::{Light, Spot};
 use glam::Vec3;
 use std::collections::BTreeSet;
 
-/// Pixels that are wrong, of those that count, in many pictures.
+/// Wrong pixels among those that count, in many pictures.
 #[derive(Debug, Default)]
 struct Wrong {
     counted: usize,
     wrong: usize,
-    /// The number of pixels of the largest patch of wrong ones.
+    /// The number of pixels in the largest patch of wrong ones.
     patch: usize,
 }
 
@@ -55,7 +55,7 @@ impl Wrong {
     }
 }
 
-/// Pixels, given by ascending index, by patches of neighbours, corners included.
+/// Groups pixels, given by ascending index, into connected patches. Diagonal neighbours are connected.
 pub fn patches(pixels: &[usize], width: usize) -> Vec<Vec<usize>> {
     let mut rest: BTreeSet<usize> = pixels.iter().copied().collect();
     let mut patches = Vec::new();
@@ -76,24 +76,23 @@ pub fn patches(pixels: &[usize], width: usize) -> Vec<Vec<usize>> {
     patches
 }
 
-/// Draws a view by the best instruction set, without antialiasing.
 fn drawn(view: &View, quality: Quality) -> Vec<u32> {
     pixels(cpu::best(), view, quality)
 }
 
-/// The pixel of a shaded floor under [`Hidden`] things: 0.2 of 0.8.
+/// The pixel of the shaded floor of a [`Hidden`] scene: 0.2 of 0.8.
 const SHADED: u32 = 0x29_2929;
 
 /// The number of random scenes of each kind.
 const SCENES: u64 = 40;
 
-/// The pixels of shadows on a floor that are lit by a quality.
+/// Counts the pixels of shadows on a floor that a quality draws lit.
 fn lit(kind: Hidden, quality: Quality) -> Wrong {
     let mut wrong = Wrong::default();
     for mut random in cases(SCENES) {
         let mut view = sized(kind.scene(&mut random));
         let floor = view.scene.planes[0].material;
-        // The things are red, so that a pixel with more blue than the shaded floor is lit.
+        // Objects are red, so a pixel with more blue than the shaded floor is lit.
         materials_of(&mut view.scene)
             .into_iter()
             .for_each(|material| material.colour = Vec3::X);
@@ -211,7 +210,7 @@ fn few_pixels_of_random_scenes_are_wrong() {
             |_| true,
             |i| worst_channel(exhaustive[i], drawn[i]) > 8,
         );
-        // 400 scenes had at most 4.3 % and a patch of 396, part of a shadow or of a reflection.
+        // 400 scenes had at most 4.3 %, and a patch of 396 pixels in a shadow or a reflection.
         wrong.assert_within(0.05, 512, &format!("case {}", random.seed));
     }
 }

@@ -1,4 +1,4 @@
-//! A film's dither and tolerance. Its shoulder and vignette, glow and grazing reflection are the oracle's, see `accuracy.rs`.
+//! The film's dither and tolerance. `accuracy.rs` compares its shoulder and vignette with the oracle.
 
 use crate::drawn::{REFINEMENTS, draw_best};
 use eightfold::show;
@@ -6,7 +6,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Film, Scene};
 
-/// A background without objects, in steps of 255.
+/// Returns a background without objects, in steps of 255.
 fn empty(steps: f32, dither: f32) -> Scene {
     Scene {
         background: Vec3::splat(steps / 255.0),
@@ -44,7 +44,7 @@ fn dither_keeps_means_between_two_steps() {
             let scene = empty(10.0 + sixteenths as f32 / 16.0, 1.0);
             let drawn = draw_best(&scene, &quality, width, height);
             let at = |x: usize, y: usize| drawn.pixels[y * width + x] & 0xff;
-            // In squares of 4x4 anywhere, a pixel has the higher step for each sixteenth above the lower one.
+            // In any 4x4 pixels, the number of brighter ones is the fraction in sixteenths.
             for (left, top) in [(0, 0), (13, 7), (33, 30), (66, 42)] {
                 let sum: u32 = (0..16).map(|i| at(left + i % 4, top + i / 4)).sum();
                 assert!(sum.abs_diff(160 + sixteenths) <= 1, "{sum}, {sixteenths}");

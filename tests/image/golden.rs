@@ -1,7 +1,8 @@
-//! Pictures equal those in `tests/golden`, which somebody has looked at. These are drawn by the baseline instruction set, so that
-//! every machine draws the same bits.
+//! Pictures match the reviewed ones in `tests/golden`, which the baseline instruction set drew, so that every machine draws the
+//! same
+//! bits.
 //!
-//! After an intended change this redraws the pictures that differ. Look at them before committing.
+//! After an intended change, redraw the pictures that differ, and look at them before you commit:
 //!
 //!     UPDATE_GOLDEN=1 cargo test --test image golden
 
@@ -20,15 +21,15 @@ use eightfold_tracer::scene::Scene;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The largest mean error, in steps of 1/255: on other instruction sets rounding may decide differently about a few squares.
+/// The largest mean difference, in steps of 1/255: rounding decides a few squares differently on other instruction sets.
 const MEAN: f64 = 0.05;
-/// The largest number of pixels in a thousand with an error of more than 8/255.
+/// The number of pixels in a thousand that may differ by more than 8/255.
 const OVER_8: usize = 1;
 
-/// A picture, with the name of the instruction set that drew it.
+/// A picture, and the instruction set that drew it.
 type Named = (&'static str, Vec<u32>);
 
-/// Asserts that the library's pictures of a scene equal the golden one.
+/// Compares the library's pictures with the golden one.
 fn hold(name: &str, scene: &Scene, quality: &Quality, width: usize, height: usize) {
     let drawn = draw_by_all(scene, quality, width, height);
     let drawn: Vec<Named> = drawn
@@ -45,7 +46,7 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/{name}.png"))
 }
 
-/// Replaces the golden picture by that of the last instruction set, which is the baseline, if they differ.
+/// Replaces the golden picture by that of the last instruction set, the baseline, if they differ.
 fn update(name: &str, width: usize, drawn: &[Named]) {
     let (_, pixels) = drawn.last().expect("an instruction set");
     let there = fs::read(file(name)).map(|bytes| read_png(&bytes));
@@ -97,7 +98,7 @@ fn golden_scenes() {
         320,
         240,
     );
-    // Thin rods, which came out dashed.
+    // Thin rods, which were once dashed.
     let file = SceneFile::parse("fence.ron", include_str!("../../examples/scenes/fence.ron"));
     let fence = file.expect("a scene").at(0.0);
     hold("fence", &fence, &Quality::DEFAULT, 640, 360);
@@ -109,7 +110,7 @@ fn golden_show() {
     for (name, time, quality) in [
         ("title", 9_000, NamedQuality::EXHAUSTIVE),
         ("model-close", 21_000, NamedQuality::EXHAUSTIVE),
-        // The overlay shows squares, so the picture has to be drawn by squares.
+        // Its overlay shows squares.
         ("method", 34_000, NamedQuality::THESIS),
         ("colonnade", 47_000, NamedQuality::EXHAUSTIVE),
         ("colonnade-close", 54_000, NamedQuality::EXHAUSTIVE),
@@ -117,7 +118,7 @@ fn golden_show() {
         ("machine-close", 63_200, NamedQuality::EXHAUSTIVE),
         ("flake", 75_000, NamedQuality::EXHAUSTIVE),
         ("mirrors", 85_000, NamedQuality::EXHAUSTIVE),
-        // As it comes up from squares of 16 pixels.
+        // A transition from squares of 16 pixels.
         ("coarse", 92_300, NamedQuality::THESIS),
         ("waves", 94_000, NamedQuality::EXHAUSTIVE),
         ("ball", 98_400, NamedQuality::EXHAUSTIVE),

@@ -1,4 +1,4 @@
-//! The governors hold the frame rate and the accuracy on simulated machines, without a clock.
+//! The governors hold frame rate and accuracy on simulated machines, without a clock.
 
 use eightfold_scenes::{Random, cases};
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Probes, Quality};
@@ -7,13 +7,13 @@ use std::time::Duration;
 const SECOND: u64 = 1_000_000_000;
 const PRESETS: usize = Quality::LADDER.len();
 
-/// The number of frames after a step in which a governor finds out how much the step saved.
+/// The number of frames after a step in which a governor measures how much time the step saved.
 const COMPARED: usize = 8;
 
-/// A step from a preset to another: its time or its frame, and the presets.
+/// A step between presets: the time or the frame, the old and the new preset.
 type Step = (u64, usize, usize);
 
-/// How often steps change between faster and finer.
+/// Counts changes of direction between faster and finer.
 fn turns(steps: &[Step]) -> usize {
     let is_faster = |step: &Step| step.1 < step.2;
     let pairs = steps.windows(2);
@@ -26,30 +26,28 @@ fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     f64::from(random.between(low as f32, high as f32))
 }
 
-/// A number for each step of the ladder.
 fn for_each_step(random: &mut Random, low: f64, high: f64) -> [f64; PRESETS - 1] {
     [(); PRESETS - 1].map(|()| between(random, low, high))
 }
 
-/// A simulated machine that plays a show.
 struct Machine {
     governor: Governor,
-    /// The time that a frame may take, in nanoseconds.
+    /// Nanoseconds per frame.
     budget: f64,
-    /// The time of a frame on each preset, as a share of the time on the finest preset.
+    /// The time of a frame at each preset, as a share of the time at the finest.
     shares: [f64; PRESETS],
-    /// The time of a frame on the finest preset, as a share of the budget.
+    /// The time of a frame at the finest preset, as a share of the budget.
     load: f64,
     /// The largest random deviation of times, as a share.
     noise: f64,
     random: Random,
-    /// The time since the start in nanoseconds.
+    /// Nanoseconds since the start.
     now: u64,
     steps: Vec<Step>,
 }
 
 impl Machine {
-    /// A machine with random frame times on the other presets.
+    /// Returns a machine with random frame times.
     fn new(mut random: Random, least_fps: u64, load: f64, most_noise: f64) -> Self {
         let ratios = for_each_step(&mut random, 1.1, 2.5);
         let fps = least_fps + random.bits() % (241 - least_fps);
@@ -57,7 +55,7 @@ impl Machine {
         Self::known(random, fps, ratios, load, noise)
     }
 
-    /// A machine with these ratios of frame times between neighbouring presets.
+    /// Returns a machine by the ratios of frame times between neighbouring presets.
     fn known(random: Random, fps: u64, ratios: [f64; PRESETS - 1], load: f64, noise: f64) -> Self {
         let mut shares = [1.0; PRESETS];
         for (i, ratio) in ratios.into_iter().enumerate() {
@@ -75,7 +73,7 @@ impl Machine {
         }
     }
 
-    /// The time of a frame on the current preset without noise, as a share of the budget.
+    /// The time of a frame without noise, as a share of the budget.
     fn cost(&self) -> f64 {
         self.load * self.shares[self.governor.preset()]
     }
@@ -99,7 +97,7 @@ impl Machine {
         }
     }
 
-    /// Runs until the preset is stable, and the governor knows how much the step to it saved, and clears the list of steps.
+    /// Runs until the preset is stable and the governor has measured the last step, and clears the list of steps.
     fn settle(&mut self) {
         self.run(10 * SECOND);
         while !self.steps.is_empty() {
@@ -108,7 +106,7 @@ impl Machine {
         }
     }
 
-    /// The time until the first step after a change of the load.
+    /// Returns the time until the first step after a change of the load.
     fn reaction(&mut self, load: f64) -> Option<u64> {
         self.load = load;
         let start = self.now;
@@ -117,7 +115,6 @@ impl Machine {
     }
 }
 
-/// Frames are in time where a preset allows it.
 #[test]
 fn constant_load_leads_to_the_finest_preset_in_time() {
     for mut random in cases(200) {
@@ -131,7 +128,7 @@ fn constant_load_leads_to_the_finest_preset_in_time() {
             assert!(preset == 0 || load * machine.shares[preset - 1] > 0.9);
         }
         machine.run(60 * SECOND);
-        // If the time is nearly sufficient, it may take a while until noise causes a step.
+        // Where the time is barely sufficient, noise causes a late step.
         let steps = &machine.steps;
         let is_down = steps.iter().all(|&(_, from, to)| to == from + 1);
         assert!(is_down && steps.len() <= 1, "{load}: {steps:?}");
@@ -154,7 +151,7 @@ fn change_of_load_is_followed_within_half_a_second() {
         machine.settle();
         let preset = machine.governor.preset();
         if preset > 0 && machine.cost() < 1.0 {
-            // A load with which the next finer preset takes two thirds of the time.
+            // A load by which the next finer preset takes two thirds of the time.
             let load = 0.67 / machine.shares[preset - 1];
             let reaction = machine.reaction(load).expect("a step");
             assert_eq!(machine.steps[0].2, preset - 1);
@@ -175,7 +172,7 @@ fn load_that_comes_and_goes_is_followed_without_trying() {
             machine.load = load;
             machine.run(5 * SECOND);
         }
-        // One way down and one up per round: no preset is tried in vain.
+        // One way down and one up per round, without trials in between.
         assert!(turns(&machine.steps) <= 9, "{:?}", machine.steps);
     }
 }
@@ -193,8 +190,8 @@ fn single_late_frames_change_nothing() {
     }
 }
 
-/// Times alone cannot tell a load that gets lighter with a step down from a step that saved as much. After the latter the finer preset
-/// would be too slow, and is not tried in vain.
+/// Frame times cannot separate a load that drops at a step from a step that saves more. In the second case the finer preset would
+/// be too slow, so the governor does not try it.
 #[test]
 fn load_that_gets_lighter_with_a_step_counts_as_saved() {
     let ratios = [1.239_9, 2.313_5, 1.179_1, 1.410_8, 1.1, 1.1];
@@ -210,11 +207,11 @@ fn load_that_gets_lighter_with_a_step_counts_as_saved() {
     }
 }
 
-/// A simulated show at 60 frames a second, whose accuracy is held.
+/// A simulated show at 60 frames a second with a target accuracy.
 struct Show {
     governor: AccuracyGovernor,
     target: f64,
-    /// The peak signal-to-noise ratio on the finest preset, and how much is lost from each preset to the next faster one, in dB.
+    /// The PSNR at the finest preset, and the loss from each preset to the next faster one, in dB.
     finest: f64,
     losses: [f64; PRESETS - 1],
     random: Random,
@@ -223,7 +220,7 @@ struct Show {
 }
 
 impl Show {
-    /// A show with a random target, a number of dB below the finest preset.
+    /// Returns a show with a random target, `room` dB below the finest preset.
     fn new(mut random: Random, room: f64) -> Self {
         let target = between(&mut random, 35.0, 50.0);
         Self {
@@ -237,12 +234,12 @@ impl Show {
         }
     }
 
-    /// The accuracy on a preset, in dB above the target.
+    /// The accuracy at a preset, in dB above the target.
     fn room(&self, preset: usize) -> f64 {
         self.finest - self.losses[..preset].iter().sum::<f64>() - self.target
     }
 
-    /// Returns what the probes of a frame find: a fiftieth of the pixels has four fifths of the error, as where edges were missed.
+    /// Returns the probes of a frame: a fiftieth of the pixels has four fifths of the error, as where edges are missed.
     fn probes(&mut self) -> Probes {
         let psnr = self.room(self.governor.preset()) + self.target;
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(psnr / 10.0);
@@ -264,7 +261,6 @@ impl Show {
         probes
     }
 
-    /// Plays the show.
     fn run(&mut self, seconds: u64) {
         for _ in 0..60 * seconds {
             let probes = self.probes();
@@ -279,7 +275,7 @@ impl Show {
     }
 }
 
-/// Two shows of a thousand are held to 2 dB instead of 1, as the doc of [`AccuracyGovernor`] says.
+/// Few shows are held to 2 dB instead of 1, as the documentation of [`AccuracyGovernor`] says.
 #[test]
 fn constant_accuracy_leads_to_the_fastest_preset_that_has_it() {
     let mut worse = 0;
@@ -318,14 +314,14 @@ fn cut_is_followed_within_two_seconds_and_back_within_fifteen() {
             let preset = show.governor.preset();
             let found = show.room(preset);
             assert!(preset == 0 || found > -2.0, "{found}");
-            // A preset that was too inaccurate before is not tried as long as there is little room.
+            // A preset that was too inaccurate is not tried again while there is little room.
             assert!(preset + 1 == PRESETS || found < 6.0, "{found}");
             if room < 0.0 && cut == 30 * 60 {
                 let &(frame, from, to) = show.steps.get(known).expect("a step");
                 assert!(to < from && frame - cut <= 2 * 60, "{}", frame - cut);
             }
         }
-        // To and fro once each, and a few steps too far.
+        // One way and back per change, and a few steps too far.
         assert!(turns(&show.steps) <= 14, "{:?}", show.steps);
     }
 }

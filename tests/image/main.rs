@@ -1,4 +1,4 @@
-//! Properties of the pictures, each checked on every instruction set of the machine.
+//! Properties of pictures, tested on every instruction set of the machine.
 
 use eightfold_lab::{error, overlay, picture, threaded_renderer};
 use eightfold_window::cpu;

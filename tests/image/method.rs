@@ -1,5 +1,4 @@
-//! The overlay that explains the method marks exactly the points that are traced and the squares that are filled, and a coarse
-//! picture has squares of one colour.
+//! The overlay of the method marks exactly the traced points and the filled squares; coarse pictures have squares of one colour.
 
 use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, SIDES, draw, jagged, of_side};
@@ -10,18 +9,16 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::observe::Fill;
 use eightfold_tracer::scene::{Method, Scene};
 
-/// A size that is no multiple of any square's side.
+/// Not a multiple of any square's side.
 const SIZE: (usize, usize) = (331, 217);
 
 const WHITE: u32 = 0x00ff_ffff;
 
-/// Marks on black.
 const MARKS: Method = Method {
     picture: 0.0,
     ..Method::PLAIN
 };
 
-/// The model scene with an overlay.
 fn scene(method: Method) -> Scene {
     Scene {
         method,
@@ -29,7 +26,7 @@ fn scene(method: Method) -> Scene {
     }
 }
 
-/// Draws the model scene with an overlay, by the same bits on two threads and on three.
+/// Draws the model scene with an overlay, and asserts the same bits on two threads and on three.
 fn drawn(method: Method, quality: Quality) -> Drawn {
     let (width, height) = SIZE;
     let [two, three] = [2, 3].map(|threads| {
@@ -46,7 +43,6 @@ fn drawn(method: Method, quality: Quality) -> Drawn {
     two
 }
 
-/// Records the points and squares of a frame of the model scene.
 fn trace(quality: &Quality) -> FrameTrace {
     let (width, height) = SIZE;
     let trace = FrameTrace::new(width, height);
@@ -67,7 +63,7 @@ fn marks_lie_where_points_are_traced() {
         let pixels = drawn(method, *quality).pixels;
         let mut count = 0;
         for (i, (&pixel, rays)) in pixels.iter().zip(trace(quality).rays()).enumerate() {
-            // On the row that two bands share, points that only the upper band traced have no mark.
+            // The lower band does not mark points on its first row that the upper band traced.
             if (i / SIZE.0).is_multiple_of(32) && pixel == 0 {
                 continue;
             }
@@ -79,7 +75,7 @@ fn marks_lie_where_points_are_traced() {
     }
 }
 
-/// Squares cover each pixel once.
+/// Squares also cover each pixel once.
 #[test]
 fn lines_are_the_upper_and_left_sides_of_squares() {
     let method = Method {
@@ -106,7 +102,7 @@ fn lines_are_the_upper_and_left_sides_of_squares() {
     }
 }
 
-/// Coarse squares of one pixel leave it as it is.
+/// Coarse squares of one pixel do not change the picture.
 #[test]
 fn overlay_keeps_or_dims_the_picture_between_marks() {
     let dimmed = Method {
@@ -117,7 +113,7 @@ fn overlay_keeps_or_dims_the_picture_between_marks() {
         coarse: 1.9,
         ..Method::PLAIN
     };
-    // With an overlay nothing is antialiased.
+    // Pictures with an overlay are not antialiased.
     let plain = drawn(Method::PLAIN, jagged(Quality::DEFAULT));
     for (method, factor) in [(dimmed, 2), (coarse, 1)] {
         let drawn = drawn(method, Quality::DEFAULT);
@@ -145,12 +141,12 @@ fn coarse_picture_has_squares_of_one_colour() {
             let drawn = drawn(coarse, quality);
             for (i, &pixel) in drawn.pixels.iter().enumerate() {
                 let (x, y) = (i % width / side * side, i / width / side * side);
-                // A square that agreed when it was larger is filled with colours between its corners'.
+                // A square that agreed at a larger side is interpolated.
                 let is_larger = side < quality.square;
                 let corner = drawn.pixels[y * width + x];
                 assert!(is_larger || pixel == corner, "pixel {i} by {side}");
             }
-            // About a point for each square, and none within them.
+            // About one point per square.
             let points = drawn.counts.points as usize;
             let most = (width + 64) * (height + 64) * 2 / (side * side);
             assert!(points < most, "{points} by {side}");
@@ -170,14 +166,14 @@ fn front_parts_finished_from_marked_picture() {
     let [finished, marked] = [Method::PLAIN, overlay].map(|method| drawn(method, Quality::DEFAULT));
     for front in [0, 1, 64, 65, 200, width - 1, width] {
         let swept = Method {
-            // In the middle of a pixel, where no rounding decides.
+            // In the middle of a pixel, so that rounding is irrelevant.
             front: ((front as f32 + 0.5) / width as f32).min(1.0),
             ..overlay
         };
         for (i, &pixel) in drawn(swept, Quality::DEFAULT).pixels.iter().enumerate() {
             let x = i % width;
             let expected = match x {
-                // This pixel is mixed with the first one ahead, or has none to be mixed with.
+                // Antialiasing mixes this pixel with the first one ahead.
                 _ if x + 1 == front => continue,
                 _ if x < front => finished.pixels[i],
                 _ if front > 0 && x < front + 3 => WHITE,

@@ -1,4 +1,4 @@
-//! The show's patches are small: connected pixels that an exhaustive frame shows, and nothing near them is like.
+//! The show loses no large patches: connected pixels of an exhaustive frame without a similar pixel nearby.
 
 use crate::drawn::{draw_best, jagged};
 use crate::error::{Difference, worst_channel};
@@ -8,10 +8,10 @@ use eightfold_tracer::Quality;
 
 const SIZE: [usize; 2] = [1280, 720];
 
-/// The most pixels of a patch. The largest, of 229, is the lit edge of a column that one mirror shows in another.
+/// The most pixels of a patch. The largest, of 229, is the lit edge of a column in a mirror in another mirror.
 const LARGEST: usize = 240;
 
-/// The pixels of an exact picture that have nothing alike, within 32 of 255, in 2 pixels' distance in a drawn one.
+/// Returns the exact pixels without a drawn pixel within 2 pixels and 32 of 255.
 fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     let [width, height] = SIZE;
     let is_alike =
@@ -25,7 +25,7 @@ fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     (0..exact.len()).filter(is_lost).collect()
 }
 
-/// Asserts that frames of the show at some times, in seconds, are within 42 dB and have no larger patches, jagged and antialiased.
+/// Asserts a PSNR of 42 dB and the largest patch for frames of the show, by times in seconds, jagged and antialiased.
 fn hold(times: impl Iterator<Item = f32>) {
     let (mut largest, mut least) = (0, f64::INFINITY);
     for time in times {

@@ -7,7 +7,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// A floor, or a solid over it, with a pattern of any kind and softness, near or far.
+/// Returns a floor, with or without a solid on it, that has a pattern of any kind and sharpness, near or far.
 fn patterned(random: &mut Random) -> Scene {
     let distance = random.power(-0.3, 1.5);
     let waves = [Vec3::X, Vec3::Z, vec3(1.0, 0.0, 1.0), Vec3::Y, Vec3::ONE];
@@ -49,7 +49,7 @@ fn patterned(random: &mut Random) -> Scene {
     scene
 }
 
-/// Squares are split at edges of objects and shadows, but not at the much longer edges of sharp patterns.
+/// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp patterns.
 #[test]
 fn patterns_are_right_at_any_distance() {
     let mut worst = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! The approximate penumbra of a sphere is close to the one that many shadow rays find.
+//! The approximate penumbra of a sphere is close to that of many shadow rays.
 
 use crate::drawn::draw_best;
 use eightfold_tracer::Quality;
@@ -12,7 +12,7 @@ const LIGHT: Light = Light {
     ..Light::new(vec3(1.0, 6.0, 0.5), Vec3::ONE)
 };
 
-/// The share of the round light that is visible past the sphere from a point, by many rays.
+/// Returns the share of the round light that is visible from a point, by many rays.
 fn visible_share(p: DVec3) -> f64 {
     const RINGS: usize = 40;
     let to_light = LIGHT.position.as_dvec3() - p;
@@ -34,7 +34,7 @@ fn visible_share(p: DVec3) -> f64 {
 
 #[test]
 fn penumbra_is_within_a_tenth_of_many_rays() {
-    // A white floor from above: its brightness is the cosine of the angle to the light times the light's visible share.
+    // A white floor from above: its brightness is the cosine of the light's angle times the visible share of the light.
     let floor = Plane {
         half_x: 9.0,
         half_z: 9.0,
@@ -59,7 +59,7 @@ fn penumbra_is_within_a_tenth_of_many_rays() {
     let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0);
     for (i, &pixel) in drawn.pixels.iter().enumerate() {
         let coordinate = |i: usize| (i as f32 + 0.5) / size as f32 * 2.0 - 1.0;
-        // In the picture z points to the right and x up.
+        // In the picture z points right and x up.
         let p = vec3(
             -coordinate(i / size) * half,
             0.0,

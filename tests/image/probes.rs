@@ -1,4 +1,4 @@
-//! A frame tells its own error: the probes' estimate is what comparing every pixel finds.
+//! Frames estimate their own error: probes agree with the comparison of all pixels.
 
 use crate::cpu::{self, Isa};
 use crate::drawn::{REFINEMENTS, draw_best, of_the_show};
@@ -9,17 +9,16 @@ use eightfold_tracer::{Probes, Quality};
 
 const SIZE: (usize, usize) = (200, 149);
 
-/// Of the show: spheres alone, marble, blocks, and waves, most of it dithered and with a film.
+/// Spheres, marble, blocks, and waves of the show, most of them dithered.
 fn scenes() -> impl Iterator<Item = Scene> {
     [20.0, 50.0, 62.0, 110.0].into_iter().map(|time| {
         let mut scene = of_the_show(time);
-        // An overlay is not probed, but every pixel is compared here.
+        // Probes skip overlays; the comparison has all pixels.
         scene.captions.clear();
         scene
     })
 }
 
-/// Draws frames with probes.
 struct Probing {
     renderer: ThreadedRenderer,
     isa: Isa,
@@ -41,7 +40,6 @@ impl Probing {
         }
     }
 
-    /// Draws a frame, and returns what so many probes find.
     fn draw(&mut self, scene: &Scene, quality: &Quality, count: u16, seed: u32) -> Probes {
         self.renderer.set_probes(count, seed);
         let (level, pixels) = (self.isa.level, &mut self.pixels);
@@ -52,7 +50,7 @@ impl Probing {
     }
 }
 
-/// The squared error of all pixels together.
+/// Returns the sum of all squared errors.
 fn error(scene: &Scene, quality: &Quality, [width, height]: [usize; 2]) -> u64 {
     let picture = |quality| draw_best(scene, quality, width, height).pixels;
     let pairs = picture(&quality.reference())
@@ -62,7 +60,7 @@ fn error(scene: &Scene, quality: &Quality, [width, height]: [usize; 2]) -> u64 {
     channels.map(|(a, b)| u64::from(a.abs_diff(b)).pow(2)).sum()
 }
 
-/// By how many dB an estimate is off.
+/// Returns the error of an estimate in dB.
 fn off(probes: Probes, error: u64, pixels: u64) -> f32 {
     let share = probes.mean_squared_error() * (3 * pixels) as f64 / error as f64;
     (10.0 * share.log10()).abs() as f32
@@ -77,7 +75,7 @@ fn frames_of_a_picture_probe_each_pixel_once() {
         for threads in [1, 2, 5] {
             let mut probing = Probing::new(cpu::best(), threads);
             let mut sum = Probes::NONE;
-            // They begin in the middle of a round.
+            // The sequence starts in the middle of a round.
             for seed in 7..17 {
                 sum += probing.draw(&scene, &Quality::DEFAULT, COUNT, seed);
             }
@@ -87,12 +85,12 @@ fn frames_of_a_picture_probe_each_pixel_once() {
     }
 }
 
-/// The intervals of single frames, and of a picture that rests until its interval is below 0.3 dB.
+/// Tests intervals of single frames, and of a resting picture until its interval is below 0.3 dB.
 #[test]
 #[ignore = "5,400 frames"]
 fn long_interval_holds_the_true_error() {
     const SIZE: [usize; 2] = [480, 270];
-    // All frames of a picture probe each of its pixels once.
+    // All frames together probe each pixel once.
     const COUNT: u16 = 648;
     const FRAMES: u32 = 200;
     let pixels = (SIZE[0] * SIZE[1]) as u64;
@@ -107,7 +105,7 @@ fn long_interval_holds_the_true_error() {
             let (mut sum, mut settled) = (Probes::NONE, None);
             for seed in 0..FRAMES {
                 let probes = probing.draw(&scene, &quality, COUNT, seed);
-                // Without any error the interval is without end.
+                // Without any error the interval is infinite.
                 let margin = probes.margin();
                 inside += u32::from(!margin.is_finite() || off(probes, error, pixels) <= margin);
                 sum += probes;
@@ -131,7 +129,7 @@ fn long_interval_holds_the_true_error() {
     assert!(far <= 3, "{far} of {pictures} pictures");
 }
 
-/// With as many probes as there are pixels on edges and at the picture's rim, several times.
+/// More probes than pixels on edges and at the border.
 #[test]
 fn no_probe_of_an_exhaustive_frame_is_off() {
     for scene in scenes() {

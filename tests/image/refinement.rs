@@ -8,7 +8,7 @@ use eightfold_scenes::{Random, cases, crowd, lights};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 
-/// The PSNR of a quality against the same with every pixel traced.
+/// Returns the PSNR to the exhaustive picture with the same antialiasing.
 fn psnr(scene: &Scene, quality: Quality, [width, height]: [usize; 2]) -> f64 {
     let [exhaustive, refined] = [quality.reference(), quality]
         .map(|quality| draw_best(scene, &quality, width, height).pixels);
@@ -42,7 +42,7 @@ fn default_has_45_db_and_42_in_fields() {
     }
 }
 
-/// The most points of a picture by squares of a side: points on the border between two tiles are traced by both.
+/// Returns the most points of a picture by squares of a side. Both tiles trace the points on the border between them.
 pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     let corners = |side: usize, tile: usize| -> usize {
         let parts = (0..side).step_by(tile);
@@ -57,11 +57,11 @@ pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     }
 }
 
-/// Crowds of mirrors and glass, and others under points, suns, spotlights and balls.
+/// Crowds of mirrors and glass, and matt crowds with points, suns, spotlights and balls as lights.
 #[test]
 #[ignore = "many scenes by chance"]
 fn random_crowds_have_42_db() {
-    // By their numbers of spheres and blocks, and their shares of glass and mirrors.
+    // The numbers of spheres and blocks, and the shares of glass and mirrors.
     let counts = [[16, 32], [0, 64], [20, 64], [70, 64], [130, 64], [320, 64]];
     let shares = [[0.2, 0.2], [0.5, 0.2], [0.0, 0.6], [0.4, 0.4]];
     let shiny = counts.map(|count| shares.map(|shares| (count, shares)));

@@ -1,4 +1,4 @@
-//! The picture depends on the scene, the size, the quality and the instruction set, and on nothing else.
+//! A picture is a function of scene, size, quality and instruction set.
 
 use crate::cpu;
 use crate::drawn::{REFINEMENTS, Record, draw, of_side, of_the_show};
@@ -6,7 +6,7 @@ use crate::threaded_renderer::{ThreadedRenderer, whole};
 use eightfold::show;
 use eightfold_tracer::{Band, Counts, Job, Quality, Renderer, Threads, Worker};
 
-/// Draws the last band first, now with one worker, now with the other.
+/// Draws the last band first, by two workers in turns.
 struct Backwards(Vec<Worker>);
 
 impl Threads for Backwards {
@@ -17,7 +17,7 @@ impl Threads for Backwards {
     }
 }
 
-/// The work of a frame, except for idle lanes, which depend on the order of bands, and for probes.
+/// Returns the work of a frame without idle lanes, which depend on the order of bands, and without probes.
 pub fn work(counts: Counts) -> [u64; 3] {
     [counts.points, counts.rays, counts.shadow_rays]
 }
@@ -27,7 +27,7 @@ fn threads_order_observers_and_probes_change_no_bit() {
     // Two tiles and three bands.
     let (width, height) = (531, 70);
     let others = [2, 32].map(|side| of_side(side, Quality::DEFAULT));
-    // Spheres alone, and blocks and patterns.
+    // Spheres; blocks and patterns.
     for scene in [show::field(100, 3.0), of_the_show(50.0)] {
         for quality in REFINEMENTS.into_iter().chain(others) {
             for isa in cpu::instruction_sets() {
@@ -58,7 +58,7 @@ fn threads_order_observers_and_probes_change_no_bit() {
                     &record,
                 );
                 assert_same(&pixels, counts, "observed and probed");
-                // Observers hear of all points but for those on edges.
+                // Observers are not told of points that antialias edges.
                 let (heard, _) = record.0.into_inner().unwrap();
                 assert!(quality.antialias || work(heard) == work(counts));
             }

@@ -1,4 +1,4 @@
-//! The program that ships draws the same bits as the library under test.
+//! The program that ships draws the bits of the library under test.
 
 use crate::cpu::{self, Isa};
 use crate::drawn::draw;
@@ -9,10 +9,10 @@ use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use std::process::Command;
 
-/// A frame of the show, and how the program that ships draws it.
+/// A frame of the show.
 #[derive(Clone, Copy)]
 pub struct Still {
-    /// The time in the show, in milliseconds.
+    /// In the show, in milliseconds.
     pub time: u32,
     pub quality: NamedQuality,
     pub width: usize,
@@ -29,14 +29,13 @@ impl Still {
         }
     }
 
-    /// The scene of the frame.
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::default();
         show::at((f64::from(self.time) / 1000.0) as f32, &mut scene);
         scene
     }
 
-    /// The frame, drawn by the program that ships.
+    /// Draws the frame with the program that ships.
     pub fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {
         let (seconds, milliseconds) = (self.time / 1000, self.time % 1000);
         let output = Command::new(linked_intro())
@@ -56,13 +55,13 @@ impl Still {
         pixels
     }
 
-    /// The frame, drawn by the library under test.
+    /// Draws the frame with the library under test.
     pub fn drawn(&self, isa: Isa) -> Vec<u32> {
         let quality = &self.quality.quality;
         draw(isa, 2, &self.scene(), quality, self.width, self.height).pixels
     }
 
-    /// Asserts that both are the same for every instruction set, and for one thread and several.
+    /// Asserts the same bits on every instruction set, by one thread and by several.
     fn assert_same(&self) {
         let several = cpu::shipped().map(|isa| (isa, 3));
         for (isa, threads) in several.chain([(cpu::best(), 1)]) {
@@ -75,8 +74,8 @@ impl Still {
     }
 }
 
-/// Times in milliseconds, at least two in each scene but the method's, without captions, copper bars and coarse squares, which the
-/// oracle does not draw.
+/// Milliseconds, two or more in each scene except the method's, without captions, copper bars and coarse squares, which the oracle
+/// does not draw.
 pub const TIMES: [u32; 18] = [
     2_300, 5_500, 13_300, 18_700, 21_500, 41_300, 45_200, 54_700, 57_400, 62_500, 69_900, 78_300,
     83_600, 90_700, 94_300, 102_800, 108_500, 112_000,
@@ -86,7 +85,7 @@ pub const TIMES: [u32; 18] = [
 #[ignore = "the intro is started many times"]
 fn what_ships_draws_the_bits_of_the_library_under_test_by_every_quality() {
     for (i, quality) in NamedQuality::all().enumerate() {
-        // Two times for each quality, in different scenes.
+        // Two times per quality, in different scenes.
         for time in [TIMES[i], TIMES[i + 7]] {
             let still = Still {
                 time,

@@ -1,4 +1,4 @@
-//! The show consists of valid scenes that change on the grid, and its captions stay inside the picture.
+//! The show has valid scenes that change on the beat, and captions inside the picture.
 
 use crate::drawn::{draw_best, of_the_show as at};
 use eightfold::show::{self, grid};
@@ -16,7 +16,7 @@ fn show_is_valid_all_along() {
     }
 }
 
-/// The sum of all channels of a small picture, a number of 60ths of a second after a time.
+/// Returns the sum of all channels of a small picture, `frames` 60ths of a second after a time.
 fn brightness(time: f32, frames: f32) -> f64 {
     let drawn = draw_best(&at(time + frames / 60.0), &Quality::DEFAULT, 64, 36);
     let sums = drawn.pixels.iter().flat_map(|pixel| pixel.to_le_bytes());
@@ -25,7 +25,7 @@ fn brightness(time: f32, frames: f32) -> f64 {
 
 #[test]
 fn first_frame_is_as_bright_as_the_title() {
-    // A picture of the title without a word or a light is about as bright as its last one.
+    // The end of the title has no caption, but similar brightness.
     let title = brightness(10.0, 0.0);
     for frames in 0..60 {
         let share = brightness(0.0, frames as f32) / title;
@@ -69,8 +69,8 @@ fn scene_does_not_depend_on_the_one_before() {
     }
 }
 
-/// An object that is taken away changes a pixel at one time at least. Times at which a scene has the same number of objects have the
-/// same objects.
+/// Removing an object changes a pixel at one time or more. A scene has the same objects at all times with the same number of
+/// objects.
 #[test]
 fn every_object_of_the_show_is_seen() {
     const MOMENTS: usize = 12;
@@ -101,7 +101,7 @@ fn every_object_of_the_show_is_seen() {
     assert!(unseen.is_empty(), "objects, the spheres first: {unseen:?}");
 }
 
-/// A list without one of its items.
+/// Returns a list without one of its items.
 fn without_item<T: Copy + Default, const N: usize>(list: &[T], number: usize) -> List<T, N> {
     let others = list.iter().enumerate().filter(|(i, _)| *i != number);
     others.map(|(_, item)| *item).collect()
@@ -114,7 +114,7 @@ fn camera_jumps_on_bars_and_at_every_cut() {
     for i in 1..frames {
         let eye = |i: usize| at(i as f32 / 60.0).camera.eye;
         if (eye(i) - eye(i - 1)).length() > 0.4 {
-            // At 60 frames per second a bar has 120 frames.
+            // A bar has 120 frames.
             assert_eq!(i % 120, 0, "frame {i}");
             jumps.push((i / 120) as u32);
         }
@@ -124,7 +124,7 @@ fn camera_jumps_on_bars_and_at_every_cut() {
     }
 }
 
-/// Whether a camera sees a ball completely in a picture of an aspect ratio.
+/// Whether a camera sees a whole ball in a picture of an aspect ratio.
 fn is_framed(camera: &Camera, aspect: f32, centre: Vec3, radius: f32) -> bool {
     let forward = (camera.look_at - camera.eye).normalize();
     let right = forward.cross(camera.up).normalize();
@@ -137,7 +137,7 @@ fn is_framed(camera: &Camera, aspect: f32, centre: Vec3, radius: f32) -> bool {
     })
 }
 
-/// The balls about a scene's spheres, and about the corners of its blocks.
+/// Returns the spheres, and the corners of the blocks as balls.
 fn balls(scene: &Scene) -> Vec<(Vec3, f32)> {
     let spheres = scene.spheres.iter();
     let mut balls: Vec<_> = spheres
@@ -153,25 +153,25 @@ fn balls(scene: &Scene) -> Vec<(Vec3, f32)> {
     balls
 }
 
-/// The balls about what a scene of the show is about.
+/// Returns balls around the subject of a scene.
 fn subject(name: &str, scene: &Scene) -> Vec<(Vec3, f32)> {
     let mut balls = balls(scene);
     match name {
-        // What has risen out of the water, if only in part.
+        // The parts above the water.
         "title" => {
             balls.retain(|(centre, radius)| centre.y + radius > 0.0);
             balls
         }
-        // Crystal, scarlet and silver: the columns go on beyond the picture, and the golden sphere is passed by.
+        // Crystal, scarlet and silver. The columns extend beyond the picture; the camera passes the golden sphere.
         "colonnade" => vec![balls[0], balls[2], balls[3]],
-        // The ball in the middle and the light: the other balls are passed by, the columns go on beyond the picture.
+        // The middle ball and the light. The camera passes the other balls; the columns extend beyond the picture.
         "mirrors" => {
             let light = scene.lights[0];
             balls.truncate(1);
             balls.push((light.position, light.drawn_radius));
             balls
         }
-        // The glass ball and the sun: the arms go on.
+        // The glass ball and the sun. The arms extend beyond the picture.
         "finale" => {
             let sun = scene.lights[0];
             balls.truncate(1);
@@ -184,7 +184,7 @@ fn subject(name: &str, scene: &Scene) -> Vec<(Vec3, f32)> {
 
 #[test]
 fn subjects_fit_pictures_from_4_3_to_21_9() {
-    // In beats of the scene. Elsewhere the camera is close.
+    // In beats of the scene; the camera is close at other times.
     let whole = [
         ("title", 0.0..24.0),
         ("model", 0.0..16.0),
@@ -230,13 +230,13 @@ fn captions_are_inside_the_picture_and_bright() {
             captions.for_each(|caption| caption.brightness = caption.brightness.ceil());
             let shown = scene.captions.iter().filter(|it| it.brightness > 0.0);
             let letters: usize = shown.map(|caption| caption.letters.len()).sum();
-            // The captions of half a second ago need not be checked again.
+            // Captions of the last half second are tested already.
             if letters == seen {
                 continue;
             }
             seen = letters;
             let pixels = draw_best(&scene, &Quality::DEFAULT, width, height).pixels;
-            // The strokes of a letter are about twice as long as the letter is high.
+            // The strokes of a letter are about twice its height.
             let bright = pixels.iter().filter(|&&pixel| pixel & 0xff > 0xb0).count();
             assert!(
                 width < height || bright >= letters * 3,
@@ -275,7 +275,7 @@ fn caption_tells_the_points_and_pixels_of_its_frame() {
         let points = counted.counts.points;
         let told = |points| {
             let pixels = width * height;
-            // No zeros lead a number.
+            // Numbers have no leading zeros.
             with(&format!("TRACED {points:7} OF {pixels:7} PIXELS")).pixels
         };
         assert!(points > 1000 && counted.pixels == told(points), "{points}");

@@ -1,6 +1,6 @@
-//! Named qualities show what exhaustive pictures show: objects, shadows, images and highlights.
+//! Named qualities show all objects, shadows, images and highlights of exhaustive pictures.
 //!
-//! [`Effect`] is one of these in an exhaustive picture. A quality misses it if none of its pixels is right.
+//! An [`Effect`] is one of these. A quality misses it if all its pixels are wrong.
 
 use crate::cpu::{self, Isa};
 use crate::drawn::{bare, draw, isa_of, jagged, named, of_side, of_the_show};
@@ -17,7 +17,6 @@ use eightfold_tracer::scene::{Light, Scene, Shape as BlockShape};
 use glam::{DMat2, DVec2, DVec3, Vec3, dvec2};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A scene to be drawn in 320x240 pixels.
 pub fn sized(scene: Scene) -> View {
     View {
         scene,
@@ -26,7 +25,7 @@ pub fn sized(scene: Scene) -> View {
     }
 }
 
-/// Draws a view by a quality without antialiasing.
+/// Draws a view without antialiasing.
 pub fn pixels(isa: Isa, view: &View, quality: Quality) -> Vec<u32> {
     let quality = jagged(quality);
     draw(isa, 2, &view.scene, &quality, view.width, view.height).pixels
@@ -34,9 +33,8 @@ pub fn pixels(isa: Isa, view: &View, quality: Quality) -> Vec<u32> {
 
 /// An object, a shadow, an image or a highlight in an exhaustive picture.
 struct Effect {
-    /// The pixels that show it.
     pixels: Vec<usize>,
-    /// Whether every quality shows it.
+    /// Whether every named quality shows it.
     is_promised: bool,
 }
 
@@ -48,15 +46,15 @@ impl Effect {
         }
     }
 
-    /// Whether a picture has none of its pixels right: each is off by more than `tolerance` in a channel.
+    /// Whether every pixel differs by more than `tolerance` in a channel.
     fn is_missed(&self, exhaustive: &[u32], drawn: &[u32], tolerance: u32) -> bool {
         let mut pixels = self.pixels.iter();
         pixels.all(|&i| worst_channel(exhaustive[i], drawn[i]) > tolerance)
     }
 }
 
-/// How many effects there are, how many some quality misses, and how many the default quality misses without the guard: of promised
-/// effects, and of others.
+/// Counts of promised effects and of others: all, those that a quality misses, and those that the default quality misses without
+/// the guard.
 #[derive(Debug, Default)]
 struct Tally {
     qualities: Vec<Quality>,
@@ -111,7 +109,7 @@ impl Tally {
         }
     }
 
-    /// Asserts that there are promised effects, some of which are missed without the guard.
+    /// Asserts the number of promised effects, and of those that are missed without the guard.
     #[track_caller]
     fn assert_counts(&self, shown: usize, bare: usize) {
         println!(
@@ -128,7 +126,7 @@ fn of_all_sides() -> impl Iterator<Item = Quality> {
     named().chain([16, 32].map(|side| of_side(side, Quality::DEFAULT)))
 }
 
-/// The pixels of a picture by their colours.
+/// Groups the pixels of a picture by colour.
 fn by_colour(pixels: &[u32]) -> BTreeMap<u32, Vec<usize>> {
     let mut colours: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (i, &pixel) in pixels.iter().enumerate() {
@@ -137,7 +135,7 @@ fn by_colour(pixels: &[u32]) -> BTreeMap<u32, Vec<usize>> {
     colours
 }
 
-/// The objects that a view shows in colours of their own. Gaps between objects may be missed.
+/// Returns the objects of a view, each by its own colour. Gaps between objects are not promised.
 fn objects(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let background = (255.0 * view.scene.background.x).round() as u32 * 0x01_0101;
     let mut colours = by_colour(exhaustive);
@@ -156,7 +154,6 @@ fn known_objects_are_shown() {
     tally.assert_counts(600, 600);
 }
 
-/// The objects of the show at a random time, in a picture of a random size.
 fn of_the_show_at_any_time(random: &mut Random) -> View {
     let scene = of_the_show(random.between(0.0, show::LENGTH));
     let objects = Scene {
@@ -194,10 +191,10 @@ fn random_objects_are_shown() {
     assert_objects(of_the_show_at_any_time, 100, [1000, 100]);
 }
 
-/// The pixel of a shaded floor under [`Hidden`] things: 0.2 of 0.8.
+/// The pixel of the shaded floor of a [`Hidden`] scene: 0.2 of 0.8.
 const SHADED: u32 = 0x29_2929;
 
-/// The shadows of spheres that a picture of [`Hidden::POINT`] shows.
+/// Returns the visible shadows of spheres in a [`Hidden::POINT`] scene.
 fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let plane = PicturePlane::new(&scene.camera, view.width, view.height);
@@ -237,7 +234,7 @@ fn shadows_on_a_floor_are_shown() {
 /// The pixel of the floor in a single shadow: 0.1 of 0.7.
 const DARK: u32 = 0x12_1212;
 
-/// The only shadow of a view, if it darkens a pixel by two steps of 255: one may be rounding.
+/// Returns the only shadow of a view, if it darkens a pixel by 2/255 or more. A difference of 1 can be rounding.
 fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let lit = pixels(isa, &view.without_spheres(), Quality::EXHAUSTIVE);
     let is_shaded = |&i: &usize| exhaustive[i] == DARK && lit[i] != DARK;
@@ -263,7 +260,7 @@ fn single_shadows_are_shown_however_thin_and_near() {
     tally.assert_counts(150, 40);
 }
 
-/// A mirror that is black except for images of things, whose channels are half of 255 at least.
+/// Returns a black mirror with bright images of objects: all their channels are at least half of 255.
 fn mirror(random: &mut Random) -> View {
     let mut scene = Hidden::MIRROR.scene(random);
     scene.ambient = Vec3::ONE;
@@ -271,10 +268,10 @@ fn mirror(random: &mut Random) -> View {
     sized(scene)
 }
 
-/// The images that 2x2 pixels show, but of cylinders and capsules, are promised.
+/// Returns images. Those of spheres and boxes in 2x2 pixels are promised.
 ///
-/// The outlines of round blocks' images are those of boxes around them, and a corner of a square that lies in such an outline beside
-/// the block counts as showing it.
+/// The outline of a round block's image is that of its bounding box. A corner inside this outline, but next to the block, counts as
+/// showing the block.
 fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let is_image = |pixel: u32| pixel != 0 && pixel.to_be_bytes().iter().all(|&c| c < 128);
     let width = view.width;
@@ -290,7 +287,7 @@ fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
         if is_image(image) && is_wide {
             let digit = |shift: u32| ((image >> shift & 0xff) as usize - 64) / 15;
             let number = digit(16) + 4 * digit(8) + 16 * digit(0);
-            // Things take turns between spheres and blocks.
+            // Spheres and blocks alternate.
             let is_sphere = number % 2 == 0;
             let is_promised = is_sphere || view.scene.blocks[number / 2].shape == BlockShape::Box;
             effects.push(Effect {
@@ -315,7 +312,7 @@ fn images_in_a_floor_are_shown() {
     assert!(tally.shown[1] > 150 && tally.missed[1] <= 2, "{tally:?}");
 }
 
-/// The only image of a view, in half of its object's colour.
+/// Returns the only image of a view, in half of its object's colour.
 fn image(exhaustive: &[u32]) -> Vec<Effect> {
     let is_image = |&i: &usize| (0x7f_664c..=0x80_664d).contains(&exhaustive[i]);
     let pixels: Vec<usize> = (0..exhaustive.len()).filter(is_image).collect();
@@ -336,20 +333,20 @@ fn single_images_are_shown_however_thin_and_near() {
     tally.assert_counts(100, 30);
 }
 
-/// The step by which differences from pixel to pixel are taken, in pixels.
+/// The step of numerical derivatives, in pixels.
 const NEAR: f64 = 1e-4;
 
-/// Whether some pixels that show an object, or those next to them, show a place that mirrors a light to the eye.
+/// Whether one of the pixels, or a neighbour, shows a point that mirrors a light to the eye.
 fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
-    // How far the mirrored ray and the direction to the light are apart.
+    // The difference between the mirrored ray and the direction to the light.
     let apart = |at: DVec2, light: DVec3| {
         let ray = plane.ray(at.x, at.y);
         let met = shape.meet(ray, f64::INFINITY)?;
         let mirrored = ray.d - 2.0 * ray.d.dot(met.normal) * met.normal;
         Some(mirrored - (light - ray.at(met.t)).normalize())
     };
-    // Newton's step from a pixel to where they are the same.
+    // Newton's step from a pixel to where the difference is 0.
     let step = |at: DVec2, light: DVec3| {
         let here = apart(at, light)?;
         let right = (apart(at + NEAR * DVec2::X, light)? - here) / NEAR;
@@ -369,8 +366,8 @@ fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     })
 }
 
-/// The highlights of five pixels and more. A highlight is promised if the place that mirrors the light to the eye is seen, lit, in one
-/// of its pixels or next to one. Otherwise a part of it is hidden, in shadow, beyond an edge, or white without it.
+/// Returns highlights of five pixels or more. They are promised if the point that mirrors the light is visible and lit in one of
+/// their pixels or next to it. Other highlights are partly hidden, in shadow, cut by an edge, or on white.
 fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let spheres = scene.spheres.iter().map(Shape::from);

@@ -1,8 +1,9 @@
-//! Any scene of any size, by any quality and any instruction set, is drawn with the same bits on any number of threads and after
-//! any other frame, for bounded work.
+//! Any scene, size, quality and instruction set draws the same bits on any number of threads and after any other frame, for bounded
+//! work.
 //!
-//! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600, ten minutes) and prints their number. Without `SOAK_SECONDS` the
-//! number of cases is fixed.
+//! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600) and prints their number. Without `SOAK_SECONDS` the number of
+//! cases
+//! is fixed.
 
 use crate::drawn::isa_of;
 use crate::error::Difference;
@@ -18,15 +19,15 @@ use eightfold_tracer::scene::{Method, Scene};
 use std::env;
 use std::time::{Duration, Instant};
 
-/// The number of cases without `SOAK_SECONDS`.
+/// Without `SOAK_SECONDS`.
 const CASES: u64 = 150;
-/// The time between two lines about the progress of a long run.
+/// Between two lines of progress.
 const PROGRESS: Duration = Duration::from_secs(5);
-/// The largest mean error of the default quality, in steps of 1/255, for pictures of 5,000 pixels and more: small spheres take up
-/// a large part of these.
+/// The largest mean error of the default quality, in steps of 1/255, in pictures of 5,000 pixels or more. Small spheres fill a
+/// large part of these.
 const MAX_MEAN_ERROR: f64 = 8.0;
 
-/// A named quality, or any that may be drawn.
+/// Returns a named quality, or any drawable one.
 fn quality(random: &mut Random) -> Quality {
     let any = Quality {
         square: 1 << random.below(6),
@@ -44,7 +45,7 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
-/// Replaces a number of a scene by an invalid one.
+/// Makes a number of a scene invalid.
 fn corrupt(scene: &mut Scene, random: &mut Random) {
     let wrong = random.one_of([
         f32::NAN,
@@ -61,14 +62,12 @@ fn corrupt(scene: &mut Scene, random: &mut Random) {
     *scene = text.scene_with(number, wrong).0;
 }
 
-/// The renderers of a run.
 struct Renderers {
     one: ThreadedRenderer,
     two: ThreadedRenderer,
 }
 
-/// Draws a case and asserts everything that holds for all cases. Returns the error of the default quality if the case serves to
-/// measure it.
+/// Asserts the properties of a random case. Returns the error of the default quality, if it applies.
 fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
     let what = format!("case {}", random.seed);
     let isa = isa_of(random.seed);
@@ -102,7 +101,7 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
         (pixels, counts)
     };
     if random.seed.is_multiple_of(8) {
-        // Memory that no frame was drawn in.
+        // Fresh memory.
         renderers.two = ThreadedRenderer::new(2);
     }
     let (pixels, counts) = draw(&mut renderers.one, &quality);
@@ -111,8 +110,8 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
     assert_eq!(work(counts), work(again), "{what}");
 
     let square = largest(&scene, &quality);
-    // Antialiasing takes a point to the right of a pixel and one below; where two parts of a picture meet, both take it. On each side
-    // of a pixel it takes two more.
+    // Antialiasing traces a point to the right of a pixel and one below, twice where two parts of a picture meet, and up to two
+    // more on each side.
     let middles = usize::from(quality.antialias) * 11 * width * height;
     let most = (most_points(square, width, height) + middles) as u64;
     assert!(counts.points <= most, "{what}: {counts:?}");
@@ -122,7 +121,7 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
     let most = counts.rays * lights;
     assert!(counts.shadow_rays <= most, "{what}: {counts:?}");
 
-    // The corners of the largest squares are always traced, but antialiasing looks at their neighbours, and marks cover them.
+    // The corners of the largest squares are always traced, but antialiasing and marks change their pixels.
     let every = Quality {
         square: 1,
         ..quality
@@ -136,7 +135,7 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
             }
         }
     }
-    // Patterns finer than squares have larger errors.
+    // Corrupt scenes and haze have larger errors.
     let is_measured = quality == Quality::DEFAULT && !is_corrupt && scene.haze == 0.0;
     let is_measured = is_measured && pixels.len() > 5000;
     is_measured.then(|| Difference::between(&others, &pixels))

@@ -1,4 +1,4 @@
-//! Scenes as text: any scene is read as it was written, and every mistake has a line and a column.
+//! Scenes as text: scenes survive writing and reading, and every mistake has a line and a column.
 
 use crate::extremes::written;
 use eightfold_scene_file::SceneFile;
@@ -8,7 +8,7 @@ use std::fs;
 use std::ops::Range;
 use std::path::Path;
 
-/// A scene in RON, with the places of its numbers.
+/// A scene in RON, and the places of its numbers.
 pub struct Text {
     ron: String,
     pub numbers: Vec<Range<usize>>,
@@ -27,7 +27,7 @@ impl Text {
         Self { ron, numbers }
     }
 
-    /// Returns where the value of a number's field begins, and the name of the field.
+    /// Returns where the value of a number's field begins, and the field's name.
     fn field(&self, i: usize) -> (usize, &str) {
         let before = &self.ron[..self.numbers[i].start];
         let colon = before.rfind(':').expect("a number is in a field");
@@ -41,14 +41,14 @@ impl Text {
         format!("{}{number:?}{}", &self.ron[..start], &self.ron[end..])
     }
 
-    /// Returns the scene with another number, and the name of the field.
+    /// Returns the scene with another number, and the field's name.
     pub fn scene_with(&self, i: usize, number: f32) -> (Scene, &str) {
         let scene = ron::from_str(&self.with(i, number)).expect("it is a number");
         (scene, self.field(i).1)
     }
 }
 
-/// The line and the column that a message begins with.
+/// Returns the line and the column at the beginning of a message.
 fn place(message: &str) -> Option<(usize, usize)> {
     let mut parts = message.strip_prefix("a.ron:")?.split(':');
     Some((parts.next()?.parse().ok()?, parts.next()?.parse().ok()?))
@@ -68,7 +68,7 @@ fn number_beyond_its_range_is_refused_at_its_place() {
         let (line, column) = place(&fault).expect(&fault);
         let is_at = (start..=text.numbers[i].start).contains(&(column - 1));
         assert!(line == 1 && is_at, "{name}: {fault}");
-        // Other rules have other words.
+        // Rules without a range.
         let Some((least, most)) = refusal.range.split_once(" to ") else {
             continue;
         };

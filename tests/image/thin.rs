@@ -1,4 +1,4 @@
-//! Thin things have no holes, directly seen, as shadows and as images, jagged and antialiased.
+//! Thin objects, their shadows and their images have no holes, jagged and antialiased.
 
 use crate::drawn::{draw, isa_of, named};
 use crate::error::worst_channel;
@@ -6,11 +6,11 @@ use crate::errors::patches;
 use eightfold_scenes::{Seen, cases};
 use eightfold_tracer::Quality;
 
-/// The difference from which on a pixel shows a bar, or is wrong, of 255.
+/// The least difference, of 255, that shows a bar or a wrong pixel.
 const VISIBLE: u32 = 24;
 
-/// Draws bars of `count` cases, seen in each way, by all named qualities. Returns the number of pixels that show bars, and asserts that
-/// none of these lies in a hole of 4 or more.
+/// Draws `count` views of bars of each kind by all named qualities. Returns the number of pixels that show bars, and asserts that
+/// no hole has 4 or more of them.
 fn assert_whole(count: u64) -> usize {
     let mut shown = 0;
     for (mut random, seen) in

@@ -1,11 +1,11 @@
-//! Waves on the first plane. Their slopes are the oracle's, see `accuracy.rs`.
+//! Waves on the first plane. `accuracy.rs` compares their slopes with the oracle.
 
 use crate::drawn::draw_best;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere, Waves};
 use glam::{Vec3, vec3};
 
-/// A red ball over a mirror seen from a height, under a sky that is brighter above; deep below the mirror a black floor.
+/// Returns a red ball over a mirror from a height, under a sky that is brighter above. The floor below the mirror is black.
 fn sea(height: f32, water: Waves) -> Vec<u32> {
     let floor = |y: f32, material: Material| Plane::new(Vec3::Y * y, 1e3, 1e3, material);
     let red = Material::matt(Vec3::X, 0.0);
@@ -36,7 +36,7 @@ fn no_wave_mirrors_the_floor_below_the_water() {
     for height in [9.0, 3.0, 1.0, 0.3, 0.1, 0.03] {
         for phase in [0.0, 0.2, 0.4, 0.6, 0.8] {
             let pixels = sea(height, Waves { phase, ..ROUGH });
-            // No red above the water is darker than the horizon.
+            // The horizon is the darkest colour above the water.
             assert!(pixels.iter().all(|&pixel| pixel >> 16 >= 51), "{height}");
         }
     }

@@ -1,4 +1,4 @@
-//! Text that is written over a finished picture, and copper bars.
+//! Text over a finished picture, and copper bars.
 
 use crate::drawn::draw_best;
 use eightfold_tracer::glam::{Vec3, vec3};
@@ -7,7 +7,7 @@ use eightfold_tracer::{Frame, Quality};
 
 const SIZE: (usize, usize) = (640, 360);
 
-/// A line over a black picture.
+/// Draws a line of text on black.
 fn written(letters: &[u8], numbers: [usize; 4]) -> Vec<u32> {
     let caption = Caption {
         letters: letters.iter().copied().collect(),
@@ -49,7 +49,7 @@ fn copper_bar_covers_its_share_of_the_picture() {
         let drawn = draw_best(&scene, &Quality::DEFAULT, SIZE.0, SIZE.1);
         for (y, row) in drawn.pixels.chunks(SIZE.0).enumerate() {
             assert!(row.iter().all(|pixel| *pixel == row[0]), "row {y}");
-            // It is 36 rows high, and row 90 is the first below its middle.
+            // The bar is 36 rows high; row 90 is the first below its middle.
             let out = (y as f32 + 0.5 - 90.0) / 18.0;
             let covered = if out.abs() < 1.0 { brightness } else { 0.0 };
             let light = 1.0 - out * out;

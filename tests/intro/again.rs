@@ -1,4 +1,4 @@
-//! With `--loop` the show plays a second time with the same pictures and sound. Sound device and clock are simulated.
+//! `--loop` repeats the same pictures and sound. Sound device and clock are simulated.
 
 #[path = "../../src/window/tests/simulated/mod.rs"]
 mod simulated;
@@ -8,18 +8,16 @@ use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
 use eightfold_stage::intro;
 use std::process::{Command, Stdio};
 
-/// Frames per second, so that a frame lasts a whole number of nanoseconds.
+/// A frame has a whole number of nanoseconds.
 const FPS: usize = 50;
-/// Frames of the show.
 const SHOW: usize = show::LENGTH as usize * FPS;
 
-/// The seconds for which the second time is played.
+/// The length of the second round in seconds.
 const SECONDS: usize = 14;
 
-/// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// The colours of a frame that is written to a terminal: for each cell those of the upper and the lower half.
+/// Parses a frame of a terminal into the colours of each cell: upper half, lower half.
 fn colours(frame: &str) -> Vec<[u8; 6]> {
     let mut both = [0; 6];
     let mut cells = Vec::new();
@@ -38,7 +36,6 @@ fn colours(frame: &str) -> Vec<[u8; 6]> {
     cells
 }
 
-/// The mean difference between two frames in all channels.
 fn difference(a: &[[u8; 6]], b: &[[u8; 6]]) -> f64 {
     assert_eq!((a.len(), b.len()), (40 * 12, 40 * 12));
     let both = a.as_flattened().iter().zip(b.as_flattened());
@@ -70,7 +67,7 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     for (number, (heard, wanted)) in heard.zip(wanted).enumerate() {
         assert_eq!(heard, wanted, "sample {number}");
     }
-    // The second time starts in sound when it starts in the picture.
+    // Sound and picture restart together.
     let (start, _) = played[SONG_LENGTH as usize / 48];
     let drift = start.abs_diff(show::LENGTH as u64 * SECOND);
     assert!(drift <= SECOND / FPS as u64, "{start} ns");
@@ -78,7 +75,7 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     let text = String::from_utf8(output.stdout).expect("text");
     let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
     assert!(frames.len() >= SHOW + SECONDS * FPS);
-    // The title, and the start of the next scene.
+    // The title and the start of the next scene.
     assert!(grid::BAR * show::cut("model") as f32 + 1.0 < SECONDS as f32);
     for at in (FPS..SECONDS * FPS).step_by(7) {
         let [first, second, before] =

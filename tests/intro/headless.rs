@@ -1,4 +1,4 @@
-//! Without a display and without a terminal the intro plays, says so, and ends with the right exit code.
+//! Without a display and a terminal the intro plays, reports this, and returns the right exit code.
 
 use eightfold::sound::Synthesizer;
 use eightfold_stage::{
@@ -6,7 +6,6 @@ use eightfold_stage::{
 };
 use std::{fs, net::TcpListener, path::Path, process::Command, thread::sleep, time::Duration};
 
-/// The message where there is neither a display nor a terminal.
 const NO_SCREEN: &str = "eightfold: no X display; playing without a screen\n";
 
 #[test]
@@ -31,7 +30,7 @@ fn soundtrack_is_played() {
     assert!(heard[..bytes.len()] == bytes, "other bits");
 }
 
-/// By the plugin of PulseAudio, of which a device takes more at once than hardware.
+/// A device of the PulseAudio plugin accepts more samples at once than hardware.
 #[test]
 #[ignore = "a sound server is started"]
 fn pulseaudio_plays_at_speed_one() {
@@ -59,7 +58,7 @@ fn pulseaudio_plays_at_speed_one() {
 
 #[test]
 fn silent_display_is_given_up_after_some_seconds() {
-    // It accepts and never answers. The port of display 0 is 6000.
+    // A server that accepts and never answers. The port of display 0 is 6000.
     let mut displays = 500..600_u16;
     let bound = displays.find_map(|display| {
         let listener = TcpListener::bind(("127.0.0.1", 6000 + display)).ok()?;
@@ -86,7 +85,7 @@ fn missing_linker_or_descriptors_are_told_in_one_line() {
     let mut alone = Command::new("chroot");
     let (output, _) = run(alone.arg(folder.path()).arg("/eightfold"));
     let errors = texts(&output).1;
-    // Users other than root have no chroot.
+    // Only root can use chroot.
     if !errors.starts_with("chroot: cannot change root") {
         assert_eq!((output.status.code(), &*errors), (Some(1), told));
     }
@@ -128,7 +127,7 @@ fn library_that_cannot_be_loaded_is_named() {
     assert_eq!(texts(&output).1, expected);
 }
 
-/// Runs a script in which `INTRO` stands for the intro. Returns its exit code and its standard error.
+/// Runs a script in which `INTRO` is the intro. Returns the exit code and the standard error.
 fn shell(script: &str) -> (Option<i32>, String) {
     let script = script.replace("INTRO", &intro().display().to_string());
     let mut bash = Command::new("bash");
@@ -146,7 +145,7 @@ fn output_that_cannot_be_written_is_an_error() {
             assert!(errors.ends_with(line), "{options} {output}: {errors}");
         }
     }
-    // Pipes that are closed, in the middle of a frame as well.
+    // Closed pipes, also in the middle of a frame.
     for reader in ["true", "head -c 1000 > /dev/null"] {
         let (code, errors) = shell(&format!(
             "INTRO --still 2 | {reader}; exit ${{PIPESTATUS[0]}}"
@@ -173,8 +172,8 @@ fn address_space_is_little() {
     let configuration = folder.path().join("asound.conf");
     fs::write(&configuration, "pcm.default { type null }").unwrap();
     let configuration = configuration.display();
-    // In units of 1,024 bytes. Memory for the largest frames and the most threads is the larger part. A device that plays nothing
-    // is opened on a thread of its own, by libraries of its own.
+    // In KiB. Memory for the largest frames and all threads is the larger part. A null sound device adds a thread and its own
+    // libraries.
     for (limit, sound) in [(118_000, "--silent"), (140_000, "")] {
         let play = format!("INTRO {sound} --seconds 0.2 --threads 2 > /dev/null");
         let limited = format!("ulimit -v {limit}; ALSA_CONFIG_PATH={configuration} {play}");
@@ -185,7 +184,7 @@ fn address_space_is_little() {
 #[test]
 fn report_has_the_time_of_each_preset() {
     let names = qualities();
-    // The presets in the report, and the time for which each was used.
+    // Returns the presets in the report, each with its time.
     let used = |options: &str| {
         let (_, said) = run(&mut headless(options));
         let presets = names.split(' ').filter_map(|name| {
@@ -210,7 +209,7 @@ fn report_has_the_time_of_each_preset() {
         assert_eq!(name, expected, "{options}");
         assert!((0.3..=0.7).contains(&time), "{options}: {time}");
     }
-    // No machine reaches this frame rate, so the governor has to step down to the fastest preset.
+    // No machine reaches this frame rate, so the governor steps down to the fastest preset.
     let hurried = used("--seconds 3 --size 1920x1080 --threads 1 --fps 1000");
     let sum: f64 = hurried.iter().map(|(_, time)| time).sum();
     let (last, time) = hurried[hurried.len() - 1];
@@ -224,7 +223,7 @@ fn waiting_for_the_next_frame_takes_no_time() {
     let stat = Path::new("/proc")
         .join(intro.0.id().to_string())
         .join("stat");
-    // User time and system time, in hundredths of a second.
+    // User and system time, in hundredths of a second.
     let used = || -> u32 {
         let stat = fs::read_to_string(&stat).expect("it runs");
         let (_, fields) = stat.rsplit_once(") ").expect("a name and fields");
@@ -233,7 +232,7 @@ fn waiting_for_the_next_frame_takes_no_time() {
             .map(|time| time.parse::<u32>().expect("a number"))
             .sum()
     };
-    // By then it has unpacked itself.
+    // Unpacking is done by then.
     sleep(Duration::from_secs(2));
     let before = used();
     sleep(Duration::from_secs(2));

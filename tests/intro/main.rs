@@ -1,6 +1,4 @@
-//! The intro's program as it ships: its size, its flags, and how it plays without a window.
-//!
-//! It is one program of tests: so those that wait, and the build for Windows, run beside the others.
+//! The intro's program as it ships: size, flags, and playing without a window.
 
 mod again;
 mod arguments;

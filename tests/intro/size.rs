@@ -1,4 +1,4 @@
-//! The intro's size: at most 65,536 bytes as `cargo build --release` and, for Windows, `cargo exe` leave it, packed.
+//! Both files have at most 65,536 bytes, as `cargo build --release` and `cargo exe` pack them.
 
 use eightfold_lab::cargo::Build;
 use std::{
@@ -8,10 +8,9 @@ use std::{
     sync::LazyLock,
 };
 
-/// The result of a build.
 struct Intro {
     program: PathBuf,
-    /// The same program as it was linked, see `src/pack/build/mod.rs`.
+    /// The program as it was linked, see `src/pack/build/mod.rs`.
     linked: PathBuf,
 }
 
@@ -24,7 +23,6 @@ impl Intro {
     }
 }
 
-/// The intro, as `cargo run --release` builds it.
 fn intro() -> &'static Intro {
     static INTRO: LazyLock<Intro> =
         LazyLock::new(|| Intro::of(Build::release("eightfold").expect("cargo builds the intro")));
@@ -35,13 +33,12 @@ fn read(path: &Path) -> Vec<u8> {
     fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Runs a program with an argument.
 fn run(program: &Path, argument: &str) -> Output {
     let mut command = Command::new(program);
     command.arg(argument).output().expect("it starts")
 }
 
-/// The file has 64 KiB at most, and unpacks to the program that was linked.
+/// Asserts that the file has at most 64 KiB and unpacks to the linked program.
 fn assert_is_packed(intro: &Intro) {
     let packed = read(&intro.program);
     assert!(packed.len() <= 65_536, "{} bytes", packed.len());
@@ -55,13 +52,13 @@ fn file_has_at_most_64_kib() {
     assert_is_packed(intro());
 }
 
-/// That Windows does not start a file that was cut, and that a damaged one says so, is tried by `tests/platforms`.
+/// `tests/platforms` starts cut and damaged files in Wine.
 #[test]
 #[ignore = "the intro for Windows is compiled"]
 fn intro_for_windows_has_at_most_64_kib() {
     let intro = Intro::of(Build::windows().expect("cargo builds it"));
     assert_is_packed(&intro);
-    // Headers and addresses of functions of Windows are before: nobody checks them.
+    // The checksum does not cover headers and addresses of Windows functions.
     const CHECKED: usize = 800;
     let packed = read(&intro.program);
     let end = packed.iter().rposition(|&byte| byte != 0).expect("bytes") + 1;
@@ -74,17 +71,18 @@ fn intro_for_windows_has_at_most_64_kib() {
     }
 }
 
-/// Cut ones are as a download that was interrupted, by pages that are not there and by others that end in zeros.
+/// Cuts simulate interrupted downloads, at page borders and elsewhere.
 #[test]
 fn damaged_or_cut_intro_says_so() {
-    // Headers, and what checks all other bytes, are before.
+    // The checksum covers neither the headers nor itself.
     const CHECKED: usize = 400;
     let packed = read(&intro().program);
     let folder = tempfile::tempdir().expect("a folder");
     let (source, path) = (folder.path().join("bytes"), folder.path().join("damaged"));
     let assert_damaged = |what: String, bytes: &[u8]| {
         fs::write(&source, bytes).expect("it can be written");
-        // By a process of its own: a program cannot be started while a process that another test forks has it open for writing.
+        // Copied by another process: Linux does not start a program while a child that another test has forked has it open for
+        // writing.
         let copied = Command::new("install").args([&source, &path]).status();
         assert!(copied.expect("install is there").success());
         let output = run(&path, "--version");
@@ -93,7 +91,7 @@ fn damaged_or_cut_intro_says_so() {
         assert_eq!(errors, "eightfold: this file is damaged\n", "{what}");
     };
     let (middle, last) = (packed.len() / 2, packed.len() - 1);
-    // The stub from its beginning on, then what is packed.
+    // The stub, then the packed data.
     for place in (CHECKED..5000).step_by(460).chain([middle, last]) {
         let mut damaged = packed.clone();
         damaged[place] ^= 1;
@@ -105,7 +103,7 @@ fn damaged_or_cut_intro_says_so() {
     }
 }
 
-/// Without a word Linux would end a program that has more memory in its headers than it may have.
+/// Linux kills a program silently if its headers ask for more memory than it may have.
 #[test]
 fn too_little_memory_is_told_in_one_line() {
     let told = "eightfold: needs 105 MB of memory\n";
@@ -119,7 +117,7 @@ fn too_little_memory_is_told_in_one_line() {
     }
 }
 
-/// No path is in the file, and nothing of chance.
+/// The file has no paths and nothing random.
 #[test]
 #[ignore = "the intro is compiled in another folder"]
 fn another_folder_gives_the_same_bytes() {

@@ -1,9 +1,9 @@
-//! `--still` writes one frame of the show. `tests/image/shipped.rs` compares such frames with the library's and the oracle's.
+//! `--still` writes one frame of the show. `tests/image/shipped.rs` compares its pixels.
 
 use eightfold::show;
 use eightfold_stage::{headless, intro, needs, reader::read_ppm, run, texts, tool};
 
-/// The frame that the intro writes with some options: its width and its pixels.
+/// Returns the width and the pixels of a still.
 fn still(options: &str) -> (usize, Vec<u32>) {
     let (output, _) = run(&mut headless(options));
     let (_, errors) = texts(&output);

@@ -11,22 +11,22 @@ use std::{
     time::Duration,
 };
 
-/// A terminal in which a shell script runs.
+/// A terminal that runs a shell script.
 struct Terminal {
     socket: PathBuf,
-    /// The numbers of two processes: the shell, and tmux, which reads what is written.
+    /// Process ids of the shell, and of tmux, which reads the output.
     shell: String,
     reader: String,
 }
 
 impl Terminal {
-    /// Starts the intro with options in a terminal of the given size, and waits until it shows a picture. After its end the terminal
-    /// shows whether its mode was restored, and the exit code.
+    /// Starts the intro in a terminal of `columns` by `rows`, and waits for a picture. At the end the terminal shows the exit code,
+    /// and whether its mode was restored.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         Terminal::run(columns, rows, &format!("{} {options}", intro().display()))
     }
 
-    /// Like [`Terminal::play`], by a command.
+    /// Like [`Terminal::play`], with a command.
     fn run(columns: usize, rows: usize, command: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!(
@@ -62,13 +62,13 @@ impl Terminal {
         text
     }
 
-    /// A value that tmux knows by a name.
+    /// Returns a variable of tmux.
     fn value(&self, name: &str) -> String {
         let text = self.tmux(&["display", "-p", &format!("#{{{name}}}")]);
         text.trim().to_owned()
     }
 
-    /// The terminal's contents, with escape codes for colours.
+    /// Returns the contents, with escape codes for colours.
     fn text(&self) -> String {
         self.tmux(&["capture-pane", "-p", "-e"])
     }
@@ -82,7 +82,7 @@ impl Terminal {
         });
     }
 
-    /// Waits until the intro has ended, and checks that the terminal's mode is restored. Returns what the terminal shows.
+    /// Waits for the end, and asserts the exit code and the restored mode. Returns the contents.
     fn ended(&self, code: i32) -> String {
         let text = wait_for("the end", || {
             let text = self.text();
@@ -93,7 +93,7 @@ impl Terminal {
         text
     }
 
-    /// Waits until the intro has ended, and checks that the terminal is restored, and what was said.
+    /// Waits for the end, and asserts the restored terminal and the messages.
     fn wait_for_end(&self, code: i32) {
         let text = self.ended(code);
         let fallback = "no X display; playing in the terminal";
@@ -110,13 +110,12 @@ impl Terminal {
         run(pkill.args(["--signal", name, "-P", &self.shell, "eightfold"]));
     }
 
-    /// Sends a signal to tmux. While that is stopped, nobody reads what is written.
+    /// Sends a signal to tmux: nobody reads the output while it is stopped.
     fn signal_reader(&self, name: &str) {
         sh(&format!("kill -{name} {}", self.reader));
     }
 }
 
-/// Runs a command by a shell.
 fn sh(command: &str) {
     let (output, _) = run(process::Command::new("sh").args(["-c", command]));
     assert!(output.status.success(), "{command}: {output:?}");
@@ -130,7 +129,7 @@ impl Drop for Terminal {
     }
 }
 
-/// A command that runs the intro in a terminal of the system's `script`, without keys.
+/// Returns a command that runs the intro in a terminal of `script`, without keys.
 fn script(intro_in_shell: &str) -> process::Command {
     let mut script = tool("script");
     script.args(["-qec", intro_in_shell, "/dev/null"]);
@@ -156,7 +155,7 @@ fn terminal_of_any_size_shows_moving_pictures() {
     terminal.wait_for_end(0);
 }
 
-/// Colours of 24 bits are noise to it.
+/// GNU Screen misreads 24-bit colours.
 #[test]
 fn gnu_screen_gets_256_colours() {
     needs!(&["tmux", "pkill", "screen"]);
@@ -203,7 +202,7 @@ fn terminal_without_colours_gets_none() {
 #[test]
 fn escape_and_control_c_end_it_and_other_keys_do_not() {
     needs!(&["tmux", "pkill"]);
-    // Keys come from the terminal where standard input is another one.
+    // Keys come from the terminal even if standard input is another file.
     for (key, input) in [("Escape", ""), ("C-c", "< /dev/null")] {
         let terminal = Terminal::play(60, 20, input);
         terminal.tmux(&["send-keys", "Up", "F5", "x", "Home", "C-z", "C-s"]);
@@ -217,7 +216,7 @@ fn escape_and_control_c_end_it_and_other_keys_do_not() {
     }
 }
 
-/// Those of a mistake of its own leave no time for a report.
+/// A crash prints no report.
 #[test]
 fn end_or_signal_restores_the_terminal() {
     needs!(&["tmux", "pkill"]);
@@ -238,12 +237,12 @@ fn terminal_is_taken_again_after_a_stop() {
     needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(60, 20, "");
     let tty = terminal.value("pane_tty");
-    // Where nobody reads, it is stopped in the middle of a frame.
+    // Without a reader, the intro stops in the middle of a frame.
     terminal.signal_reader("STOP");
     sleep(Duration::from_millis(500));
     terminal.signal("STOP");
     terminal.signal_reader("CONT");
-    // What a shell does with the terminal when a program of it stops.
+    // Shells do this when a program stops.
     sh(&format!(
         "stty -F {tty} sane; printf '\\033[?1049l' > {tty}"
     ));
@@ -265,7 +264,7 @@ fn terminal_that_nobody_reads_does_not_delay_the_end() {
         let intro = run(tool("pgrep").args(["-P", &terminal.shell, "eightfold"])).1;
         let intro = PathBuf::from("/proc").join(intro.trim());
         terminal.signal_reader("STOP");
-        // Frames fill all the room there is.
+        // Frames fill the terminal's buffer.
         sleep(Duration::from_secs(2));
         if let Some(name) = signal {
             terminal.signal(name);

@@ -1,9 +1,9 @@
-//! Says what `cargo test` has left out, and how to get it.
+//! Lists the skipped tests of `cargo test`, and how to run them.
 
 use eightfold_stage::missing;
 use std::{collections::BTreeMap, env, fs, path::Path};
 
-/// Counts the tests that are ignored in the sources of a folder, by the reason that is given.
+/// Counts the ignored tests in a folder by their reasons.
 fn count(folder: &Path, reasons: &mut BTreeMap<String, usize>) {
     for entry in fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();
@@ -21,7 +21,7 @@ fn count(folder: &Path, reasons: &mut BTreeMap<String, usize>) {
 }
 
 fn main() {
-    // What is asked for something, such as a test of some name, leaves out the rest on purpose.
+    // A filter skips tests on purpose.
     if env::args().len() > 1 {
         return;
     }

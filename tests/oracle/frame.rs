@@ -1,17 +1,16 @@
-//! A whole picture, traced by the oracle.
+//! A whole picture by the oracle.
 
 use super::{Oracle, Traced, pixel, pixel_like};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use std::thread::available_parallelism;
 
-/// All pixels of a picture, and a margin of one pixel around it.
+/// All pixels of a picture, and a border of one pixel.
 pub struct Frame {
     pub width: usize,
     pub height: usize,
-    /// Of the scene's film.
     dither: f32,
-    /// Row by row, with `width + 2` points per row.
+    /// Row by row, `width + 2` points each.
     points: Vec<Traced>,
 }
 
@@ -41,23 +40,22 @@ impl Frame {
         }
     }
 
-    /// The result for a pixel of the picture.
     pub fn at(&self, x: usize, y: usize) -> &Traced {
         &self.points[(y + 1) * (self.width + 2) + x + 1]
     }
 
-    /// A value for each pixel of the picture, row by row.
+    /// Calls `of` for each pixel, row by row.
     fn map_pixels<T>(&self, of: impl Fn(usize, usize) -> T) -> Vec<T> {
         let pixels = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
         pixels.map(|(x, y)| of(x, y)).collect()
     }
 
-    /// The picture as `0x00RRGGBB` pixels, row by row.
+    /// Returns the pixels, `0x00RRGGBB`.
     pub fn picture(&self) -> Vec<u32> {
         self.map_pixels(|x, y| pixel(self.at(x, y).colour, self.dither, x, y))
     }
 
-    /// The picture, with the pixels that were drawn where rounding decides, see [`pixel_like`].
+    /// Returns the pixels, equal to `drawn` where rounding decides, see [`pixel_like`].
     pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {
         self.map_pixels(|x, y| {
             let drawn = drawn[y * self.width + x];
@@ -65,8 +63,8 @@ impl Frame {
         })
     }
 
-    /// Which pixels lie on silhouettes: the ray trees of the 3x3 pixels around them differ, so that the smallest rounding error
-    /// can make a ray hit another object.
+    /// Returns which pixels are on silhouettes: the ray trees differ within 3x3 pixels, so rounding can change the object that a
+    /// ray hits.
     pub fn silhouettes(&self) -> Vec<bool> {
         self.map_pixels(|x, y| {
             let tree = self.at(x, y).tree;
@@ -75,7 +73,7 @@ impl Frame {
         })
     }
 
-    /// The sum of a count over the picture.
+    /// Returns the sum of a count over the picture.
     pub fn total(&self, count: impl Fn(&Traced) -> u64) -> u64 {
         self.map_pixels(|x, y| count(self.at(x, y))).iter().sum()
     }

@@ -1,37 +1,36 @@
-//! Rays and the shapes that they meet, in f64, by textbook formulas. Coordinates are the scene's.
+//! Rays and shapes in f64, by textbook formulas, in scene coordinates.
 
 use super::grooves;
 use eightfold_tracer::scene::{Block, Camera, Plane, Shape as BlockShape, Sphere};
 use glam::{DMat3, DVec3};
 
-/// The rounding error of a few operations in f64, relative to the lengths in them.
+/// The relative rounding error of a few operations in f64.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     /// The origin.
     pub o: DVec3,
     /// The direction, of length 1.
     pub d: DVec3,
-    /// How far off the origin may be by rounding, in scene units. It lies on every surface as near as that: outward the ray does
-    /// not meet that, inward it meets the far side. So no least distance of hits is needed, and a scene may have any size.
+    /// The rounding error of the origin, in scene units. The origin is on every surface within it: an outward ray does not hit that
+    /// surface, an inward ray hits its far side. So hits need no minimal distance, at any scale.
     slack: f64,
 }
 
 impl Ray {
-    /// A ray from a place that a scene names, by numbers of 32 bits.
+    /// Returns a ray from a position in f32.
     pub fn new(o: DVec3, d: DVec3) -> Self {
         let slack = f64::from(f32::EPSILON) * o.abs().max_element();
         Self { o, d, slack }
     }
 
-    /// The point at a distance.
+    /// Returns the point at a distance.
     pub fn at(&self, t: f64) -> DVec3 {
         self.o + t * self.d
     }
 
-    /// The same ray from the point at a distance, where it has met something.
+    /// Returns the ray from its hit at a distance on.
     pub fn moved(&self, t: f64) -> Self {
         let slack = ROUNDING * (self.o.abs().max_element() + t);
         Self {
@@ -41,13 +40,13 @@ impl Ray {
         }
     }
 
-    /// A ray in another direction from the same point.
+    /// Returns a ray in another direction from the same point.
     pub fn turned(&self, d: DVec3) -> Self {
         Self { d, ..*self }
     }
 }
 
-/// The rays through the pixels of a picture.
+/// The rays of a picture's pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct PicturePlane {
     eye: DVec3,
@@ -60,7 +59,6 @@ pub struct PicturePlane {
 }
 
 impl PicturePlane {
-    /// That of a camera, for a picture of a size in pixels.
     pub fn new(camera: &Camera, width: usize, height: usize) -> Self {
         let eye = camera.eye.as_dvec3();
         let forward = (camera.look_at.as_dvec3() - eye).normalize();
@@ -78,31 +76,30 @@ impl PicturePlane {
         }
     }
 
-    /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
+    /// Returns the ray through a point in pixels. The centre of a pixel has integer coordinates.
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         let d = self.corner + x * self.dx + y * self.dy;
         Ray::new(self.eye, d.normalize())
     }
 }
 
-/// The distances, in order, at which a ray crosses a round surface of a radius: of a sphere, or of a cylinder along whose axis
-/// `oc` and `d` have no part. `oc` is the ray's origin from the centre.
+/// Returns both distances at which a ray crosses a sphere, or an infinite cylinder if `oc` and `d` are perpendicular to its axis.
+/// `oc` is the origin relative to the centre.
 fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
     let b = oc.dot(d);
     let above = oc.length() - radius;
     if above.abs() <= slack + ROUNDING * radius {
-        // It starts on the surface.
+        // The ray starts on the surface.
         let other = -2.0 * b / a;
         return Some([other.min(0.0), other.max(0.0)]);
     }
     let off2 = (oc - b / a * d).length_squared();
     let root = ((radius * radius - off2) / a).sqrt();
-    // NaN, without a root, or along the axis.
+    // NaN if the ray misses, or runs along the axis.
     root.is_finite().then(|| [-b / a - root, -b / a + root])
 }
 
-/// A shape.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
     Sphere {
@@ -115,7 +112,7 @@ pub enum Shape {
         half_x: f64,
         half_z: f64,
     },
-    /// A box, or a cylinder or a capsule about its own y axis.
+    /// A box, a cylinder or a capsule around its own y axis.
     Block {
         centre: DVec3,
         half: DVec3,
@@ -124,7 +121,7 @@ pub enum Shape {
     },
 }
 
-/// Where a ray meets a shape.
+/// The hit of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Met {
     /// The distance along the ray.
@@ -164,7 +161,7 @@ impl From<&Block> for Shape {
 }
 
 impl Shape {
-    /// Where a ray first meets it, nearer than `limit`.
+    /// Returns the first hit nearer than `limit`.
     pub fn meet(&self, ray: Ray, limit: f64) -> Option<Met> {
         let met = match *self {
             Self::Sphere { centre, radius } => sphere(ray, centre, radius).map(|t| Met {
@@ -187,7 +184,7 @@ impl Shape {
                     d: axes.transpose() * ray.d,
                     slack: ray.slack + ROUNDING * half.max_element(),
                 };
-                // Its bounding sphere is met by few rays.
+                // Few rays hit the bounding sphere.
                 let bound = half.length() * (1.0 + 1e-6) + own.slack;
                 let nearest = own.o - own.o.dot(own.d) * own.d;
                 if nearest.length_squared() > bound * bound {
@@ -207,7 +204,7 @@ impl Shape {
         met.filter(|met| met.t < limit)
     }
 
-    /// A point on it, from its centre along its own axes, in which patterns are painted.
+    /// Returns a point relative to the centre in the object's own axes, where patterns are defined.
     pub fn own_coordinates(&self, p: DVec3) -> DVec3 {
         match *self {
             Self::Sphere { centre, .. } => p - centre,
@@ -216,7 +213,7 @@ impl Shape {
         }
     }
 
-    /// The direction of the grooves around its own y axis at a point of it with the normal `n`.
+    /// Returns the direction of the grooves around the object's y axis, at a point with the normal `n`.
     pub fn groove(&self, p: DVec3, n: DVec3) -> DVec3 {
         let (axis, centre) = match *self {
             Self::Sphere { centre, .. } | Self::Plane { centre, .. } => (DVec3::Y, centre),
@@ -226,7 +223,7 @@ impl Shape {
     }
 }
 
-/// The distance at which a ray meets a sphere.
+/// Returns the distance at which a ray hits a sphere.
 pub fn sphere(ray: Ray, centre: DVec3, radius: f64) -> Option<f64> {
     let least = ray.slack + ROUNDING * radius;
     crossings(ray.o - centre, ray.d, radius, ray.slack)?
@@ -238,7 +235,7 @@ fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {
     let above = ray.o.y - centre.y;
     let t = -above / ray.d.y;
     let p = ray.at(t) - centre;
-    // NaN and infinity, for a ray along the plane, fail these comparisons.
+    // False for NaN and infinity, from a ray parallel to the plane.
     let is_hit = above.abs() > ray.slack && t > 0.0 && p.x.abs() <= half_x && p.z.abs() <= half_z;
     is_hit.then_some(Met {
         t,
@@ -246,7 +243,7 @@ fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {
     })
 }
 
-/// The distance at which a ray crosses a face of a block at `at` along axis `i`: 0 if it starts there.
+/// Returns the distance at which a ray crosses the face at `at` on axis `i`: 0 if it starts there.
 fn face(ray: &Ray, at: f64, i: usize) -> f64 {
     let to_face = at - ray.o[i];
     if to_face.abs() <= ray.slack {
@@ -256,7 +253,7 @@ fn face(ray: &Ray, at: f64, i: usize) -> f64 {
     }
 }
 
-/// Where a ray meets a box about the origin: the last of the three slabs to be entered, or the first to be left.
+/// Intersects a box around the origin: a ray hits the last slab that it enters, or the first that it leaves.
 fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
     let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
     let (mut enter_axis, mut leave_axis) = (0, 0);
@@ -292,13 +289,13 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
     }
 }
 
-/// The first of the points of a shape that lies ahead of a ray.
+/// Returns the nearest hit in front of a ray.
 fn first(ray: Ray, met: impl Iterator<Item = Met>) -> Option<Met> {
     let ahead = met.filter(|met| met.t > ray.slack);
     ahead.min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
-/// Where a ray crosses the side of a cylinder about the y axis, up to a height above and below the origin.
+/// Returns the hits with the side of a cylinder around the y axis, up to a height above and below the origin.
 fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
     let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
     let met = crossings(o, d, radius, ray.slack).into_iter().flatten();
@@ -309,11 +306,11 @@ fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
         })
 }
 
-/// Where a ray meets a cylinder about the y axis through the origin: its caps and its side.
+/// Intersects the caps and the side of a cylinder around the y axis.
 fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
     let cap = |end: f64| {
         let t = face(&ray, end * half.y, 1);
-        // NaN, for a ray in the cap's plane, fails this comparison.
+        // False for NaN, from a ray in the cap's plane.
         let is_met = ray.at(t).with_y(0.0).length_squared() <= half.x * half.x;
         is_met.then_some(Met {
             t,
@@ -324,7 +321,7 @@ fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
     first(ray, caps.chain(side(ray, half.x, half.y)))
 }
 
-/// Where a ray meets a capsule about the y axis through the origin: its side, or the outer half of a sphere at either end.
+/// Intersects a capsule around the y axis: its side, and the outer half of a sphere at each end.
 fn capsule(ray: Ray, half: DVec3) -> Option<Met> {
     let height = half.y - half.x;
     let cap = |end: f64| {

@@ -1,7 +1,7 @@
-//! A second ray tracer, with which the tests compare the library's pictures and the lab finds out what a pixel shows.
+//! A second ray tracer: the reference for the library's pictures, and for the objects that the lab counts.
 //!
-//! It traces one ray at a time, recursively and in f64, by textbook formulas. It shares no code with the library, so where both
-//! agree they are right, unless both misunderstood the same rule. The lab's path tracer uses its geometry and its shading.
+//! It is scalar and recursive, in f64, by textbook formulas, and shares no code with the library. The lab's path tracer uses its
+//! geometry and shading.
 
 pub mod frame;
 pub mod geometry;
@@ -19,7 +19,7 @@ use eightfold_tracer::scene::{Material, Scene};
 use geometry::{Met, PicturePlane, Ray, Shape};
 use glam::DVec3;
 
-/// Traces points of one picture of a scene. Points are given in pixels of the picture.
+/// Traces points, in pixels, of one picture of a scene.
 pub struct Oracle<'a> {
     scene: &'a Scene,
     quality: &'a Quality,
@@ -29,51 +29,45 @@ pub struct Oracle<'a> {
     bodies: Vec<Body>,
 }
 
-/// An object that rays meet.
+/// An object that rays hit.
 struct Body {
     object: Object,
     shape: Shape,
 }
 
 impl Body {
-    /// Whether it shows a light.
     fn is_light(&self) -> bool {
         matches!(self.object, Object::Light(_))
     }
 }
 
-/// The result of tracing a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traced {
     /// RGB after the film, not clamped.
     pub colour: DVec3,
-    /// A hash of the whole ray tree: the object that each ray hit, and which lights were lit there.
+    /// A hash of the whole ray tree: the object that each ray hits, and the lights that are visible there.
     pub tree: u64,
-    /// A hash of what the quality compares: objects and lights' states (dark, lit, lit with a highlight), each up to its depth.
+    /// A hash of the keys that the quality compares: objects, and states of the lights (dark, lit, highlight), each up to its
+    /// depth.
     pub key: u64,
-    /// The number of primary and secondary rays.
+    /// Primary and secondary rays.
     pub rays: u64,
-    /// The number of shadow rays.
     pub shadow_rays: u64,
 }
 
-/// An object of the scene, by its kind and its index in its list.
+/// An object of the scene: its kind, and its index.
 #[derive(Clone, Copy, Debug, Hash, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Object {
-    /// A sphere.
     Sphere(usize),
-    /// A plane.
     Plane(usize),
-    /// A box or a cylinder.
     Block(usize),
-    /// The sphere that shows a light.
+    /// The visible sphere of a light.
     Light(usize),
-    /// The background, which a ray hits that hits nothing else.
     Background,
 }
 
 impl Object {
-    /// The material of an object of a scene; lights and the background have none.
+    /// Returns the material; lights and the background have none.
     pub fn material(self, scene: &Scene) -> Option<&Material> {
         match self {
             Self::Sphere(i) => Some(&scene.spheres[i].material),
@@ -85,8 +79,7 @@ impl Object {
 }
 
 impl<'a> Oracle<'a> {
-    /// An oracle for a picture of a given size in pixels. Of the quality it uses the depths, the highlight and the least
-    /// contribution.
+    /// Of the quality, it uses the depths, the highlight and the least contribution.
     pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
         Self {
             scene,
@@ -98,18 +91,18 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    /// The object that the centre of pixel (x, y) shows, which may lie outside the picture.
+    /// Returns the object at the centre of pixel (x, y), which may be outside the picture.
     pub fn object_at(&self, x: isize, y: isize) -> Object {
         let nearest = self.nearest(self.ray(x as f64, y as f64), true);
         nearest.map_or(Object::Background, |(body, _)| body.object)
     }
 
-    /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
+    /// Returns the ray through a point in pixels. The centre of a pixel has integer coordinates.
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         self.plane.ray(x, y)
     }
 
-    /// The nearest object along a ray, and where the ray meets it. `has_lights` is whether the spheres that show lights count.
+    /// Returns the nearest object along a ray, and the hit. `has_lights` includes visible lights.
     fn nearest(&self, ray: Ray, has_lights: bool) -> Option<(&Body, Met)> {
         let mut nearest: Option<(&Body, Met)> = None;
         for body in &self.bodies {
@@ -130,7 +123,7 @@ impl<'a> Oracle<'a> {
         bodies.all(|body| body.shape.meet(ray, distance).is_none())
     }
 
-    /// Traces the point at the centre of pixel (x, y), which may lie outside the picture.
+    /// Traces the centre of pixel (x, y), which may be outside the picture.
     pub fn trace(&self, x: isize, y: isize) -> Traced {
         let ray = self.ray(x as f64, y as f64);
         let mut traced = Traced::default();
@@ -140,7 +133,7 @@ impl<'a> Oracle<'a> {
         traced
     }
 
-    /// Returns what the film makes of the light at a pixel.
+    /// Applies the film to the light at a pixel.
     fn exposed(&self, light: DVec3, x: isize, y: isize) -> DVec3 {
         let from_middle =
             |at: isize, size: usize| (2.0 * at as f64 + 1.0 - size as f64) / self.height as f64;
@@ -159,7 +152,7 @@ impl<'a> Oracle<'a> {
     }
 }
 
-/// All objects of a scene, those spheres too that show lights.
+/// Returns all objects, visible lights included.
 fn bodies(scene: &Scene) -> Vec<Body> {
     let spheres = scene.spheres.iter().map(Shape::from).enumerate();
     let planes = scene.planes.iter().map(Shape::from).enumerate();
@@ -181,23 +174,23 @@ fn bodies(scene: &Scene) -> Vec<Body> {
     all.map(|(object, shape)| Body { object, shape }).collect()
 }
 
-/// In which order the pixels of a square of 4x4 are rounded up as a colour gets brighter, by the film's dither: the last one first.
+/// The order in which dithering rounds up the pixels of 4x4 as a colour gets brighter, from the last.
 const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
-/// How near to each other, in output steps, numbers are whose order rounding may change.
+/// The distance between numbers, in output steps, below which rounding can change their order.
 ///
-/// The sum of a tree's nodes may be off by 1/100 of a step, a corner of a square is cut off to 1/128, and the last pixel of a filled
-/// square is off by 8/256 at most.
+/// The sum of a ray tree is off by up to 1/100 of a step, a square's corner by 1/128, and the last pixel of a filled square by
+/// 8/256.
 const TIE: f64 = 1.0 / 16.0;
 
-/// A colour as the pixel (x, y), `0x00RRGGBB`, with a film's dither.
+/// Returns a colour as pixel (x, y), `0x00RRGGBB`, dithered.
 pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let [red, green, blue] = steps(colour, dither, x, y).map(|step| step.floor() as u32);
     red << 16 | green << 8 | blue
 }
 
-/// A colour as the pixel (x, y) that is nearest to the one drawn: where a channel is as good as half-way between two steps, both
-/// are right, and a picture may be full of it.
+/// Returns the pixel (x, y) of a colour that is nearest to the drawn one: if a channel is half-way between two steps, both are
+/// right.
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let steps = steps(colour, dither, x, y);
     let channels = [16, 8, 0].into_iter().zip(steps);
@@ -207,14 +200,14 @@ pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) ->
     })
 }
 
-/// The channels of a colour at the pixel (x, y) in output steps, of which the fraction is cut off.
+/// Returns the channels of pixel (x, y) in output steps, to be truncated.
 fn steps(colour: DVec3, dither: f32, x: usize, y: usize) -> [f64; 3] {
     let share = (f64::from(ORDER[y % 4][x % 4]) + 0.5) / 16.0;
     let threshold = 0.5 + f64::from(dither) * (share - 0.5);
     (colour.clamp(DVec3::ZERO, DVec3::ONE) * 255.0 + threshold).to_array()
 }
 
-/// The least and the greatest byte that rounding may make of a channel.
+/// Returns the least and the greatest byte that rounding can make of a channel.
 fn bytes(step: f64) -> [u32; 2] {
     [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32)
 }

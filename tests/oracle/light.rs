@@ -5,7 +5,7 @@ use super::{Object, Oracle};
 use eightfold_tracer::scene::{Light, Sphere};
 use glam::DVec3;
 
-/// The factor on the lengths of a light: lights with parallel rays are far away.
+/// Returns the factor on a light's lengths: parallel lights are far away.
 pub fn reach(light: &Light) -> f64 {
     if light.parallel {
         f64::from(Light::FAR)
@@ -14,7 +14,7 @@ pub fn reach(light: &Light) -> f64 {
     }
 }
 
-/// The share of a light that its cone sends in the direction `d`.
+/// Returns the share of a light that its cone emits in the direction `d`.
 pub fn cone(light: &Light, d: DVec3) -> f64 {
     light.spot.map_or(1.0, |spot| {
         let [outer, inner] =
@@ -23,16 +23,15 @@ pub fn cone(light: &Light, d: DVec3) -> f64 {
     })
 }
 
-/// The direction and the distance of a light from a point.
+/// The direction and the distance from a point to a light.
 pub(super) struct ToLight {
-    /// The direction, of length 1.
+    /// Of length 1.
     pub l: DVec3,
     /// In scene units.
     pub distance: f64,
 }
 
 impl ToLight {
-    /// From the point `p`.
     pub fn new(light: &Light, p: DVec3) -> Self {
         let to_light = reach(light) * light.position.as_dvec3() - p;
         let distance = to_light.length();
@@ -44,7 +43,7 @@ impl ToLight {
 }
 
 impl Oracle<'_> {
-    /// The share of a light, as a colour, that its cone and all shadows let reach the origin of a ray to it.
+    /// Returns the share of a light, as a colour, that passes its cone and all shadows to the origin of a ray.
     pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, ray: Ray) -> DVec3 {
         let ToLight { l, distance } = *to_light;
         let bodies = self.bodies.iter();
@@ -73,17 +72,16 @@ impl Oracle<'_> {
     }
 }
 
-/// The share of a light with a size that a sphere does not block (after Parker, Shirley and Smits: Single Sample Soft Shadows,
-/// 1998).
+/// Returns the share of an area light that a sphere does not block (Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
 ///
-/// The rays from `p` to the light form a cone. At the distance `a`, where it passes the sphere, it is `b = a size / distance`
-/// wide. As the sphere's edge crosses the cone from one side to the other, the share goes from 1 to 0.
+/// The rays from `p` to the light form a cone, which is `b = a size / distance` wide at the distance `a` of the sphere. While the
+/// sphere's edge crosses the cone, the share falls from 1 to 0.
 ///
-/// A sphere that contains both `p` and the whole light, a ball of that diameter, is between neither: a dome is lit from within.
+/// A sphere that contains both `p` and the whole light blocks nothing: domes are lit from within.
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);
-    // A point that is off the surface by no more than rounding lies on it.
+    // A point within the rounding error is on the surface.
     let error = 2e-6 * (centre.abs().max_element() + radius);
     let to_centre = centre - p;
     let a = to_centre.dot(to_light.l).clamp(0.0, to_light.distance);
@@ -102,7 +100,7 @@ fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64
     smooth(off / b + 0.5)
 }
 
-/// Hermite's smooth step: 0 up to 0, 1 from 1 on.
+/// Hermite's smooth step, 0 below 0 and 1 above 1.
 fn smooth(tau: f64) -> f64 {
     let tau = tau.clamp(0.0, 1.0);
     tau * tau * (3.0 - 2.0 * tau)

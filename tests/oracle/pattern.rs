@@ -3,8 +3,7 @@
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
-/// The share that a pattern leaves of a colour at `p`, given along the object's own axes, where a pixel covers `footprint` scene
-/// units.
+/// Returns the factor of a pattern on a colour, at `p` in the object's own axes, where a pixel covers `footprint` scene units.
 pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     if pattern.depth == 0.0 {
         return 1.0;
@@ -15,7 +14,7 @@ pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     let waves_there = v.to_array().map(wave);
     let sign: f64 = waves_there.into_iter().map(f64::signum).product();
     let lowest = waves_there.into_iter().map(f64::abs).fold(1.0, f64::min);
-    // A wave falls from 1 to -1 within half a period. Edges are at least a pixel wide.
+    // A wave falls from 1 to -1 in half a period. Edges are at least a pixel wide.
     let steepest = 0.5 / (footprint * waves.abs().max_element());
     let edge = f64::from(pattern.edge).min(steepest);
     let shift = f64::from(pattern.balance) * edge.max(1.0);
@@ -28,7 +27,7 @@ fn wave(v: f64) -> f64 {
     1.0 - 4.0 * (v - v.round()).abs()
 }
 
-/// The noise that shifts the pattern, in periods. It is two-dimensional, constant along one oblique direction.
+/// Returns the noise that shifts the pattern, in periods. It is two-dimensional: constant along an oblique direction.
 fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     let (u, v) = (p.x + 0.6 * p.z, p.y + 0.8 * p.z);
     let mut grain = f64::from(pattern.grain);
@@ -42,7 +41,7 @@ fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     sum
 }
 
-/// Value noise: random numbers from -1 to 1 at integer coordinates, interpolated smoothly.
+/// Value noise: random numbers from -1 to 1 at integer coordinates, smoothly interpolated.
 fn noise(p: [f64; 2]) -> f64 {
     let cell = p.map(|v| v.floor());
     let s = [0, 1].map(|i| {
@@ -58,8 +57,8 @@ fn noise(p: [f64; 2]) -> f64 {
     sum
 }
 
-/// The pseudorandom number, -1 to 1, of integer coordinates. They are hashed as offsets to the bits of the float 1.5 * 2^23, as
-/// the library has them.
+/// Returns the random number, -1 to 1, at integer coordinates. Like the library, it hashes them as offsets to the bits of the float
+/// 1.5 * 2^23.
 fn random(point: [u32; 2]) -> f64 {
     let [u, v] = point.map(|n| n.wrapping_add(0x4b40_0000));
     let h = u

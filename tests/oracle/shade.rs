@@ -1,4 +1,4 @@
-//! Shading by Phong's model, and secondary rays.
+//! Phong shading, and secondary rays.
 
 use super::geometry::{Met, Ray};
 use super::light::{ToLight, reach};
@@ -8,7 +8,7 @@ use eightfold_tracer::scene::{Light, Material};
 use glam::DVec3;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// The state of a light at a hit: shadowed or behind the surface, lit, or lit with a highlight.
+/// The state of a light at a hit. `Dark` is in shadow or behind the surface.
 #[derive(Clone, Copy, Hash, PartialEq, Eq)]
 enum State {
     Dark,
@@ -16,15 +16,15 @@ enum State {
     Highlight,
 }
 
-/// A point of a surface, as a ray sees it.
+/// A point of a surface, as seen by a ray.
 pub struct Hit<'a> {
     object: Object,
     pub material: &'a Material,
-    /// The ray from this point on, in its old direction.
+    /// The ray from this point on, in the same direction.
     pub ray: Ray,
     /// The distance that the ray has travelled.
     pub t: f64,
-    /// The normal on the side of the ray, of length 1.
+    /// The normal towards the ray, of length 1.
     pub n: DVec3,
     is_inside: bool,
     /// The direction of the grooves.
@@ -34,12 +34,12 @@ pub struct Hit<'a> {
 }
 
 impl Hit<'_> {
-    /// The cosine of the angle of incidence.
+    /// Returns the cosine of the angle of incidence.
     fn cosine(&self) -> f64 {
         -self.ray.d.dot(self.n)
     }
 
-    /// Returns the share of the light from the direction `l` that the surface sends back along the ray, and the strength of its
+    /// Returns the share of light from the direction `l` that the surface reflects along the ray, and the strength of its
     /// highlight.
     pub fn reflected(&self, l: DVec3) -> (DVec3, f64) {
         let material = self.material;
@@ -51,7 +51,7 @@ impl Hit<'_> {
         (diffuse + highlight * tint, highlight)
     }
 
-    /// Returns the directions of the mirrored and of the refracted ray with their coefficients.
+    /// Returns the reflected and the refracted direction with their coefficients.
     pub fn bounces(&self) -> [Option<(DVec3, f32)>; 2] {
         let Self { material, n, .. } = *self;
         let (d, cosine) = (self.ray.d, self.cosine());
@@ -74,13 +74,13 @@ impl Hit<'_> {
 }
 
 impl Oracle<'_> {
-    /// Returns the surface that a ray meets first. Lights have none.
+    /// Returns the first surface along a ray. Lights have none.
     pub fn surface(&self, ray: Ray) -> Option<Hit<'_>> {
         let (body, met) = self.nearest(ray, false)?;
         self.hit(ray, body, met)
     }
 
-    /// Returns the point of a surface where a ray meets a body; `None` if that shows a light.
+    /// Returns the hit of a ray with a body; `None` for a light.
     fn hit(&self, ray: Ray, body: &Body, met: Met) -> Option<Hit<'_>> {
         let material = body.object.material(self.scene)?;
         let p = ray.at(met.t);
@@ -105,15 +105,15 @@ impl Oracle<'_> {
         })
     }
 
-    /// The colour that a ray sees. `weight` is the product of the coefficients along its path. `path` identifies its node in the
-    /// ray tree: 1 for a primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of the node p.
+    /// Returns the colour along a ray. `weight` is the product of the coefficients on its path. `path` is its node in the ray tree:
+    /// 1 for the primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of node p.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let nearest = self.nearest(ray, true);
         let object = nearest.map_or(Object::Background, |(body, _)| body.object);
         let t = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
         let glow = self.glow(ray, t);
-        // The limit on the light of a single ray, without the rays that follow it.
+        // Limits the light of a single ray, without its secondary rays.
         let cut = |light: DVec3| light.min(DVec3::splat(2.0 / f64::from(weight)));
         let Some(hit) = nearest.and_then(|(body, met)| self.hit(ray, body, met)) else {
             self.note(object, &[], weight, path, traced);
@@ -136,7 +136,7 @@ impl Oracle<'_> {
         own + transmittance * self.secondary(&hit, weight * transmittance as f32, path, traced)
     }
 
-    /// The light of the air around lights up to a distance: the sum over short steps would be the same.
+    /// Returns the glow around lights up to a distance: the integral in closed form.
     fn glow(&self, ray: Ray, t: f64) -> DVec3 {
         let mut glow = DVec3::ZERO;
         for light in self.scene.lights.iter() {
@@ -153,18 +153,17 @@ impl Oracle<'_> {
         glow
     }
 
-    /// The background in a direction.
+    /// Returns the background in a direction.
     pub fn behind(&self, d: DVec3) -> DVec3 {
         let rise = d.y.max(0.0);
         self.scene.background.as_dvec3() + rise * (2.0 - rise) * self.scene.sky.as_dvec3()
     }
 
-    /// The transmittance of the haze over a distance. The background makes up for the rest.
+    /// Returns the transmittance of haze over a distance. The background replaces the rest.
     pub fn transmittance(&self, t: f64) -> f64 {
         1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2))
     }
 
-    /// The light of the transmitted and the reflected ray.
     fn secondary(&self, hit: &Hit<'_>, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         let mut colour = DVec3::ZERO;
         if depth(path) == self.quality.depth {
@@ -183,7 +182,7 @@ impl Oracle<'_> {
         colour
     }
 
-    /// The state of a light at a hit, and the light that it adds.
+    /// Returns the state of a light at a hit, and the light that it adds.
     fn lit(&self, light: &Light, hit: &Hit<'_>, traced: &mut Traced) -> (State, DVec3) {
         let to_light = ToLight::new(light, hit.ray.o);
         let l = to_light.l;
@@ -192,7 +191,7 @@ impl Oracle<'_> {
             return (State::Dark, DVec3::ZERO);
         }
         traced.shadow_rays += 1;
-        // Inside a sphere, lights beyond its far side are blocked by the sphere itself.
+        // Inside a sphere, its far side blocks lights outside.
         let is_beyond = match hit.object {
             Object::Sphere(i) if hit.is_inside => {
                 2.0 * nl * f64::from(self.scene.spheres[i].radius) < to_light.distance
@@ -228,7 +227,6 @@ impl Oracle<'_> {
     }
 }
 
-/// The depth of a node of the ray tree.
 fn depth(path: u32) -> u32 {
     path.ilog2()
 }

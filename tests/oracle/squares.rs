@@ -1,4 +1,4 @@
-//! Adaptive squares, as the thesis describes them: recursive, one square at a time. Coordinates are pixels of the picture.
+//! Adaptive squares, as in the thesis: recursive, one at a time. Coordinates are pixels.
 
 use super::{Object, Oracle, TIE, Traced, bytes, pixel_like, steps};
 use eightfold_tracer::Quality;
@@ -6,18 +6,17 @@ use eightfold_tracer::scene::{Film, Material, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
-/// The width and the height of a tile in pixels. Points on the border between two tiles are traced by both.
+/// The width and the height of a tile in pixels. Both tiles trace the points on the border between them.
 pub const TILE: [usize; 2] = [512, 32];
 
-/// Squares that are not filled: where they begin, and their side.
+/// The squares that are split, as x, y, side.
 pub type Splits = HashSet<[usize; 3]>;
 
-/// Whether what a mirror or a glass shows matters.
 fn shows_much(material: &Material) -> bool {
     material.kr + material.kt >= 0.3
 }
 
-/// Whether a quality heeds that a scene has a crowd of mirrors and glass.
+/// Whether a quality reacts to a crowd of mirrors and glass.
 fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
     let spheres = scene.spheres.iter().map(|sphere| &sphere.material);
     let blocks = scene.blocks.iter().map(|block| &block.material);
@@ -27,7 +26,7 @@ fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
     quality.key_weight > 0.0 && strong.count() >= 12
 }
 
-/// The side of the largest squares that a scene is drawn by: smaller ones than the quality's where it has a crowd.
+/// Returns the side of the largest squares, which is smaller in a crowd.
 pub fn largest(scene: &Scene, quality: &Quality) -> usize {
     if has_crowd(scene, quality) {
         quality.square.min(4)
@@ -36,28 +35,28 @@ pub fn largest(scene: &Scene, quality: &Quality) -> usize {
     }
 }
 
-/// A picture drawn by adaptive squares.
+/// A picture by adaptive squares.
 pub struct Squares<'a> {
     oracle: Oracle<'a>,
-    /// The number of points traced in the tiles that are done.
+    /// The number of points in finished tiles.
     points: usize,
-    /// The traced points of the current tile.
+    /// Of the current tile.
     traced: HashMap<(usize, usize), Traced>,
     /// The averaged midpoints of the current tile.
     averaged: HashMap<(usize, usize), Traced>,
     /// How crowded the current tile is, 0 to 1.
     crowding: f64,
-    /// The squares that another drawing of the picture split. This one follows it where rounding decides: a single square changes what
-    /// is allowed all over a crowded tile.
+    /// The splits of another drawing. This one follows them where rounding decides, since one square changes the tolerance of a
+    /// whole crowded tile.
     splits: &'a Splits,
-    /// Where it did.
+    /// The squares decided by rounding.
     ties: Vec<[usize; 3]>,
-    /// The colours of the picture, row by row.
+    /// Row by row.
     colours: Vec<DVec3>,
 }
 
 impl<'a> Squares<'a> {
-    /// Draws a picture as another drawing did that split some squares.
+    /// Draws a picture that follows the splits of another drawing.
     pub fn new(
         scene: &'a Scene,
         quality: &'a Quality,
@@ -93,18 +92,17 @@ impl<'a> Squares<'a> {
         squares
     }
 
-    /// The number of points traced.
     pub fn points(&self) -> usize {
         self.points
     }
 
-    /// Whether it would be the same for a drawing that split other squares.
+    /// Whether a drawing with other splits would be the same.
     pub fn follows(&self, splits: &Splits) -> bool {
         let mut ties = self.ties.iter();
         ties.all(|tie| splits.contains(tie) == self.splits.contains(tie))
     }
 
-    /// The picture as `0x00RRGGBB` pixels, row by row, with those that were drawn where rounding decides, see [`pixel_like`].
+    /// Returns the pixels, equal to `drawn` where rounding decides, see [`pixel_like`].
     pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {
         let Oracle { scene, width, .. } = self.oracle;
         let pixels = drawn.iter().zip(&self.colours).enumerate();
@@ -114,7 +112,7 @@ impl<'a> Squares<'a> {
         pixels.collect()
     }
 
-    /// The averaged or traced point at (x, y).
+    /// Returns the averaged or traced point at (x, y).
     fn at(&mut self, x: usize, y: usize) -> Traced {
         if let Some(averaged) = self.averaged.get(&(x, y)) {
             return *averaged;
@@ -131,7 +129,7 @@ impl<'a> Squares<'a> {
         traced
     }
 
-    /// Whether a point shows what two points tell nothing of what is between: a strong mirror or glass in a crowd, but no large ball.
+    /// Whether a point shows a small strong mirror or glass in a crowd, which cannot be interpolated. Large balls can.
     fn glitters(&self, x: usize, y: usize) -> bool {
         let Oracle { scene, quality, .. } = self.oracle;
         let object = self.oracle.object_at(x as isize, y as isize);
@@ -148,7 +146,6 @@ impl<'a> Squares<'a> {
         has_crowd(scene, quality) && is_small && is_strong
     }
 
-    /// Draws a tile by all its squares of a side.
     fn draw_tile(&mut self, all: &[(usize, usize)], side: usize) {
         self.crowding = 0.0;
         let mut split = all.to_vec();
@@ -160,7 +157,7 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Fills or splits the square of a given side at (x, y), if it is in the picture.
+    /// Fills or splits the square at (x, y), if it is in the picture.
     fn check(&mut self, x: usize, y: usize, side: usize) {
         let is_inside = x < self.oracle.width && y < self.oracle.height;
         if is_inside && !self.is_filled(x, y, side) {
@@ -168,12 +165,11 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// The corners of a square.
     fn corners(&mut self, x: usize, y: usize, side: usize) -> [Traced; 4] {
         [(0, 0), (side, 0), (0, side), (side, side)].map(|(u, v)| self.at(x + u, y + v))
     }
 
-    /// Fills a square if its corners allow it, and says whether they do.
+    /// Fills a square if its corners allow it. Returns whether they do.
     fn is_filled(&mut self, x: usize, y: usize, side: usize) -> bool {
         if side == 1 {
             let point = self.at(x, y);
@@ -196,7 +192,7 @@ impl<'a> Squares<'a> {
         is_filled
     }
 
-    /// Draws the parts of a square.
+    /// Averages the midpoints of a square, and draws its four parts.
     fn split(&mut self, x: usize, y: usize, side: usize) {
         let half = side / 2;
         let [a, b, c, d] = self.corners(x, y, side);
@@ -218,7 +214,7 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// The largest spread of the corners' colours with which the quality fills a square.
+    /// Returns the largest difference between corners by which the quality fills a square.
     fn allowed(&self, corners: &[Traced; 4], side: usize) -> f64 {
         let quality = self.oracle.quality;
         let agree = corners.iter().all(|corner| corner.key == corners[0].key);
@@ -230,13 +226,13 @@ impl<'a> Squares<'a> {
         f64::from(spread * self.oracle.scene.film.tolerance) * self.growth(side)
     }
 
-    /// The factor on a tolerance for squares of 8, for squares of a side.
+    /// Returns the factor on the tolerance of squares of 8 for another side.
     fn growth(&self, side: usize) -> f64 {
         let growth = 8.0 / side as f64;
         growth + self.crowding * (growth.min(1.0) - growth)
     }
 
-    /// The largest spread with which the quality averages the midpoint of a side; negative if it averages none.
+    /// Returns the largest difference by which the quality averages the midpoint of a side; negative for none.
     fn allowed_side(&self, side: usize) -> f64 {
         let Film { tolerance, .. } = self.oracle.scene.film;
         let tolerance = f64::from(self.oracle.quality.tolerance_side * tolerance);
@@ -247,17 +243,15 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Whether the quality compares keys.
     fn has_keys(&self) -> bool {
         self.oracle.quality.tolerance_agreeing != self.oracle.quality.tolerance_differing
     }
 
-    /// Draws a pixel.
     fn put(&mut self, x: usize, y: usize, colour: DVec3) {
         self.colours[y * self.oracle.width + x] = colour;
     }
 
-    /// Interpolates a square's colours between its corners.
+    /// Interpolates a square between its corners.
     fn fill(&mut self, x: usize, y: usize, side: usize, corners: [Traced; 4]) {
         let [a, b, c, d] = corners.map(shown);
         for v in 0..side.min(self.oracle.height - y) {
@@ -270,12 +264,12 @@ impl<'a> Squares<'a> {
     }
 }
 
-/// A point's colour, clamped to 0 to 1.
+/// Returns a point's colour, clamped to 0 to 1.
 fn shown(point: Traced) -> DVec3 {
     point.colour.clamp(DVec3::ZERO, DVec3::ONE)
 }
 
-/// Whether corners may be the same pixel by rounding, and whether they are for sure.
+/// Returns whether the corners can be the same pixel by rounding, and whether they certainly are.
 fn flat(corners: &[Traced; 4]) -> [bool; 2] {
     let bytes = corners.map(|corner| steps(corner.colour, 0.0, 0, 0).map(bytes));
     let (mut may_be, mut is_sure) = (true, true);
@@ -287,7 +281,7 @@ fn flat(corners: &[Traced; 4]) -> [bool; 2] {
     [may_be, is_sure]
 }
 
-/// The largest difference between two corners in a channel, in 255ths.
+/// Returns the largest difference between corners in a channel, in 255ths.
 fn spread(corners: &[Traced; 4]) -> f64 {
     let colours = corners.map(shown);
     let most = colours.into_iter().fold(DVec3::ZERO, DVec3::max);

@@ -1,9 +1,7 @@
-//! Waves on water.
-
 use eightfold_tracer::scene::Waves;
 use glam::{DVec2, DVec3};
 
-/// The normal of water at `p`, above it, for a ray of direction `d`, where a pixel sees `seen` scene units of the water.
+/// Returns the upward normal of water at `p` for a ray of direction `d`, where a pixel covers `seen` scene units.
 pub fn normal(waves: &Waves, p: DVec3, d: DVec3, seen: f64) -> DVec3 {
     let mut slope = DVec2::ZERO;
     let (mut length, mut phase) = (f64::from(waves.length), f64::from(waves.phase));

@@ -1,5 +1,4 @@
-//! Dependents of the tracer: a crate elsewhere, which needs nothing of the intro for it, and the intro and the lab, which have the
-//! same one.
+//! Dependents of the tracer: a crate outside the workspace, and the intro and the lab, which link the same build.
 
 use std::{
     collections::BTreeSet,
@@ -8,15 +7,14 @@ use std::{
     process::Command,
 };
 
-/// The workspace.
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// The folder in which the tracer is packed, unpacked and depended on. Compiled files stay there for the next run.
+/// Returns the folder for the packed crate and its dependent. Compiled files stay there for the next run.
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("dependency")
 }
 
-/// Runs a command, which has to succeed. Returns its standard output.
+/// Runs a command, which must succeed. Returns its standard output.
 fn run(command: &mut Command) -> String {
     let output = command.output().expect("it starts");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -25,14 +23,14 @@ fn run(command: &mut Command) -> String {
     text
 }
 
-/// Runs cargo in a directory. It compiles into [`folder`].
+/// Runs cargo in a directory, with its target in [`folder`].
 fn cargo(directory: impl AsRef<Path>, arguments: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO"));
     let command = command.current_dir(directory).args(arguments);
     run(command.env("CARGO_TARGET_DIR", folder().join("target")))
 }
 
-/// Packs the tracer, and unpacks it. Returns where.
+/// Packs and unpacks the tracer. Returns the folder.
 fn package() -> PathBuf {
     let package = ["package", "--package", "eightfold-tracer", "--offline"];
     cargo(
@@ -71,7 +69,7 @@ mod tests {
 }
 "##;
 
-/// By the default profile, without optimisation: large values would overflow the stack.
+/// The default profile is unoptimised: large values would overflow the stack.
 #[test]
 #[ignore = "libraries are compiled elsewhere"]
 fn dependent_without_optimisation_draws() {
@@ -108,7 +106,7 @@ fn dependent_without_optimisation_draws() {
     assert!(crates.iter().eq(&expected), "{crates:?}");
 }
 
-/// The libraries that a package's programs are linked with, each with its version and its features.
+/// Returns the libraries that a package's programs link, with versions and features.
 fn libraries(package: &str) -> BTreeSet<String> {
     let tree = [
         "tree",
@@ -126,7 +124,7 @@ fn libraries(package: &str) -> BTreeSet<String> {
     all.lines().map(String::from).collect()
 }
 
-/// One profile builds both, so libraries of the same features are the same file.
+/// Both use one profile, so libraries with the same features are the same file.
 #[test]
 fn lab_is_linked_with_the_libraries_of_the_intro() {
     let (intro, lab) = (libraries("eightfold"), libraries("eightfold-lab"));

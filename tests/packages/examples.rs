@@ -1,4 +1,4 @@
-//! The examples: each is built, runs, and draws what it says.
+//! Builds and runs the examples.
 
 use eightfold_lab::cargo::Build;
 use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, texts, wait_for};
@@ -6,14 +6,13 @@ use eightfold_tracer::Quality;
 use std::{collections::BTreeSet, fs, path::Path, process::Command, sync::LazyLock};
 use tempfile::TempDir;
 
-/// The program of an example.
 fn example(name: &str) -> Command {
     static BUILD: LazyLock<Build> =
         LazyLock::new(|| Build::release("eightfold-examples").expect("they can be built"));
     Command::new(BUILD.program(name).expect("there is one"))
 }
 
-/// Runs an example in a folder. Returns the folder and the example's output.
+/// Runs an example in a folder. Returns the folder and the output.
 fn output(name: &str) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a folder");
     let (output, text) = run(example(name).current_dir(&folder));
@@ -21,7 +20,7 @@ fn output(name: &str) -> (TempDir, String) {
     (folder, text)
 }
 
-/// The pixels of a picture of 640x360.
+/// Returns the pixels of a picture of 640x360.
 fn pixels(folder: &TempDir, name: &str) -> Vec<u32> {
     let (width, pixels) = read_png(&fs::read(folder.path().join(name)).expect("a file"));
     assert_eq!((width, pixels.len()), (640, 640 * 360));
@@ -50,7 +49,7 @@ fn squares_marks_less_than_half_of_the_picture() {
     let count = text.trim_end_matches(" squares\n").parse::<usize>();
     let count = count.expect("a number");
     assert!((3600..20_000).contains(&count), "{count} squares");
-    // The sky is of one colour, and its squares are of 8 pixels.
+    // The sky has one colour, in squares of 8 pixels.
     let pixels = pixels(&folder, "squares.png");
     let at = |[x, y]: [usize; 2]| pixels[y * 640 + x];
     let is_line = |place| at(place) > at([1, 1]);
@@ -74,7 +73,7 @@ fn trade_lists_speed_and_error_of_each_preset() {
     );
 }
 
-/// Opens an example's window, which has to show many colours and to end by Esc.
+/// Asserts that an example's window shows many colours and that Esc closes it.
 fn assert_shows(program: &mut Command, name: &str) {
     let server = Server::start(1280, 800);
     let program = server.open(program, || server.geometry(&["-name", name]));
@@ -85,7 +84,7 @@ fn assert_shows(program: &mut Command, name: &str) {
     });
     let [x, y, ..] = place;
     server.xdotool(&format!("mousemove {} {}", x + 20, y + 20));
-    // One that is released before the program looks at its keys is not seen by minifb.
+    // minifb misses a key that is released before the program polls its keys.
     wait_for("the end", || {
         server.xdotool("keydown Escape sleep 0.1 keyup Escape");
         server.geometry(&["-name", name]).is_none().then_some(())
@@ -104,12 +103,12 @@ fn intro_shows_a_picture_until_esc() {
     assert_eq!(texts(&output).1, "intro: no X display\n");
 }
 
-/// It is a crate of its own.
+/// A crate outside the workspace.
 #[test]
 #[ignore = "the libraries of minifb are compiled"]
 fn window_shows_a_picture_until_esc() {
     needs!(DISPLAY);
-    // What it leaves where it is built is no change of the repository.
+    // Git ignores its target folder.
     let mut git = Command::new("git");
     let git = git.current_dir(env!("CARGO_MANIFEST_DIR"));
     let (ignored, _) = run(git.args(["check-ignore", "examples/window/target"]));

@@ -1,11 +1,8 @@
-//! Links of the pages in Markdown lead to files.
-
 use std::{
     fs,
     path::{Path, PathBuf},
 };
 
-/// The pages in a folder.
 fn pages(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder");
     let paths = entries.map(|entry| entry.expect("an entry").path());

@@ -1,13 +1,13 @@
-//! Scenes crowded by mirrors, glass and plastic of all shapes.
+//! Crowds of mirrors, glass and plastic of all shapes.
 
 use crate::{Random, solids};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
-/// Half the side of the cube that the things are in, above a floor.
+/// Half the side of the cube above the floor that contains the objects.
 const REACH: f32 = 5.0;
 
-/// Glass, mirrors or plastic, by the shares of glass and mirrors.
+/// Returns glass, a mirror or plastic, by the shares of glass and mirrors.
 fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     let kind = random.between(0.0, 1.0);
     let plastic = Material {
@@ -36,7 +36,7 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     }
 }
 
-/// A number of spheres and of blocks, with shares of glass and mirrors, lit by points.
+/// Returns a crowd of spheres and blocks by their numbers and the shares of glass and mirrors, lit by points.
 pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let eye = vec3(
         0.0,

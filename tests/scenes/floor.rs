@@ -1,4 +1,4 @@
-//! A floor, seen steeply or along it, near or far from the origin, with a shadow or an image in it, or things that rise out of it.
+//! A floor, steep or grazing, near or far from the origin, with a shadow or an image in it, or with objects that rise from it.
 
 use crate::materials::numbered;
 use crate::{Random, View, solids};
@@ -7,11 +7,10 @@ use eightfold_tracer::scene::{
 };
 use glam::{Mat3, Vec3, vec3};
 
-/// The colour of things that have an image.
 const IMAGED: Material = Material::matt(vec3(1.0, 0.8, 0.6), 0.0);
 
 impl View {
-    /// Adds a sphere and a light whose shadow the floor shows.
+    /// Adds a sphere and a light that throws its shadow on the floor.
     pub(crate) fn light(&mut self, centre: Vec3, radius: f32, light: Vec3) {
         let scene = &mut self.scene;
         scene.ambient = Vec3::splat(0.1);
@@ -31,14 +30,13 @@ impl View {
         self.scene.planes[0].material = Material::mirror(0.5);
     }
 
-    /// The view without spheres.
     pub fn without_spheres(&self) -> Self {
         let mut view = self.clone();
         view.scene.spheres.clear();
         view
     }
 
-    /// The view with lights so bright that a shadow is seen wherever it falls.
+    /// Returns the view with lights so bright that a shadow is visible anywhere.
     pub fn glaring(&self) -> Self {
         let mut view = self.clone();
         for light in view.scene.lights.iter_mut() {
@@ -47,7 +45,7 @@ impl View {
         view
     }
 
-    /// The view with a box that the floor hides together with its shadow.
+    /// Returns the view with a box that the floor hides, including its shadow.
     pub fn with_box(&self) -> Self {
         let mut view = self.clone();
         let side = self.side();
@@ -57,12 +55,12 @@ impl View {
         view
     }
 
-    /// The side of the floor that is seen: 1 from above, -1 from below.
+    /// Returns the visible side of the floor: 1 from above, -1 from below.
     fn side(&self) -> f32 {
         (self.scene.camera.eye.y - self.scene.planes[0].centre.y).signum()
     }
 
-    /// Returns a random place in the picture of a floor at a height, and the length of so many pixels there.
+    /// Returns a random visible point of a floor at a height, and the length of `pixels` there.
     fn place(&self, random: &mut Random, height: f32, pixels: f32) -> Option<(Vec3, f32)> {
         let camera = self.scene.camera;
         let raster = camera.raster(self.width, self.height);
@@ -74,7 +72,7 @@ impl View {
     }
 }
 
-/// A floor with nothing on it.
+/// Returns an empty floor.
 fn empty(random: &mut Random) -> View {
     let floor = random.one_of([0.0, 0.0, 1.0, 37.3, -512.7]);
     let distance = random.power(-1.0, 3.0);
@@ -100,7 +98,7 @@ fn empty(random: &mut Random) -> View {
     }
 }
 
-/// A floor that a light lights, and a sphere whose shadow is a few pixels wide, or thin and long, or mostly hidden.
+/// Returns a lit floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden.
 pub fn shadow(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -115,7 +113,7 @@ pub fn shadow(random: &mut Random) -> View {
     let light_at = (view.scene.camera.eye - at).length() * random.power(-1.5, 1.5);
     let share = random.between(0.02, 0.98);
     let (centre, radius) = if random.below(3) == 0 {
-        // Sunk, so that only its tip casts a shadow, or touching the floor.
+        // Sunk, so that only its tip throws a shadow, or touching the floor.
         let radius = size * random.power(0.0, 3.0);
         let sunk = random.one_of([0.0, 1e-5, 1e-3, 0.1, 1.0]) * random.between(0.0, 1.0);
         let above = side * radius * (1.0 - 2.0 * sunk);
@@ -127,7 +125,7 @@ pub fn shadow(random: &mut Random) -> View {
     view
 }
 
-/// A mirror that is black except for the image of a sphere or a box above it, or half in it.
+/// Returns a black mirror with the image of a sphere or a box above it, or half in it.
 pub fn image(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -156,8 +154,8 @@ pub fn image(random: &mut Random) -> View {
     view
 }
 
-/// Things that rise out of a floor or a slab, stand on it or in it, by from a tenth of their size to a rounding error, each in a
-/// colour of its own in ambient light.
+/// Returns objects on a floor or a slab that rise from it by a tenth of their size down to a rounding error, each in its own
+/// colour.
 pub fn contact(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -193,7 +191,7 @@ pub fn contact(random: &mut Random) -> View {
         }
         let mut block = solids::block(random, at, Vec3::splat(size), material);
         block.axes = [Mat3::IDENTITY, block.axes][random.below(2)];
-        // A capsule is never lower than wide: this one is a ball.
+        // A capsule is at least as high as wide, so this one is a ball.
         if kind == 2 && block.shape != Shape::Capsule {
             block.half.y = 0.5 * rise;
             block.axes = Mat3::from_rotation_y(random.between(0.0, 3.0));

@@ -1,57 +1,55 @@
-//! Small things that are easily missed, over a floor, above mirrors or behind glass.
+//! Small objects that are easily missed, over a floor, above mirrors or behind glass.
 
 use crate::materials::{self, bright};
 use crate::{Random, solids};
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{Vec3, vec3};
 
-/// The small things.
+/// The small objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Things {
-    /// Spheres.
     Spheres,
-    /// Boxes, cylinders and capsules that are thin.
+    /// Thin boxes, cylinders and capsules.
     Blocks,
-    /// Both, larger ones with highlights.
+    /// Larger spheres and blocks with highlights.
     Shiny,
-    /// Spheres and blocks in turns.
+    /// Spheres and blocks, alternating.
     Both,
 }
 
-/// The surfaces that show them besides.
+/// The other surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Host {
-    /// A floor.
     Floor(Material),
     /// Large spheres.
     Balls(Material),
-    /// A pane of glass before them.
+    /// A pane of glass in front of the objects.
     Pane,
 }
 
-/// Forty small things, their host and the light.
+/// Forty small objects, their host and the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hidden {
     pub things: Things,
     pub host: Host,
-    /// The light. Its position is random.
+    /// Its position is random.
     pub light: Option<Light>,
 }
 
 const GREY: Material = Material::matt(Vec3::splat(0.8), 0.9);
 const LIGHT: Light = Light::new(Vec3::ZERO, Vec3::ONE);
 
-/// How many small things there are.
+/// The number of small objects.
 const COUNT: usize = 40;
 
 impl Hidden {
-    /// Spheres over a floor by a point of light.
+    /// Spheres over a floor, lit by a point.
     pub const POINT: Self = Self {
         things: Things::Spheres,
         host: Host::Floor(GREY),
         light: Some(LIGHT),
     };
-    /// The same by an area light.
+    /// The same, lit by a ball.
     pub const BALL: Self = Self {
         light: Some(Light {
             diameter: 0.5,
@@ -59,7 +57,7 @@ impl Hidden {
         }),
         ..Self::POINT
     };
-    /// The same by a sun.
+    /// The same, lit by a sun.
     pub const SUN: Self = Self {
         light: Some(Light {
             parallel: true,
@@ -67,23 +65,23 @@ impl Hidden {
         }),
         ..Self::POINT
     };
-    /// Blocks over a floor by a point of light.
+    /// Blocks over a floor, lit by a point.
     pub const BLOCKS: Self = Self {
         things: Things::Blocks,
         ..Self::POINT
     };
-    /// Spheres over large ones by a point of light.
+    /// Spheres over large ones, lit by a point.
     pub const BALLS: Self = Self {
         host: Host::Balls(GREY),
         ..Self::POINT
     };
-    /// Spheres and blocks over a floor that is a mirror.
+    /// Spheres and blocks over a mirror floor.
     pub const MIRROR: Self = Self {
         things: Things::Both,
         host: Host::Floor(Material::mirror(0.5)),
         light: None,
     };
-    /// Spheres over large ones that are mirrors.
+    /// Spheres over large mirror balls.
     pub const MIRRORS: Self = Self {
         things: Things::Spheres,
         host: Host::Balls(Material::mirror(0.8)),
@@ -94,7 +92,7 @@ impl Hidden {
         host: Host::Pane,
         ..Self::MIRRORS
     };
-    /// Shiny things over a shiny floor by a point of light.
+    /// Shiny objects over a shiny floor, lit by a point.
     pub const SHINY: Self = Self {
         things: Things::Shiny,
         host: Host::Floor(Material {
@@ -104,7 +102,6 @@ impl Hidden {
         }),
         ..Self::POINT
     };
-    /// All of these.
     pub const ALL: [Self; 9] = [
         Self::POINT,
         Self::BALL,
@@ -117,7 +114,7 @@ impl Hidden {
         Self::SHINY,
     ];
 
-    /// A scene of this kind.
+    /// Returns a random scene of this kind.
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = floor(random, GREY);
         scene.planes = List::default();
@@ -151,7 +148,7 @@ impl Hidden {
         scene
     }
 
-    /// Adds the thing of a number, in a colour of its own.
+    /// Adds an object in its own colour.
     fn add_thing(&self, scene: &mut Scene, random: &mut Random, number: usize) {
         let centre = random.vector(vec3(-5.0, 0.5, -5.0), vec3(5.0, 3.0, 5.0));
         let is_odd = number % 2 == 1;
@@ -176,12 +173,12 @@ impl Hidden {
     }
 }
 
-/// A place of a light above the floor.
+/// Returns a position above the floor.
 fn light_place(random: &mut Random) -> Vec3 {
     random.vector(vec3(-6.0, 5.0, -6.0), vec3(6.0, 9.0, 6.0))
 }
 
-/// A floor with nothing on it, from some way above.
+/// Returns an empty floor, seen from above.
 fn floor(random: &mut Random, material: Material) -> Scene {
     let eye = random.vector(vec3(-6.0, 2.0, 11.0), vec3(6.0, 8.0, 11.0));
     Scene {
@@ -193,8 +190,8 @@ fn floor(random: &mut Random, material: Material) -> Scene {
     }
 }
 
-/// Two spheres above a floor, between whose shadows there is a slit of light: most are a few pixels wide, and end where the
-/// shadows meet.
+/// Returns two spheres above a floor with a slit of light between their shadows: mostly a few pixels wide, ending where the shadows
+/// meet.
 pub fn slit(random: &mut Random) -> Scene {
     let mut scene = floor(random, GREY);
     let way = random.vector(vec3(-1.0, 0.0, -1.0), vec3(1.0, 0.0, 1.0));

@@ -1,4 +1,4 @@
-//! Objects scattered around the origin, by kinds.
+//! Objects scattered around the origin.
 
 use crate::{Random, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
@@ -10,23 +10,23 @@ use glam::{Vec3, vec3};
 /// The parts of a random scene.
 #[derive(Clone, Copy)]
 pub struct Kinds {
-    /// The most spheres, planes, blocks and lights.
+    /// The largest numbers of objects.
     pub spheres: usize,
     pub planes: usize,
     pub blocks: usize,
     pub lights: usize,
-    /// The power of 10 of the smallest radius.
+    /// The smallest radius, as a power of 10.
     pub smallest: f32,
     pub material: fn(&mut Random) -> Material,
     pub light: fn(&mut Random) -> Light,
     pub camera: fn(&mut Random) -> Camera,
-    /// Whether there may be a sky, haze, an exposure, a film and waves.
+    /// Whether there can be a sky, haze, an exposure, a film and waves.
     pub air: bool,
-    /// Whether things may touch, be in each other, in the same place, or in a row.
+    /// Whether objects can touch, overlap, coincide, or form a row.
     pub groups: bool,
-    /// Whether there may be captions and copper bars.
+    /// Whether there can be captions and copper bars.
     pub overlays: bool,
-    /// The power of 10 of the scale, from its negative to it.
+    /// The largest scale, as a power of 10; the smallest is its reciprocal.
     pub decades: f32,
 }
 
@@ -58,7 +58,7 @@ impl Kinds {
         ..Self::SPHERES
     };
 
-    /// Everything that [`Scene::validate`] takes, up to as much as a scene holds.
+    /// Everything that [`Scene::validate`] accepts, up to full lists.
     pub const EXTREME: Self = Self {
         spheres: MAX_SPHERES,
         planes: 4,
@@ -73,7 +73,7 @@ impl Kinds {
         ..Self::RICH
     };
 
-    /// A scene of these parts.
+    /// Returns a random scene of these parts.
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = Scene {
             camera: (self.camera)(random),
@@ -117,18 +117,18 @@ impl Kinds {
     }
 }
 
-/// A count up to a number, often a small one.
+/// Returns a number up to `most`, often a small one.
 fn count(random: &mut Random, most: usize) -> usize {
     let most = random.one_of([4, 12, 40, most]).min(most);
     random.below(most + 1)
 }
 
-/// A place near the origin, above the ground.
+/// Returns a position near the origin, above the ground.
 fn place(random: &mut Random) -> Vec3 {
     random.vector(vec3(-4.0, 0.2, -4.0), vec3(4.0, 3.0, 4.0))
 }
 
-/// A camera that looks at the origin from outside.
+/// Returns a camera that looks at the origin from outside.
 pub fn outside(random: &mut Random) -> Camera {
     let (angle, distance) = (random.between(0.0, 6.3), random.between(7.0, 14.0));
     let eye = vec3(
@@ -140,14 +140,13 @@ pub fn outside(random: &mut Random) -> Camera {
     Camera::new(eye, look_at, random.between(0.3, 1.6))
 }
 
-/// A camera anywhere, in things, too.
+/// Returns a camera anywhere, also inside objects.
 pub fn anywhere(random: &mut Random) -> Camera {
     let eye = random.vector(vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0));
     let look_at = random.vector(Vec3::splat(-1.0), Vec3::ONE);
     Camera::new(eye, look_at, random.between(0.1, 2.5))
 }
 
-/// Adds a sky, haze, an exposure, a film and waves, or some of them.
 fn add_air(scene: &mut Scene, random: &mut Random) {
     scene.sky = random.colour() - scene.background;
     scene.haze = random.zero_or(0.01, 0.1);
@@ -169,7 +168,7 @@ fn add_air(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-/// Adds things beside the last sphere, or a fence of rods.
+/// Adds a neighbour of the last sphere, or a fence of rods.
 fn add_groups(scene: &mut Scene, random: &mut Random) {
     let Some(&last) = scene.spheres.last() else {
         return;
@@ -197,14 +196,13 @@ fn add_groups(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-/// Adds an item to a list with room for it.
+/// Adds an item if there is room.
 fn add<T: Copy + Default, const N: usize>(list: &mut List<T, N>, item: T) {
     if list.len() < N {
         list.push(item);
     }
 }
 
-/// Adds a caption and a copper bar.
 fn add_overlays(scene: &mut Scene, random: &mut Random) {
     if random.below(4) == 0 {
         scene.captions.push(Caption {

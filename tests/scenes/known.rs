@@ -1,11 +1,11 @@
-//! Scenes that showed a fault once, or that tell what is not promised.
+//! Scenes that once failed.
 
 use crate::View;
 use crate::materials::numbered;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// A floor by its centre and half its extents.
+/// Returns a floor by its centre and half extents.
 fn floor(camera: Camera, centre: Vec3, [half_x, half_z]: [f32; 2], size: [usize; 2]) -> View {
     View {
         scene: Scene {
@@ -19,20 +19,20 @@ fn floor(camera: Camera, centre: Vec3, [half_x, half_z]: [f32; 2], size: [usize;
     }
 }
 
-/// A camera above the origin that looks along -z, some steps to the side and up.
+/// Returns a camera above the origin that looks along -z, turned right and up.
 fn ahead(height: f32, right: f32, up: f32, field_of_view: f32) -> Camera {
     let eye = Vec3::Y * height;
     Camera::new(eye, eye + vec3(right, up, -1.0), field_of_view)
 }
 
-/// The view with a sphere and a light whose shadow the floor shows.
+/// Returns the view with a sphere and a light that throws its shadow on the floor.
 fn lit(mut view: View, centre: Vec3, radius: f32, light: Vec3) -> View {
     view.light(centre, radius, light);
     view
 }
 
-/// Shadows of spheres that are little larger than rounding moves their points, some of which only the picture's last rows show, and
-/// one that was missed beside a box.
+/// Shadows of spheres barely larger than the rounding error of their points, some only in the last rows of the picture, and one
+/// that was missed next to a box.
 pub fn thin_shadows() -> [View; 6] {
     [
         lit(
@@ -94,7 +94,7 @@ pub fn thin_shadows() -> [View; 6] {
             0.001_199_768,
             vec3(232.048_89, -515.318_5, 0.493_072_1),
         ),
-        // Across a low light's patch, beside a corner that is as good as dark, shadow or not.
+        // In the patch of a low light, next to a corner that is dark with or without the shadow.
         lit(
             floor(
                 Camera::new(
@@ -113,7 +113,7 @@ pub fn thin_shadows() -> [View; 6] {
     ]
 }
 
-/// The image of a thin box in the corner of a picture that is nearly all around.
+/// The image of a thin box in the corner of a very wide picture.
 pub fn wide_image() -> View {
     let camera = ahead(-35.823_78, -0.695_287_1, -0.103_523, 2.682_118_4);
     let centre = vec3(0.0, -38.373_173, -20.0);
@@ -128,8 +128,7 @@ pub fn wide_image() -> View {
     view
 }
 
-/// Things that rise out of a floor by little: marks of 6 pixels by 2e-6 of the height from which they are seen, the tip of a ball,
-/// and a rod.
+/// Objects that barely rise from a floor: marks of 6 pixels by 2e-6 of the eye's height, the tip of a ball, and a rod.
 pub fn slivers() -> [View; 3] {
     let above = |height: f32, field_of_view: f32| Camera {
         up: Vec3::NEG_Z,
@@ -160,7 +159,7 @@ pub fn slivers() -> [View; 3] {
     views
 }
 
-/// Highlights of a cylinder and a capsule that are thinner than a pixel.
+/// Highlights thinner than a pixel, on a cylinder and a capsule.
 pub fn thin_highlights() -> [Scene; 2] {
     let tilted = Mat3::from_cols(
         vec3(0.665_042_4, 0.052_484_63, -0.744_959),
@@ -213,12 +212,11 @@ pub fn thin_highlights() -> [Scene; 2] {
     ]
 }
 
-/// A black block along the axes.
 fn rod(shape: Shape, centre: Vec3, half: Vec3) -> Block {
     Block::new(shape, centre, half, Material::BLACK)
 }
 
-/// A shiny grey block by its grey, `kd`, `ks`, exponent and metallic share, in front of nothing, and a light.
+/// Returns a shiny grey block by grey, `kd`, `ks`, exponent and metallic share, and a light.
 fn shone_on(
     camera: Camera,
     block: Block,
@@ -241,7 +239,7 @@ fn shone_on(
     }
 }
 
-/// A picture full of a colour half-way between two steps: 204.49998 of 255.
+/// A picture of a colour half-way between two steps: 204.49998 of 255.
 pub fn tie() -> Scene {
     Scene {
         background: vec3(0.801_960_7, 0.0, 0.0),
@@ -249,7 +247,7 @@ pub fn tie() -> Scene {
     }
 }
 
-/// A box at one of whose edges a ray met the face that looks away.
+/// A box where a ray at an edge hit the face that points away.
 pub fn mirror_box(material: Material) -> Scene {
     let centre = vec3(-2.898_021, -0.397_971, -0.665_652_7);
     let half = vec3(0.741_517_96, 0.575_814_25, 0.917_006_7);

@@ -1,19 +1,17 @@
-//! Random scenes, by seed, composed of named parts. Tests and `lab missed` use them.
-//!
-//! A property asks for the kinds of scenes that it means:
+//! Random scenes, by seed, for tests and `lab missed`.
 //!
 //! | kind | scenes |
 //! | --- | --- |
-//! | [`Kinds`] | objects of all shapes, materials and lights, scattered around the origin |
-//! | [`placed`] | objects in colours of their own, placed and sized by pixels |
-//! | [`floor`] | a single shadow or image in a floor, or things that rise out of it |
-//! | [`Hidden`] | forty small things over a floor, above mirrors, behind glass |
+//! | [`Kinds`] | all shapes, materials and lights, scattered around the origin |
+//! | [`placed`] | objects in their own colours, placed and sized by pixels |
+//! | [`floor`] | a single shadow or image in a floor, or objects that rise from it |
+//! | [`Hidden`] | forty small objects over a floor, above mirrors, behind glass |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic |
 //! | [`shiny()`] | highlights of all sizes |
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
-//! | [`known`] | scenes that showed a fault |
+//! | [`known`] | scenes that once failed |
 //!
-//! A new kind is a function from a [`Random`] to a scene, made of the parts in [`materials`], [`lights`] and [`solids`].
+//! A new kind is a function from a [`Random`] to a scene, of parts from [`materials`], [`lights`] and [`solids`].
 
 mod crowd;
 pub mod floor;
@@ -47,7 +45,7 @@ pub struct View {
     pub height: usize,
 }
 
-/// The materials of all spheres, planes and blocks of a scene, in this order.
+/// Returns the materials of all spheres, planes and blocks, in this order.
 pub fn materials_of(scene: &mut Scene) -> Vec<&mut Material> {
     let spheres = scene.spheres.iter_mut().map(|sphere| &mut sphere.material);
     let planes = scene.planes.iter_mut().map(|plane| &mut plane.material);
@@ -55,7 +53,7 @@ pub fn materials_of(scene: &mut Scene) -> Vec<&mut Material> {
     spheres.chain(planes).chain(blocks).collect()
 }
 
-/// Gives objects and lights distinct colours, at least `step` of 255 apart in a channel, in ambient light alone.
+/// Gives objects and lights distinct ambient colours, at least `step` of 255 apart in a channel.
 pub fn coloured(scene: &Scene, step: usize) -> Scene {
     let mut scene = scene.clone();
     let mut numbers = 1..;
@@ -72,7 +70,7 @@ pub fn coloured(scene: &Scene, step: usize) -> Scene {
     }
 }
 
-/// Multiplies all lengths of a scene by a factor, as far as [`Scene::validate`] allows for haze, patterns and extents.
+/// Scales a scene, within the ranges of [`Scene::validate`] for haze, patterns and extents.
 pub fn scaled(scene: &Scene, factor: f32) -> Scene {
     let mut scene = scene.clone();
     scene.haze = (scene.haze / factor).min(1e3);

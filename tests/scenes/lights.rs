@@ -1,10 +1,8 @@
-//! Lights.
-
 use crate::Random;
 use eightfold_tracer::scene::{Light, Spot};
 use glam::vec3;
 
-/// A visible point.
+/// Returns a visible point.
 pub fn point(random: &mut Random) -> Light {
     let position = random.vector(vec3(-8.0, 0.2, -8.0), vec3(8.0, 9.0, 8.0));
     Light {
@@ -13,7 +11,7 @@ pub fn point(random: &mut Random) -> Light {
     }
 }
 
-/// A point or a ball, near or a sun, a spotlight or none, with a glow or without.
+/// Returns a point or a ball, near or a sun, with or without cone and glow.
 pub fn any(random: &mut Random) -> Light {
     let position = random.vector(vec3(-9.0, 6.0, -9.0), vec3(9.0, 12.0, 9.0));
     let (outer, soft) = (random.between(0.65, 1.25), random.between(0.1, 0.3));
@@ -27,7 +25,7 @@ pub fn any(random: &mut Random) -> Light {
     [light, spotlight(light, outer - soft, outer)][random.below(2)]
 }
 
-/// The light as a spotlight that aims at the origin, with angles in radians.
+/// Returns the light as a spotlight at the origin, with angles in radians.
 pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
     Light {
         spot: Some(Spot {
@@ -39,7 +37,7 @@ pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
     }
 }
 
-/// The light as a sun, a spotlight and a ball.
+/// Returns the light as a sun, a spotlight and a ball.
 pub fn others(light: Light, diameter: f32) -> [Light; 3] {
     let sun = Light {
         parallel: true,

@@ -1,10 +1,8 @@
-//! Materials.
-
 use crate::Random;
 use eightfold_tracer::scene::{Material, Pattern};
 use glam::{Vec3, vec3};
 
-/// Plastic, mirror or glass; `kr + kt` is at most 1.
+/// Returns plastic, a mirror or glass; `kr + kt` is at most 1.
 pub fn plain(random: &mut Random) -> Material {
     let kt = random.zero_or(0.2, 0.9);
     Material {
@@ -22,19 +20,19 @@ pub fn plain(random: &mut Random) -> Material {
     }
 }
 
-/// The same with a pattern, and a tint if it is transparent.
+/// Returns a plain material with a pattern, and a tint if it is transparent.
 pub fn painted(random: &mut Random) -> Material {
     let material = plain(random);
     Material {
         tint: random.colour() * f32::from(u8::from(material.kt > 0.0)),
         pattern: pattern(random),
-        // A curved mirror at a grazing angle shows patterns finer than f32 can tell.
+        // Grazing reflections in curved mirrors show patterns beyond the precision of f32.
         fresnel: 0.05 * material.fresnel,
         ..material
     }
 }
 
-/// The same, with numbers from end to end of their ranges.
+/// Returns a painted material with numbers up to the ends of their ranges.
 pub fn extreme(random: &mut Random) -> Material {
     let material = painted(random);
     Material {
@@ -52,7 +50,7 @@ pub fn extreme(random: &mut Random) -> Material {
     }
 }
 
-/// Stripes, checkers, marble or a uniform colour.
+/// Returns stripes, checkers, marble or a uniform colour.
 pub fn pattern(random: &mut Random) -> Pattern {
     let waves = [0; 3].map(|_| random.zero_or(0.2, 2.0));
     Pattern {
@@ -65,7 +63,7 @@ pub fn pattern(random: &mut Random) -> Pattern {
     }
 }
 
-/// A material whose highlights are of any size.
+/// Returns a material with highlights of any size.
 pub fn shiny(random: &mut Random) -> Material {
     Material {
         colour: Vec3::splat(random.between(0.0, 0.6)),
@@ -77,7 +75,7 @@ pub fn shiny(random: &mut Random) -> Material {
     }
 }
 
-/// A material whose colour in ambient light tells the number of its object. Colours are at least `step` of 255 apart in a channel.
+/// Returns a material whose ambient colour is unique to a number: at least `step` of 255 apart in a channel.
 pub fn numbered(number: usize, step: usize) -> Material {
     let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
     Material {
@@ -86,7 +84,7 @@ pub fn numbered(number: usize, step: usize) -> Material {
     }
 }
 
-/// A matt material in a colour of the number's own, below 64, whose channels are half of 255 at least.
+/// Returns a matt material whose colour is unique to a number below 64; all channels are at least half of 255.
 pub fn bright(number: usize) -> Material {
     let digit = |unit: usize| (128 + 30 * (number / unit % 4)) as f32 / 255.0;
     Material::matt(vec3(digit(1), digit(4), digit(16)), 0.8)

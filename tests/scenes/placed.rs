@@ -1,27 +1,27 @@
-//! Objects in colours of their own, placed and sized by pixels of the picture.
+//! Objects in their own colours, placed and sized by pixels.
 
 use crate::{Random, View, coloured, scaled, solids};
 use eightfold_tracer::scene::{Camera, Light, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// Returns the place that a pixel shows at a distance, and a length in pixels in scene units there.
+/// Returns the point that a pixel shows at a distance, and a length in pixels there.
 fn at(view: &View, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) {
     let camera = view.scene.camera;
     let raster = camera.raster(view.width, view.height);
-    // On the ray through the pixel's centre, so that even small objects are hit by a ray.
+    // At the pixel's centre, so that a ray hits even small objects.
     let d = raster.corner + raster.dx * x.floor() + raster.dy * y.floor();
     let length = pixels * raster.dx.length() * distance;
     (camera.eye + d * distance, length)
 }
 
-/// Returns a place in the picture at a power of 10 of the distance, and a length there by a power of 10 in pixels.
+/// Returns a visible point at a power of 10 of the distance, and a length there by a power of 10 in pixels.
 fn anywhere(random: &mut Random, view: &View, far: [f32; 2], pixels: [f32; 2]) -> (Vec3, f32) {
     let [x, y] = [view.width, view.height].map(|side| random.between(0.0, side as f32));
     let distance = random.power(far[0], far[1]);
     at(view, [x, y], distance, random.power(pixels[0], pixels[1]))
 }
 
-/// A view among the objects, in any direction, sometimes along an axis, without objects.
+/// Returns an empty view in any direction, sometimes along an axis.
 fn among(random: &mut Random) -> View {
     let eye = random.vector(vec3(-3.0, -2.0, -3.0), vec3(3.0, 2.0, 3.0));
     let any = random.vector(Vec3::NEG_ONE, Vec3::ONE);
@@ -47,7 +47,7 @@ fn add_planes(view: &mut View, random: &mut Random) {
     }
 }
 
-/// Adds spheres around the eye or next to it, in one of four scenes.
+/// Adds a sphere around the eye or next to it, to a quarter of the scenes.
 fn add_around(view: &mut View, random: &mut Random) {
     if random.below(4) == 0 {
         let radius = random.between(0.05, 20.0);
@@ -59,7 +59,7 @@ fn add_around(view: &mut View, random: &mut Random) {
     }
 }
 
-/// Gives the objects colours, one step apart or more, at any scale.
+/// Colours the objects, and scales the scene.
 fn finished(view: View, random: &mut Random) -> View {
     let coloured = coloured(&view.scene, random.one_of([1, 28]));
     let decades = random.one_of([0.0, 4.0]);
@@ -69,7 +69,7 @@ fn finished(view: View, random: &mut Random) -> View {
     }
 }
 
-/// Spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
+/// Returns spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
 pub fn placed(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(63) {
@@ -92,7 +92,7 @@ pub fn placed(random: &mut Random) -> View {
     finished(view, random)
 }
 
-/// Blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
+/// Returns blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
 pub fn placed_blocks(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(31) {
@@ -105,7 +105,7 @@ pub fn placed_blocks(random: &mut Random) -> View {
     finished(view, random)
 }
 
-/// Adds a cube, a rod or a slab in a bounding sphere, along the axes or turned, with thin sides a share as thick.
+/// Adds a cube, a rod or a slab by its bounding sphere, aligned or turned; `thin` scales its thin sides.
 fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 2], thin: f32) {
     let (centre, radius) = anywhere(random, view, far, pixels);
     let shares = [0; 3].map(|_| [1.0, random.between(0.02, 1.0)][random.below(2)]);
@@ -119,7 +119,7 @@ fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 
     view.scene.blocks.push(block);
 }
 
-/// Small spheres, each between the corners of a square of 8 pixels.
+/// Returns small spheres, each between the corners of a square of 8 pixels.
 pub fn between_corners() -> View {
     let mut view = View {
         scene: Scene::default(),

@@ -1,8 +1,6 @@
-//! Random numbers, and the seeds of cases.
-
 use glam::{DVec2, Mat3, Quat, Vec3, dvec2, vec3};
 
-/// A generator of pseudorandom numbers, SplitMix by Steele, Lea and Flood.
+/// A pseudorandom generator: SplitMix by Steele, Lea and Flood.
 #[derive(Clone, Debug)]
 pub struct Random {
     pub seed: u64,
@@ -10,12 +8,11 @@ pub struct Random {
 }
 
 impl Random {
-    /// A generator for a seed.
     pub const fn new(seed: u64) -> Self {
         Self { seed, state: seed }
     }
 
-    /// 64 random bits.
+    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.state;
@@ -24,53 +21,50 @@ impl Random {
         bits ^ (bits >> 31)
     }
 
-    /// A number from 0 to below 1, of the 53 bits that fill the fraction of an f64.
+    /// Returns a number in [0, 1) with 53 random bits.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Two such numbers.
     pub fn units(&mut self) -> DVec2 {
         dvec2(self.unit(), self.unit())
     }
 
-    /// A whole number below `end`.
+    /// Returns an integer below `end`.
     pub fn below(&mut self, end: usize) -> usize {
         (self.bits() % end as u64) as usize
     }
 
-    /// A number from `low` to `high`.
+    /// Returns a number from `low` to `high`.
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * ((self.bits() >> 40) as f32 / (1 << 24) as f32)
     }
 
-    /// 0, or a number from `low` to `high`, equally often.
+    /// Returns 0, or a number from `low` to `high`, with equal probability.
     pub fn zero_or(&mut self, low: f32, high: f32) -> f32 {
         [0.0, self.between(low, high)][self.below(2)]
     }
 
-    /// 10 to a power from `low` to `high`.
+    /// Returns 10 to a power from `low` to `high`.
     pub fn power(&mut self, low: f32, high: f32) -> f32 {
         10_f32.powf(self.between(low, high))
     }
 
-    /// One of some values.
     pub fn one_of<T: Copy, const N: usize>(&mut self, values: [T; N]) -> T {
         values[self.below(N)]
     }
 
-    /// A point in a box.
+    /// Returns a point in a box.
     pub fn vector(&mut self, low: Vec3, high: Vec3) -> Vec3 {
         let mut share = || self.between(0.0, 1.0);
         low + (high - low) * vec3(share(), share(), share())
     }
 
-    /// A colour.
     pub fn colour(&mut self) -> Vec3 {
         self.vector(Vec3::ZERO, Vec3::ONE)
     }
 
-    /// The axes of something turned in any way.
+    /// Returns random axes.
     pub fn turn(&mut self) -> Mat3 {
         let turn = self.vector(Vec3::splat(-3.0), Vec3::splat(3.0));
         Mat3::from_quat(Quat::from_scaled_axis(turn))
@@ -79,8 +73,8 @@ impl Random {
 
 /// Returns a generator for each of `count` cases.
 ///
-/// The environment variable `CASES` sets another count, and `FIRST_CASE` the first seed, which is 0 otherwise: a case that failed
-/// is repeated by its seed as `FIRST_CASE`, with `CASES=1`.
+/// The environment variable `CASES` sets another count, and `FIRST_CASE` the first seed (0). To repeat a failed case, set
+/// `FIRST_CASE` to its seed and `CASES=1`.
 pub fn cases(count: u64) -> impl Iterator<Item = Random> {
     let number = |name: &str| {
         let text = std::env::var(name).ok()?;

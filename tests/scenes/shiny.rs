@@ -1,11 +1,9 @@
-//! Highlights of all sizes.
-
 use crate::{Random, materials, solids};
 use eightfold_tracer::scene::{Block, Camera, Light, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// Shiny spheres, or cylinders and capsules, large and tiny, on a floor or in the air, a camera and lights low above it or high, near
-/// or far away.
+/// Returns shiny spheres, or cylinders and capsules, of all sizes, on a floor or in the air, with camera and lights high or
+/// grazing, near or far.
 pub fn shiny(random: &mut Random, are_blocks: bool) -> Scene {
     let [x, z] = [random.between(-6.0, 6.0), random.between(5.0, 12.0)];
     let eye = vec3(x, random.power(-1.5, 1.0), z);

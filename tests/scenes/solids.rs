@@ -4,10 +4,9 @@ use crate::Random;
 use eightfold_tracer::scene::{Block, Material, Shape};
 use glam::Vec3;
 
-/// All shapes of blocks.
 pub const SHAPES: [Shape; 3] = [Shape::Box, Shape::Cylinder, Shape::Capsule];
 
-/// Returns the extent of a shape that is nearest to another extent.
+/// Returns the nearest valid extent of a shape.
 pub fn fitting(shape: Shape, half: Vec3) -> Vec3 {
     match shape {
         Shape::Box => half,
@@ -16,7 +15,7 @@ pub fn fitting(shape: Shape, half: Vec3) -> Vec3 {
     }
 }
 
-/// A block of any shape, turned in any way.
+/// Returns a block of any shape and direction.
 pub fn block(random: &mut Random, centre: Vec3, half: Vec3, material: Material) -> Block {
     let shape = random.one_of(SHAPES);
     Block {

@@ -1,5 +1,5 @@
-//! Thin things: bars of one to five pixels in any direction, alone, crossing, before patterns and behind others, as objects, as shadows
-//! on a floor, and as images in one.
+//! Bars of one to five pixels in any direction, single, crossing, in front of patterns and behind other objects, seen directly, as
+//! shadows on a floor, and as images in one.
 
 use crate::materials::numbered;
 use crate::{Random, View, coloured, solids};
@@ -9,7 +9,6 @@ use eightfold_tracer::scene::{
 };
 use glam::{Mat3, Quat, Vec2, Vec3, vec2, vec3};
 
-/// How the eye sees bars.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Seen {
     Directly,
@@ -18,7 +17,6 @@ pub enum Seen {
 }
 
 impl Seen {
-    /// All ways.
     pub const ALL: [Self; 3] = [Self::Directly, Self::AsShadows, Self::AsImages];
 
     /// Returns a view with bars, and the same view without them.
@@ -86,7 +84,7 @@ impl Seen {
         views
     }
 
-    /// Returns the scene of some things and some bars, in colours by their numbers.
+    /// Joins objects and bars, in distinct colours.
     fn joined(self, others: &Scene, bars: Option<&Scene>) -> Scene {
         let mut scene = others.clone();
         let floor = scene.planes.iter().next().map(|plane| plane.material);
@@ -122,7 +120,7 @@ impl Seen {
         let nearer = [1.0, random.power(-0.7, 0.7)][random.below(2)];
         let share = random.between(0.02, 0.7);
         let raster = view.scene.camera.raster(view.width, view.height);
-        // The ends, and the length of a pixel there.
+        // Both ends, and the length of a pixel there.
         let ends = [(from, far), (to, far * nearer)].map(|(at, far)| {
             let eye = view.scene.camera.eye;
             let d = raster.corner + raster.dx * at.x + raster.dy * at.y;

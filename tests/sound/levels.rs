@@ -5,7 +5,7 @@ use ebur128::{EbuR128, Mode};
 use eightfold::show;
 use eightfold::sound::RATE;
 
-/// The loudness by EBU R128 in LUFS, and the largest peak between samples.
+/// Returns the loudness by EBU R128 in LUFS, and the true peak.
 fn meter(samples: &[[f32; 2]]) -> (f64, f64) {
     let mut meter = EbuR128::new(2, RATE, Mode::I | Mode::TRUE_PEAK).unwrap();
     meter.add_frames_f32(samples.as_flattened()).unwrap();
@@ -64,7 +64,7 @@ fn both_sides_are_centred_and_equally_loud() {
     assert!((0.8..1.25).contains(&ratio), "left to right: {ratio}");
 }
 
-/// A click would be a step much larger than those around it.
+/// A click is a step much larger than its neighbours.
 #[test]
 fn cut_is_no_click() {
     let song = song();

@@ -7,10 +7,9 @@ mod sameness;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};
 use std::sync::OnceLock;
 
-/// The samples of a bar.
+/// Samples per bar.
 const BAR: usize = 96_000;
 
-/// The whole song.
 fn song() -> &'static [[f32; 2]] {
     static SONG: OnceLock<Vec<[f32; 2]>> = OnceLock::new();
     SONG.get_or_init(|| {
@@ -20,7 +19,6 @@ fn song() -> &'static [[f32; 2]] {
     })
 }
 
-/// The magnitude of the largest sample.
 fn peak(samples: &[[f32; 2]]) -> f32 {
     samples
         .as_flattened()
@@ -28,7 +26,7 @@ fn peak(samples: &[[f32; 2]]) -> f32 {
         .fold(0.0, |peak, sample| peak.max(sample.abs()))
 }
 
-/// The sample value of a level in decibels of full scale.
+/// Returns the amplitude of a level in dB of full scale.
 fn decibels(level: f32) -> f32 {
     10_f32.powf(level / 20.0)
 }

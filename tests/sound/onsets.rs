@@ -1,17 +1,17 @@
-//! The kicks that the picture follows are those of the sound.
+//! The picture's kicks coincide with those of the sound.
 
 use super::song;
 use eightfold::show::{self, grid};
 use eightfold::sound::{RATE, pulse};
 
-/// The samples of a millisecond, over which energy is summed.
+/// Samples per millisecond.
 const FRAME: usize = RATE as usize / 1000;
 
 /// Milliseconds before and after an onset whose energies are compared.
 const SPAN: usize = 8;
 
-/// The energy of the treble in each millisecond: of the differences between samples. A hit starts with treble; the bass of a kick
-/// rises over 50 ms.
+/// Returns the energy of the treble per millisecond, by differences between samples. A kick starts with treble; its bass rises over
+/// 50 ms.
 fn energies() -> Vec<f32> {
     let steps = song().windows(2).map(|pair| {
         let step = [0, 1].map(|side| pair[1][side] - pair[0][side]);

@@ -1,10 +1,9 @@
-//! A sample depends on its position in the song alone.
+//! A sample is a function of its position in the song.
 
 use super::{BAR, song};
 use eightfold::show;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};
 
-/// Whether two sequences of samples have the same bits.
 fn same(a: &[[f32; 2]], b: &[[f32; 2]]) -> bool {
     let bits = |samples: &[[f32; 2]]| -> Vec<u32> {
         let channels = samples.as_flattened().iter();
@@ -32,7 +31,7 @@ fn blocks_of_any_size_give_the_same_samples() {
     assert!(same(&samples[..song.len()], song), "its own blocks");
 }
 
-/// Forwards, backwards, to the middle of a block, and beyond the end.
+/// Forwards, backwards, to the middle of a block, and past the end.
 #[test]
 fn seeking_gives_the_same_samples_as_playing() {
     let mut synthesizer = Box::<Synthesizer>::default();

@@ -1,26 +1,24 @@
-//! A count of what Rust's allocator is asked for. C has its own.
+//! Counts allocations by Rust's allocator. C has its own.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::SeqCst};
 
-/// The system's allocator, with a count of its calls: to be a test program's `#[global_allocator]`.
+/// The system's allocator with a count of its calls, for a test program's `#[global_allocator]`.
 pub struct Counting(AtomicUsize);
 
 impl Counting {
-    /// The allocator, before its first call.
     #[must_use]
     #[expect(clippy::new_without_default, reason = "it is made for a static")]
     pub const fn new() -> Self {
         Self(AtomicUsize::new(0))
     }
 
-    /// How often memory was asked for so far.
     pub fn count(&self) -> usize {
         self.0.load(SeqCst)
     }
 }
 
-// SAFETY: all calls go to the system's allocator. The methods that are left out ask these.
+// SAFETY: all calls go to the system's allocator; the other methods call these.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         self.0.fetch_add(1, SeqCst);

@@ -1,4 +1,4 @@
-//! Support that tests of the programs share: the intro itself, X servers, tools to observe them, and readers of pictures.
+//! Shared support for tests of programs: the intro, X servers, tools, and readers of pictures.
 
 pub mod allocations;
 pub mod reader;
@@ -19,28 +19,27 @@ use std::{
 };
 use tempfile::TempDir;
 
-/// The intro, which is built if anything has changed.
+/// The intro, rebuilt if needed.
 static BUILT: LazyLock<Build> =
     LazyLock::new(|| Build::release("eightfold").expect("it can be built"));
 
-/// The path of the intro.
 pub fn intro() -> PathBuf {
     BUILT.program("eightfold").expect("there is a program")
 }
 
-/// The path of the intro as it was linked. The packed file unpacks the same program, as `tests/intro/size.rs` holds; this starts
-/// in a third of a second less.
+/// Returns the intro as it was linked, which starts a third of a second faster than the packed file. `tests/intro/size.rs` holds
+/// that both are the same program.
 pub fn linked_intro() -> PathBuf {
     BUILT.linked("eightfold").expect("it was linked")
 }
 
-/// The named qualities, as errors and `--help` list them.
+/// Returns the named qualities, as errors and `--help` list them.
 pub fn qualities() -> String {
     let others = ["thesis", "exhaustive"];
     [&Quality::NAMES[..], &others].concat().join(" ")
 }
 
-/// A command that starts the intro with some options, without a display and without sound.
+/// Returns a command that starts the intro without display and sound.
 pub fn headless(options: &str) -> Command {
     let mut command = Command::new(linked_intro());
     command.env_remove("DISPLAY").arg("--silent");
@@ -48,7 +47,7 @@ pub fn headless(options: &str) -> Command {
     command
 }
 
-/// The standard output and the standard error of a process.
+/// Returns standard output and standard error.
 pub fn texts(output: &Output) -> (String, String) {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (text(&output.stdout), text(&output.stderr))
@@ -61,7 +60,7 @@ pub fn run(command: &mut Command) -> (Output, String) {
     (output, text)
 }
 
-/// Waits until a function returns something.
+/// Waits until a function returns a value.
 ///
 /// # Panics
 /// After ten seconds.
@@ -69,7 +68,7 @@ pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
     try_for(look).unwrap_or_else(|| panic!("waited in vain for {what}"))
 }
 
-/// Waits up to ten seconds until a function returns something.
+/// Waits up to ten seconds until a function returns a value.
 pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     while start.elapsed() < Duration::from_secs(10) {
@@ -85,15 +84,14 @@ pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
 pub struct Process(pub Child);
 
 impl Process {
-    /// Starts a command with pipes from its standard output and its standard error.
+    /// Starts a command with pipes from standard output and standard error.
     pub fn start(command: &mut Command) -> Process {
         let command = command.stdin(Stdio::null());
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         Process(command.spawn().expect("the command starts"))
     }
 
-    /// Waits for the end. Returns the time that this took, the exit code (`None` after a signal), the standard output and the
-    /// standard error.
+    /// Waits for the end. Returns the waiting time, the exit code (`None` after a signal), standard output and standard error.
     pub fn end(mut self) -> (Duration, Option<i32>, String, String) {
         let start = Instant::now();
         let status = wait_for("the end of a process", || {
@@ -117,25 +115,24 @@ impl Drop for Process {
     }
 }
 
-/// An X server with a virtual screen and a display number of its own.
+/// An X server with a virtual screen and its own display number.
 pub struct Server {
     process: Process,
     /// The value for `DISPLAY`.
     pub display: String,
     manager: Option<Process>,
-    /// The window manager's settings, which it reads some time after it has taken the screen.
+    /// The window manager's settings, which it reads late.
     settings: Option<TempDir>,
-    /// Whether the window manager gives keys to a new window, wherever the pointer is.
+    /// Whether the window manager focuses new windows, wherever the pointer is.
     gives_focus: bool,
 }
 
 impl Server {
-    /// Starts a server with a screen of the given size.
     pub fn start(width: usize, height: usize) -> Server {
         Server::start_with(width, height, &[])
     }
 
-    /// Starts a server with a screen of the given size and additional arguments.
+    /// Starts a server with additional arguments.
     pub fn start_with(width: usize, height: usize, arguments: &[&str]) -> Server {
         let mut command = tool("Xvfb");
         let screen = format!("{width}x{height}x24");
@@ -175,13 +172,13 @@ impl Server {
         server
     }
 
-    /// Starts a server with the window manager twm, which has never heard of fullscreen. Windows are placed without a click.
+    /// Starts a server with the window manager twm, which does not know fullscreen. It places windows without a click.
     pub fn start_with_twm(width: usize, height: usize) -> Server {
         let mut server = Server::start(width, height);
         let folder = tempfile::tempdir().expect("a folder");
         let settings = folder.path().join("twmrc");
         fs::write(&settings, "RandomPlacement\nNoGrabServer\n").expect("it is written");
-        // In other languages it complains of each font that is missing, more than a pipe holds.
+        // In other languages twm prints a warning per missing font, more than a pipe holds.
         let mut twm = server.tool("twm");
         let twm = twm.env("LC_ALL", "C").arg("-f").arg(&settings);
         server.manager = Some(Process::start(twm));
@@ -194,20 +191,18 @@ impl Server {
         server
     }
 
-    /// A command that runs a tool on this display.
     pub fn tool(&self, name: &str) -> Command {
         let mut command = tool(name);
         command.env("DISPLAY", &self.display);
         command
     }
 
-    /// Runs xdotool on this display.
     pub fn xdotool(&self, words: &str) -> String {
         let mut xdotool = self.tool("xdotool");
         run(xdotool.args(words.split(' '))).1
     }
 
-    /// Starts the intro on this display, and waits until its window is visible and has the focus.
+    /// Starts the intro, and waits until its window is visible and focused.
     pub fn play(&self, options: &str) -> Process {
         wait_for("the last window to go", || {
             self.window().is_none().then_some(())
@@ -224,11 +219,11 @@ impl Server {
         intro
     }
 
-    /// Starts a program on this display and waits for its window.
+    /// Starts a program and waits for its window.
     pub fn open(&self, command: &mut Command, window: impl Fn() -> Option<[i32; 4]>) -> Process {
         command.env("DISPLAY", &self.display);
         let mut program = Process::start(command);
-        // In about one of a hundred runs of all tests no window appears. The cause is unknown.
+        // In about one of a hundred runs no window appears, for an unknown reason.
         if try_for(&window).is_none() {
             let ended = program.0.try_wait().expect("it can be asked");
             assert!(
@@ -243,12 +238,12 @@ impl Server {
         program
     }
 
-    /// The position and size of the intro's window without its frame; `None` until it is visible.
+    /// Returns the position and size of the intro's window without its frame; `None` until it is visible.
     pub fn window(&self) -> Option<[i32; 4]> {
         self.geometry(&["-name", "Eightfold"])
     }
 
-    /// The position and size of a window without its frame; `None` until it is visible. `which` are xwininfo's arguments.
+    /// Returns the position and size of a window without its frame; `None` until it is visible. `which` are arguments of xwininfo.
     pub fn geometry(&self, which: &[&str]) -> Option<[i32; 4]> {
         let mut xwininfo = self.tool("xwininfo");
         let (_, text) = run(xwininfo.args(which));
@@ -265,15 +260,14 @@ impl Server {
         ])
     }
 
-    /// Waits until the window has the given position and size.
     pub fn wait_for_window(&self, wanted: [i32; 4]) {
         let found = try_for(|| self.window().filter(|&window| window == wanted));
         assert!(found.is_some(), "{:?}, not {wanted:?}", self.window());
-        // Frames may need some time to follow.
+        // For frames of the new size.
         sleep(Duration::from_millis(200));
     }
 
-    /// The contents of a rectangle of the screen as `0x00RRGGBB` pixels, row by row.
+    /// Returns a rectangle of the screen as `0x00RRGGBB` pixels.
     pub fn screenshot(&self, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
         let part = format!("{width}x{height}+{x}+{y}");
         let pixels = self.import(&["-window", "root", "-crop", &part, "+repage"]);
@@ -281,7 +275,7 @@ impl Server {
         pixels
     }
 
-    /// The contents of the intro's window, by its own table of colours if it has one.
+    /// Returns the contents of the intro's window, by its own colour table if it has one.
     pub fn window_screenshot(&self) -> Vec<u32> {
         self.import(&["-window", "Eightfold"])
     }
@@ -296,15 +290,15 @@ impl Server {
             .collect()
     }
 
-    /// Kills the server, as if it had crashed.
+    /// Kills the server, as in a crash.
     pub fn kill(&mut self) {
         self.process.0.kill().expect("it runs");
         self.process.0.wait().expect("it has ended");
     }
 }
 
-/// Runs `work` on several servers, each given by its arguments. For each the test program, which must have only one test, starts
-/// itself again with another `DISPLAY`, since the environment cannot be changed safely while a program runs.
+/// Runs `work` on several servers, given by their arguments. The test program starts itself for this test with another `DISPLAY`,
+/// since changing the environment of a running program is unsafe.
 pub fn on_displays(servers: &[&[&str]], work: fn()) {
     const INSIDE: &str = "EIGHTFOLD_TEST_INSIDE";
     if env::var_os(INSIDE).is_some() {

@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-/// Decodes a PNG file in 8-bit RGB. Returns the width and the `0x00RRGGBB` pixels.
+/// Decodes an 8-bit RGB PNG file. Returns the width and the `0x00RRGGBB` pixels.
 pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
     let mut reader = png::Decoder::new(Cursor::new(bytes))
         .read_info()
@@ -16,7 +16,7 @@ pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
     (info.width as usize, pixels.collect())
 }
 
-/// Decodes a binary PPM file in 8-bit RGB. Returns the width and the `0x00RRGGBB` pixels.
+/// Decodes a binary 8-bit PPM file. Returns the width and the `0x00RRGGBB` pixels.
 pub fn read_ppm(bytes: &[u8]) -> (usize, Vec<u32>) {
     let mut parts = bytes.splitn(4, u8::is_ascii_whitespace);
     let mut word = || std::str::from_utf8(parts.next().expect("a word")).expect("text");

@@ -1,7 +1,6 @@
-//! Tools of the system that some tests need.
+//! System tools that some tests need.
 //!
-//! `cargo test` passes without them: a test that lacks a tool prints a line and does nothing. If the variable `EIGHTFOLD_TOOLS`
-//! is `required`, as `tests/run` sets it, a missing tool is a failure.
+//! A test without its tools prints a line and passes. If the variable `EIGHTFOLD_TOOLS` is `required`, as in `tests/run`, it fails.
 
 use std::{
     env,
@@ -11,10 +10,10 @@ use std::{
     thread,
 };
 
-/// The tools with their Debian packages, one per line. A tool is a command, or a shared library if its name contains `.so`.
+/// Tools and their Debian packages. A tool is a command, or a shared library if its name contains `.so`.
 const PACKAGES: &str = include_str!("tools.txt");
 
-/// The tools for tests on a display: an X server, a window manager, and programs that press keys and inspect windows.
+/// For tests on a display.
 pub const DISPLAY: &[&str] = &[
     "Xvfb", "openbox", "xdotool", "xprop", "xwininfo", "wmctrl", "import",
 ];
@@ -28,7 +27,7 @@ const LIBRARIES: [&str; 5] = [
     "/lib",
 ];
 
-/// Whether one of the tools is missing. If so, a line says which, and that the test is not run.
+/// Returns whether one of the tools is missing, and prints that the test is skipped.
 ///
 /// # Panics
 /// If a tool is missing and all are required.
@@ -40,13 +39,13 @@ pub fn lacks(tools: &[&str]) -> bool {
     let needs = format!("needs {missing}: apt-get install {}", package(missing));
     let required = env::var_os("EIGHTFOLD_TOOLS").is_some_and(|value| value == "required");
     assert!(!required, "this test {needs}");
-    // The output of `eprintln!` is hidden if the test passes. A test's thread has its name.
+    // `eprintln!` prints nothing for passing tests. A test's thread has its name.
     let name = thread::current().name().unwrap_or_default().to_owned();
     writeln!(stderr(), "{name}: not run, {needs}").expect("standard error is open");
     true
 }
 
-/// Ends a test, which returns nothing, that [lacks] a tool.
+/// Ends a test that [lacks] a tool.
 #[macro_export]
 macro_rules! needs {
     ($($tools:expr),+) => {
@@ -56,20 +55,19 @@ macro_rules! needs {
     };
 }
 
-/// The tools, each with its Debian package.
 fn packages() -> impl Iterator<Item = (&'static str, &'static str)> {
     PACKAGES.lines().filter_map(|line| line.split_once(' '))
 }
 
-/// The tools that are missing, each with its Debian package.
+/// Returns the missing tools and their Debian packages.
 pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
     packages().filter(|(tool, _)| !is_there(tool))
 }
 
-/// A command that runs a tool of `tools.txt`.
+/// Returns a command that runs a tool of `tools.txt`.
 ///
 /// # Panics
-/// If the tool is missing. Tests say by [`needs!`] which they need.
+/// If the tool is missing. Tests use [`needs!`] first.
 pub fn tool(name: &str) -> Command {
     let package = package(name);
     assert!(
@@ -79,7 +77,6 @@ pub fn tool(name: &str) -> Command {
     Command::new(name)
 }
 
-/// The Debian package of a tool.
 fn package(tool: &str) -> &'static str {
     let found = packages().find(|(name, _)| *name == tool);
     found.unwrap_or_else(|| panic!("tools.txt lacks {tool}")).1

@@ -1,4 +1,4 @@
-//! Nothing is allocated while frames are drawn and while a window shows them.
+//! Frames and the window allocate nothing.
 
 use eightfold::show;
 use eightfold_stage::{allocations::Counting, on_displays};
@@ -14,7 +14,7 @@ use eightfold_window::{
 #[global_allocator]
 static ALLOCATOR: Counting = Counting::new();
 
-/// The threads of the test: possibly more than processors.
+/// Can exceed the number of processors.
 const THREADS: usize = 3;
 
 static MEMORY: StaticCell<Memory> = StaticCell::new(Memory::new());
@@ -45,7 +45,7 @@ fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
                 assert_eq!(window.show(), Next::GoOn);
             }
         };
-        // In the first frames the server tells the window its size.
+        // The server sends the window's size during the first frames.
         frames(0..10);
         let before = ALLOCATOR.count();
         assert!(before > 0, "the count counts");

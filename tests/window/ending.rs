@@ -1,4 +1,4 @@
-//! How it ends, and how time passes.
+//! The end of the intro.
 
 use super::{end_by_escape, on_screen, servers};
 use eightfold_stage::{DISPLAY, Server, needs, run};
@@ -21,7 +21,7 @@ fn escape_ends_it_at_once() {
 fn closing_the_window_ends_it_at_once() {
     needs!(DISPLAY);
     let server = on_screen(Server::start_managed);
-    // By the window manager's message, and by force.
+    // A message of the window manager, and by force.
     for (tool, words) in [
         ("wmctrl", "-c Eightfold"),
         ("xdotool", "search --name Eightfold windowclose"),
@@ -53,7 +53,7 @@ fn the_end_of_the_server_is_an_error_and_no_crash() {
 #[test]
 fn the_show_waits_while_the_process_is_stopped() {
     needs!(DISPLAY);
-    /// How long it is stopped, in seconds.
+    /// In seconds.
     const STOP: f64 = 2.0;
     let server = Server::start(320, 240);
     let intro = server.play("--size 64x48 --seconds 3");

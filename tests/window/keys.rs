@@ -1,4 +1,4 @@
-//! Keys, and the whole screen.
+//! Keys and fullscreen.
 
 use super::{SCREEN, end_by_escape, on_screen, servers};
 use eightfold_stage::{DISPLAY, Server, needs, run, wait_for};
@@ -20,7 +20,7 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
             server.xdotool("key w");
             server.wait_for_window(window);
         }
-        // Of keys pressed at once the last counts.
+        // The last of several keys counts.
         server.xdotool("key --delay 0 f w f w");
         sleep(Duration::from_millis(300));
         server.wait_for_window(window);
@@ -32,7 +32,7 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
 fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_in_the_usa() {
     needs!(DISPLAY, &["setxkbmap"]);
     let server = on_screen(Server::start);
-    // Places of keys, by their numbers: those of F and W in the USA, and that of W in France; right Alt, and left Ctrl.
+    // Key codes: F and W on a US keyboard, W on a French one, right Alt, left Ctrl.
     let [f, usual_w, french_w, alt, control] = [41, 25, 52, 108, 37];
     let tap = |place: u32| server.xdotool(&format!("key {place}"));
     for (layout, w) in [
@@ -56,7 +56,7 @@ fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_i
         tap(f);
         server.wait_for_window(SCREEN);
         if layout.contains(',') {
-            // The second layout is in use as long as right Alt is held.
+            // Right Alt selects the second layout while it is held.
             server.xdotool(&format!("keydown {alt} key {w} keyup {alt}"));
         } else {
             tap(w);
@@ -103,7 +103,7 @@ fn h_shows_numbers_over_the_picture_and_hides_them() {
         server.xdotool("key h");
         wait_for("no numbers", || (!is_written()).then_some(()));
     }
-    // One that is held repeats 25 times a second. It counts once.
+    // A held key repeats 25 times a second, and counts once.
     for seconds in ["1.2", "1.1"] {
         server.xdotool(&format!("keydown h sleep {seconds} keyup h"));
         sleep(Duration::from_millis(300));
@@ -145,7 +145,7 @@ fn it_can_start_over_the_whole_screen() {
     }
 }
 
-/// Asserts that the picture fills the screen: its background is not black.
+/// Asserts that the picture fills the screen: the background is not black.
 fn assert_covered(server: &Server, manager: &str) {
     let shot = server.screenshot(SCREEN);
     let black = shot.iter().filter(|&&pixel| pixel == 0).count();

@@ -1,4 +1,4 @@
-//! In a window the intro shows the frames of the show, and obeys keys and the window manager.
+//! The intro in a window: frames, keys, and window managers.
 
 mod allocation;
 mod ending;
@@ -10,10 +10,10 @@ mod shown;
 use eightfold_stage::{Process, Server};
 use std::time::Duration;
 
-/// The size of the screen: larger than the window, with another aspect ratio.
+/// Larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
 
-/// A server that has it.
+/// Starts a server with a screen of this size.
 fn on_screen(start: fn(usize, usize) -> Server) -> Server {
     let [_, _, width, height] = SCREEN.map(|side| side as usize);
     start(width, height)
@@ -26,7 +26,7 @@ fn servers() -> [(&'static str, Server); 2] {
     ]
 }
 
-/// Ends the intro with Esc. Returns its standard output.
+/// Ends the intro by Esc. Returns its standard output.
 fn end_by_escape(server: &Server, intro: Process) -> String {
     let [x, y, ..] = server.window().expect("a window");
     server.xdotool(&format!("mousemove {x} {y}"));

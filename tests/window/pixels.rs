@@ -1,5 +1,4 @@
-//! A window shows exactly the pixels that were drawn, at any size, and stretches pictures of another size; with shared memory and
-//! without.
+//! The window shows the drawn pixels at any size, and stretches pictures of other sizes, with shared memory and without.
 
 use eightfold_stage::{on_displays, run, tool};
 use eightfold_window::{
@@ -8,10 +7,9 @@ use eightfold_window::{
 };
 use std::{env, thread::sleep, time::Duration};
 
-/// Width and height in pixels.
 type Size = (usize, usize);
 
-/// The colour of a pixel in a picture whose neighbouring pixels all differ.
+/// Returns a pixel of a picture in which all neighbouring pixels differ.
 fn colour(x: usize, y: usize, round: usize) -> u32 {
     let mixed = (x * 73 + y * 179 + round * 31) as u32;
     mixed.wrapping_mul(0x9e37_79b1) >> 8
@@ -42,17 +40,16 @@ fn check_all_sizes() {
             sleep(Duration::from_millis(10));
         }
         for drawn in [size, (size.0.div_ceil(2), size.1.div_ceil(2))] {
-            // Twice, since frames alternate between two buffers.
+            // Two frames: the window has two buffers.
             draw(&mut window, drawn, round);
             draw(&mut window, drawn, round + 1);
-            // The server may need some time.
+            // For the server.
             sleep(Duration::from_millis(100));
             compare(&display, size, drawn, round + 1);
         }
     }
 }
 
-/// Draws a picture of a size.
 fn draw(window: &mut Window, (width, height): Size, round: usize) {
     let canvas = window.canvas(width, height);
     for (y, row) in canvas.chunks_exact_mut(width).enumerate() {
@@ -63,7 +60,7 @@ fn draw(window: &mut Window, (width, height): Size, round: usize) {
     assert_eq!(window.show(), Next::GoOn);
 }
 
-/// Compares the window's pixels on the screen with those drawn.
+/// Compares the screen with the drawn pixels.
 fn compare(display: &str, (width, height): Size, drawn: Size, round: usize) {
     let mut import = tool("import");
     let part = format!("{width}x{height}+0+0");

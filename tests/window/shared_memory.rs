@@ -1,4 +1,4 @@
-//! The memory that the intro shares with the X server: where the system or the server behaves as in a container.
+//! Shared memory with the X server, also where it fails, as in containers.
 
 use eightfold_stage::{DISPLAY, Process, Server, intro, needs, run, wait_for};
 use std::{
@@ -7,17 +7,16 @@ use std::{
     process::Command,
 };
 
-/// libXext as a server has it that says yes to everything, and shows nothing.
+/// A libXext for a server that accepts every request and shows nothing.
 const YES_AND_NOTHING: &str = "
     #[unsafe(no_mangle)] extern \"C\" fn XShmQueryExtension() -> i32 { 1 }
     #[unsafe(no_mangle)] extern \"C\" fn XShmAttach() -> i32 { 1 }
     #[unsafe(no_mangle)] extern \"C\" fn XShmPutImage() -> i32 { 1 }";
 
-/// A system that makes shared memory, and has no addresses left for it.
+/// A system that creates shared memory but has no addresses for it.
 const NO_ADDRESSES: &str = "
     #[unsafe(no_mangle)] extern \"C\" fn shmat() -> isize { -1 }";
 
-/// Builds a library.
 fn build(folder: &Path, name: &str, code: &str) -> PathBuf {
     let (source, library) = (folder.join("library.rs"), folder.join(name));
     fs::write(&source, code).expect("a file");
@@ -39,7 +38,7 @@ fn play(server: &Server, command: &mut Command) -> Process {
     intro
 }
 
-/// Segments of shared memory that a process has made.
+/// Returns the number of shared segments that a process has created.
 fn segments(process: &Process) -> usize {
     let id = process.0.id().to_string();
     let table = fs::read_to_string("/proc/sysvipc/shm").expect("the system tells");

@@ -40,7 +40,7 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
 #[ignore = "many X servers are started"]
 fn the_frame_has_its_colours_by_pixels_of_any_depth() {
     needs!(DISPLAY);
-    // A screenshot rounds ten bits down to eight. Steps of five bits are 8 of 255.
+    // Screenshots round 10 bits to 8. A step of 5 bits is 8/255.
     for (depth, tolerance) in [(30, 1.2), (16, 3.0), (15, 3.0)] {
         let screen = format!("1280x800x{depth}");
         let server = Server::start_with(1280, 800, &["-screen", "0", &screen]);
@@ -68,8 +68,8 @@ fn the_environment_does_not_keep_the_window_from_opening() {
     }
 }
 
-/// Plays in a small window, and looks for what is seen among the frames of the time it can be of; when the show is out of the
-/// dark, which changes much from one to the next. The mean difference may be so much of 255.
+/// Compares a small window with all frames that it can show by then. After 1.5 s the fade-in is over, in which successive frames
+/// differ most. `tolerance` is the mean difference of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let start = Instant::now();
     let intro = server.play("--size 200x150 --seconds 60 --quality default");
@@ -125,7 +125,7 @@ fn a_window_beyond_the_largest_picture_is_filled() {
 #[test]
 fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
     needs!(DISPLAY);
-    // Pixels are numbers in a table of colours.
+    // Pixels of 8 bits are indices of a colour table.
     let server = Server::start_with(320, 240, &["-screen", "0", "320x240x8"]);
     let intro = Process::start(
         Command::new(intro())
@@ -140,7 +140,7 @@ fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
     );
 }
 
-/// The mean difference, over all channels, between a screenshot and the closest frame of the show up to a given time.
+/// Returns the mean difference between a screenshot and the closest frame of the show up to a time.
 fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {
     let mut renderer = ThreadedRenderer::new(1);
     let mut pixels = vec![0; shot.len()];
@@ -151,7 +151,7 @@ fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {
         renderer.draw(level, &scene, &Quality::DEFAULT, width, &mut pixels);
         Difference::between(shot, &pixels).mean
     };
-    // By hundredths of a second first, and then by thousandths about the best.
+    // In steps of 10 ms, then of 1 ms around the best.
     let rough = (0..=time.as_millis()).step_by(10);
     let rough = rough.map(|at| (difference(at), at));
     let (_, at) = rough.min_by(|a, b| a.0.total_cmp(&b.0)).expect("a time");

@@ -1,4 +1,4 @@
-//! A window with a scene of one's own, by all threads: `cargo run --release --manifest-path examples/window/Cargo.toml`
+//! Opens a window with a scene, on all threads: `cargo run --release --manifest-path examples/window/Cargo.toml`
 
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
@@ -6,7 +6,7 @@ use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use minifb::{Key, Window, WindowOptions};
 use std::{error::Error, f32::consts::TAU, time::Instant};
 
-/// A ring of spheres that turns, over a floor that mirrors it.
+/// Returns a turning ring of spheres over a mirror floor.
 fn scene(time: f32) -> Scene {
     let material = Material {
         colour: Vec3::splat(0.6),
