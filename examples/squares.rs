@@ -12,7 +12,6 @@ const HEIGHT: usize = 360;
 /// The upper left pixel, the width and the height, clipped to the picture.
 type Square = [usize; 4];
 
-/// Collects filled squares, from all threads.
 #[derive(Clone, Copy)]
 struct Squares<'a>(&'a Mutex<Vec<Square>>);
 
@@ -26,7 +25,6 @@ impl Observer for Squares<'_> {
     }
 }
 
-/// Draws the upper and the left side of a square.
 fn outline(pixels: &mut [u32], [x, y, w, h]: Square) {
     let brighten = |pixel: &mut u32| *pixel = (*pixel >> 1 & 0x007f_7f7f) + 0x0060_6060;
     for x in x..x + w {

@@ -1,5 +1,3 @@
-//! Compares pictures with the oracle: exhaustive ones by pixels, refined ones by squares.
-
 use crate::cpu;
 use crate::drawn::{
     Drawn, RULES, Record, SIDES, bare, draw_best, draw_by_all, of_side, of_the_show,
@@ -16,15 +14,14 @@ use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphe
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{Vec3, vec3};
 
-/// Asserts that at most 0.02 % of the pixels (four in a small picture) differ from the oracle's by more than 8/255, all on
-/// silhouettes, and that the mean difference of the others is at most 0.01/255.
+/// Asserts that at most 0.02 % of the pixels, or four, differ from the oracle's by more than 8/255, all on silhouettes, and the
+/// others by at most 0.01/255 on average.
 #[track_caller]
 fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     let expected = frame.picture_like(&drawn.pixels);
     let difference = Difference::between(&expected, &drawn.pixels);
     let mean = mean_of_right(&expected, &drawn.pixels);
     assert!(mean <= 0.01, "{what}: {mean}, {difference:?}");
-    // Reflections of other spheres in glass and mirror balls can have four in small pictures.
     let most = (expected.len() / 5000).max(4);
     assert!(difference.over_8 <= most, "{what}: {difference:?}");
     let silhouettes = frame.silhouettes();
@@ -38,7 +35,6 @@ fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     }
 }
 
-/// Returns the mean difference of the pixels within 8/255. In a small picture one pixel off a silhouette would dominate the mean.
 fn mean_of_right(expected: &[u32], drawn: &[u32]) -> f64 {
     let pairs = expected.iter().zip(drawn);
     let right = pairs.filter(|&(&a, &b)| worst_channel(a, b) <= 8);
@@ -46,7 +42,6 @@ fn mean_of_right(expected: &[u32], drawn: &[u32]) -> f64 {
     Difference::between(&expected, &drawn).mean
 }
 
-/// Asserts that exhaustive pictures match the oracle on all instruction sets.
 #[track_caller]
 fn assert_traced(scene: &Scene, [width, height]: [usize; 2], what: &str) {
     let frame = Frame::new(scene, &Quality::EXHAUSTIVE, width, height);
@@ -55,8 +50,8 @@ fn assert_traced(scene: &Scene, [width, height]: [usize; 2], what: &str) {
     }
 }
 
-/// Asserts that refined pictures match the oracle's squares on all instruction sets: the numbers of points differ by at most 0.2 %,
-/// or 24, and few pixels by more than 8/255, near silhouettes, where rounding decides which object a ray hits.
+/// Asserts that refined pictures match the oracle's squares: points within 0.2 %, or 24, and few pixels off by more than 8/255,
+/// where rounding decides.
 #[track_caller]
 fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2], what: &str) {
     let mut renderer = ThreadedRenderer::new(1);
@@ -108,11 +103,9 @@ fn fields_and_crowds_are_as_traced() {
 fn show_is_as_traced() {
     for time in TIMES.into_iter().step_by(2) {
         let mut scene = of_the_show(time as f32 / 1000.0);
-        // The oracle draws neither captions nor bars nor coarse squares.
         scene.captions.clear();
         scene.copper_bars.clear();
         scene.method = Method::default();
-        // In smaller pictures rounding affects too large a share of the pixels.
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);
         let silhouettes = frame.silhouettes();
         let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180);
@@ -142,12 +135,12 @@ fn silhouettes_and_rays_are_the_oracles() {
         let most = shadow_rays + shadow_rays / 5000;
         assert!(counts.shadow_rays <= most, "{what}, {most} expected");
     }
-    // Few silhouettes: otherwise the tolerance for their pixels would hide errors.
+    // Otherwise the tolerance for silhouettes would hide errors.
     let on = frame.silhouettes().iter().filter(|&&on| on).count();
     assert!(on < width * height / 8, "{on} pixels");
 }
 
-/// Returns concentric glass shells around the eye: every ray hits one, and is both reflected and transmitted.
+/// Returns concentric glass shells around the eye: every ray is both reflected and transmitted.
 fn shells(count: usize) -> Scene {
     let glass = Material {
         colour: Vec3::splat(0.9),
@@ -169,7 +162,6 @@ fn shells(count: usize) -> Scene {
     }
 }
 
-/// Returns a visible light.
 fn light(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
     Light {
         drawn_radius,
@@ -177,7 +169,7 @@ fn light(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
     }
 }
 
-/// Rays end at a black light in front of the eye, so that packets of secondary rays are partly empty.
+/// Rays end at a black light, so that packets of secondary rays are partly empty.
 #[test]
 fn no_ray_is_lost_at_any_depth() {
     let whole = shells(Quality::MAX_DEPTH as usize + 1);
@@ -205,7 +197,7 @@ fn no_ray_is_lost_at_any_depth() {
 }
 
 #[test]
-fn spheres_around_lights_and_cameras_are_as_traced() {
+fn spheres_around_lights_and_cameras_match() {
     let mut scene = shells(1);
     scene.planes = show::model_scene(0.0).planes.iter().copied().collect();
     for (position, eye) in [
@@ -222,7 +214,6 @@ fn spheres_around_lights_and_cameras_are_as_traced() {
     let mut scene = show::model_scene(0.0);
     let (glass, plastic) = (scene.spheres[3].material, scene.spheres[0].material);
     for material in [glass, plastic] {
-        // At the mirror's position, where light arrives from all directions.
         scene.spheres[1].material = material;
         let Sphere { centre, radius, .. } = scene.spheres[1];
         let towards = [0.0, 0.5, 0.999, 1.0, 1.5].map(|distance| (distance, Vec3::Z));
@@ -260,7 +251,6 @@ fn colour_half_way_between_steps_is_either() {
     }
 }
 
-/// Asserts that the model scene matches the oracle to the last row and column.
 fn assert_size(width: usize, height: usize, time: f32) {
     let scene = show::model_scene(time);
     let what = format!("{width}x{height} at {time} s");
@@ -292,13 +282,12 @@ fn pictures_of_any_size_are_right() {
     let scene = show::model_scene(0.5);
     for side in SIDES {
         for (width, height) in [(MAX_WIDTH, 40), (40, MAX_HEIGHT)] {
-            // `draw` asserts that every pixel is drawn.
             draw_best(&scene, &of_side(side, Quality::THESIS), width, height);
         }
     }
 }
 
-/// Compares one pixel in 97, and all pixels of the last two rows and columns.
+/// At one pixel in 97, and in the last two rows and columns.
 #[test]
 fn largest_picture_is_right_to_its_last_pixel() {
     let (width, height) = (MAX_WIDTH, MAX_HEIGHT);
@@ -329,7 +318,6 @@ fn largest_picture_is_right_to_its_last_pixel() {
 
 #[test]
 fn squares_are_filled_and_split_by_the_rules() {
-    // Few edges, and an edge in nearly every square.
     for scene in [show::field(40, 2.0), show::field(320, 5.0)] {
         for quality in RULES.map(bare) {
             assert_refined(&scene, &quality, [139, 101], "a field");

@@ -16,7 +16,6 @@ fn with(antialias: bool, quality: Quality) -> Quality {
     }
 }
 
-/// The tolerances are on both sides of the one above which a filled square can have an edge inside it.
 #[test]
 fn points_are_added_between_differing_pixels() {
     for mut random in cases(120) {
@@ -36,7 +35,7 @@ fn points_are_added_between_differing_pixels() {
             .map(|antialias| draw_best(&scene, &with(antialias, quality), width, height));
         let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
         let mut is_beside_an_edge = vec![false; width * height];
-        // Both bands trace the midpoints between them; so do both stretches of 64 columns.
+        // Midpoints between bands, and between stretches of 64 columns, are traced twice.
         let band = width * TILE[1];
         let points = (0..width * height).map(|i| {
             let right = i % width + 1 < width && is_edge(i, i + 1);
@@ -65,8 +64,7 @@ fn points_are_added_between_differing_pixels() {
     }
 }
 
-/// Bisection finds the position of an edge to an eighth of a pixel along the axis that it crosses. An edge that cuts off a corner
-/// of the pixel has an error of another eighth.
+/// Bisection finds an edge to an eighth of a pixel along the axis that it crosses. Cutting off a corner adds an error of an eighth.
 #[test]
 fn share_of_a_cut_pixel_is_known_to_an_eighth() {
     const SIDE: usize = 40;
@@ -79,7 +77,6 @@ fn share_of_a_cut_pixel_is_known_to_an_eighth() {
             let [x, y] = [i % SIDE, i / SIDE].map(|at| at as f32 + 0.5 - 0.5 * SIDE as f32);
             let share = covered(angle, distance - (x * angle.sin() - y * angle.cos()));
             let error = (pixel as u8 as f32 / 255.0 - share).abs();
-            // Pixels at the border of the picture have no neighbour on one side.
             if error > 0.002 && x.abs().max(y.abs()) < 0.5 * SIDE as f32 - 1.0 {
                 worst = worst.max(error);
                 squares += error * error;
@@ -92,7 +89,6 @@ fn share_of_a_cut_pixel_is_known_to_an_eighth() {
     assert!(worst <= 0.14 && mean < 0.05, "{worst}, {mean}");
 }
 
-/// Returns the share of a pixel inside an edge, by the edge's angle and its distance from the pixel's centre.
 fn covered(angle: f32, distance: f32) -> f32 {
     const SLICES: usize = 200;
     let (across, along) = (angle.sin().abs(), angle.cos().abs());
@@ -104,14 +100,12 @@ fn covered(angle: f32, distance: f32) -> f32 {
     (0..SLICES).map(slice).sum::<f32>() / SLICES as f32
 }
 
-/// Returns a white, evenly lit box whose edge is `distance` pixels from the centre of a picture of `height` rows, turned clockwise
-/// by an angle. It covers the centre; its other sides are outside the picture.
+/// Returns a white box whose edge is `distance` pixels from the centre of a picture of `height` rows, turned clockwise by an angle.
 fn half_plane(angle: f32, distance: f32, height: usize) -> Scene {
     let mut scene = Scene {
         ambient: Vec3::ONE,
         ..Scene::default()
     };
-    // The height of a pixel at distance 1. The centre of the picture is between two rows.
     let pixel = 2.0 * (0.5 * scene.camera.field_of_view).tan() / height as f32;
     let axes = Mat3::from_rotation_z(-angle);
     scene.blocks.push(Block {

@@ -8,13 +8,11 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Camera, List, Material, Scene};
 
-/// Its pixels are 0.8 of the white background.
 const MIRROR: Material = Material {
     kr: 0.8,
     ..Material::BLACK
 };
 
-/// Returns a mirror of any shape and size that fills most of the picture.
 fn mirror(random: &mut Random) -> Scene {
     let half = Vec3::splat(1.0).map(|_| random.power(-1.5, 0.0));
     let scale = random.power(-2.0, 2.0);

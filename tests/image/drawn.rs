@@ -1,10 +1,7 @@
-//! Draws pictures with the library, by the instruction sets, qualities, sides and thread counts that all tests share.
+//! Draws pictures, with the instruction sets, qualities, sides and thread counts of all tests.
 //!
-//! | property | instruction sets |
-//! | --- | --- |
-//! | the bits of a few scenes | all: [`draw_by_all`] |
-//! | many random scenes | one per scene, in turns: [`isa_of`] |
-//! | errors in dB, the meaning of a number | the best: [`draw_best`] |
+//! The bits of a few scenes are tested on all instruction sets ([`draw_by_all`]), many random scenes on one per scene, in turns
+//! ([`isa_of`]), and errors in dB on the best ([`draw_best`]).
 
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
@@ -21,7 +18,6 @@ pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];
 
 pub const RULES: [Quality; 2] = [Quality::THESIS, Quality::DEFAULT];
 
-/// Exhaustive, jagged and antialiased; the rules of 2008; the intro's.
 pub const REFINEMENTS: [Quality; 4] = [
     Quality::EXHAUSTIVE,
     Quality::DEFAULT.reference(),
@@ -44,7 +40,6 @@ pub const fn jagged(quality: Quality) -> Quality {
     }
 }
 
-/// Returns the quality without guard and antialiasing.
 pub const fn bare(quality: Quality) -> Quality {
     Quality {
         guarded: false,
@@ -52,7 +47,6 @@ pub const fn bare(quality: Quality) -> Quality {
     }
 }
 
-/// Returns the instruction set for the random scene of a seed.
 pub fn isa_of(seed: u64) -> Isa {
     let all: Vec<Isa> = cpu::instruction_sets().collect();
     all[seed as usize % all.len()]
@@ -63,15 +57,14 @@ pub struct Drawn {
     pub counts: Counts,
 }
 
-/// The value of pixels before they are drawn; the highest byte of drawn ones is 0.
+/// Drawn pixels have 0 in the highest byte.
 const UNDRAWN: u32 = 0xdead_beef;
 
 thread_local! {
-    /// Renderers by thread count: a new one takes longer than a small picture.
+    /// By thread count: a new one takes longer than a small picture.
     static RENDERERS: RefCell<HashMap<usize, ThreadedRenderer>> = RefCell::default();
 }
 
-/// Draws a picture, and asserts that every pixel is drawn.
 pub fn draw(
     isa: Isa,
     threads: usize,
@@ -112,7 +105,6 @@ pub fn of_the_show(time: f32) -> Scene {
     scene
 }
 
-/// Records the work of all points, and the squares that were split.
 #[derive(Default)]
 pub struct Record(pub Mutex<(Counts, Splits)>);
 

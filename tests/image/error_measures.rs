@@ -5,7 +5,6 @@ const WIDTH: usize = 20;
 const HEIGHT: usize = 20;
 const DARK: [u32; WIDTH * HEIGHT] = [0; WIDTH * HEIGHT];
 
-/// Returns a black picture with one bright cell of 8x8 pixels, clipped to the picture.
 fn block(column: usize, row: usize, light: u32) -> Vec<u32> {
     let mut pixels = DARK.to_vec();
     for y in (8 * row..8 * row + 8).take_while(|&y| y < HEIGHT) {
@@ -31,7 +30,6 @@ fn pooled_psnr_is_of_the_mean_squared_error() {
     let squares = f64::from(64 * (2 * 2 + 9 * 9 + 17 * 17)) / (3 * 3 * DARK.len()) as f64;
     let psnr = 10.0 * (255.0 * 255.0 / squares).log10();
     assert!((Difference::pooled_psnr(&differences) - psnr).abs() < 1e-9);
-    // The last picture equals its reference: its own PSNR is infinite.
     assert!(differences[2].psnr.is_infinite());
     assert!(Difference::pooled_psnr(&differences[2..]).is_infinite());
 }

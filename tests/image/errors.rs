@@ -11,12 +11,10 @@ use eightfold_tracer::scene::{Light, Spot};
 use glam::Vec3;
 use std::collections::BTreeSet;
 
-/// Wrong pixels among those that count, in many pictures.
 #[derive(Debug, Default)]
 struct Wrong {
     counted: usize,
     wrong: usize,
-    /// The number of pixels in the largest patch of wrong ones.
     patch: usize,
 }
 
@@ -55,7 +53,7 @@ impl Wrong {
     }
 }
 
-/// Groups pixels, given by ascending index, into connected patches. Diagonal neighbours are connected.
+/// Groups ascending pixels into patches, connected also diagonally.
 pub fn patches(pixels: &[usize], width: usize) -> Vec<Vec<usize>> {
     let mut rest: BTreeSet<usize> = pixels.iter().copied().collect();
     let mut patches = Vec::new();
@@ -83,16 +81,13 @@ fn drawn(view: &View, quality: Quality) -> Vec<u32> {
 /// The pixel of the shaded floor of a [`Hidden`] scene: 0.2 of 0.8.
 const SHADED: u32 = 0x29_2929;
 
-/// The number of random scenes of each kind.
 const SCENES: u64 = 40;
 
-/// Counts the pixels of shadows on a floor that a quality draws lit.
 fn lit(kind: Hidden, quality: Quality) -> Wrong {
     let mut wrong = Wrong::default();
     for mut random in cases(SCENES) {
         let mut view = sized(kind.scene(&mut random));
         let floor = view.scene.planes[0].material;
-        // Objects are red, so a pixel with more blue than the shaded floor is lit.
         materials_of(&mut view.scene)
             .into_iter()
             .for_each(|material| material.colour = Vec3::X);
@@ -124,7 +119,6 @@ fn few_pixels_of_shadows_are_lit() {
         }),
         ..light
     };
-    // The largest share of the shadows' pixels, and the largest patch.
     for (what, kind, quality, share, patch) in [
         ("finest", Hidden::POINT, finest, 0.0035, 20),
         ("default", Hidden::POINT, default, 0.004, 20),

@@ -16,7 +16,6 @@ use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Quality, Renderer, W
 use glam::{Mat3, Vec3, vec3};
 use std::panic::catch_unwind;
 
-/// Returns the model scene with a block of each shape, a spotlight with a diameter, and waves.
 fn rich() -> Scene {
     let mut scene = show::model_scene(1.0);
     let material = scene.spheres[0].material;
@@ -37,7 +36,6 @@ fn rich() -> Scene {
     scene
 }
 
-/// Returns the rich scene with an overlay, a caption and a copper bar.
 pub fn written() -> Scene {
     let mut scene = rich();
     scene.method.points = 0.4;
@@ -55,8 +53,7 @@ fn rays(drawn: &Drawn) -> u64 {
     drawn.counts.rays + drawn.counts.shadow_rays
 }
 
-/// Asserts that a scene with an invalid number has the same bits on one thread and on two, for at most 2.5 times the rays of a
-/// valid scene.
+/// Asserts the same bits on one thread and on two, for at most 2.5 times the rays of a valid scene.
 #[track_caller]
 fn assert_bounded(scene: &Scene, valid: &Scene, case: usize, what: &str) {
     let quality = REFINEMENTS[case % REFINEMENTS.len()];
@@ -64,7 +61,6 @@ fn assert_bounded(scene: &Scene, valid: &Scene, case: usize, what: &str) {
     assert!(scene.validate().is_err(), "{what}");
     let [one, two] = [1, 2].map(|threads| draw(isa, threads, scene, &quality, 64, 48));
     assert!(one.pixels == two.pixels, "{what}");
-    // Without a tolerance all squares split.
     let quality = if what.starts_with("tolerance") {
         Quality::EXHAUSTIVE
     } else {
@@ -89,7 +85,6 @@ fn invalid_number_gives_a_picture_for_bounded_work() {
             case += 1;
         }
     }
-    // Enough spheres for a bounding hierarchy, which invalid numbers reach, too.
     let field = show::field(100, 1.0);
     for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
         let scene = show::model_scene(wrong);
@@ -111,7 +106,6 @@ fn invalid_number_gives_a_picture_for_bounded_work() {
     }
 }
 
-/// Renders a frame. Returns the error, if any; then no pixel has changed.
 fn refusal(
     scene: &Scene,
     quality: &Quality,
@@ -126,7 +120,6 @@ fn refusal(
     result.err()
 }
 
-/// Whether `render_valid` panics.
 fn panics(quality: Quality, (width, height): (usize, usize), count: usize) -> bool {
     let panic = catch_unwind(|| {
         let mut pixels = vec![0; count];
@@ -209,7 +202,6 @@ fn scene_or_quality_out_of_range_is_refused() {
         let error = refusal(&scene, &quality, size, (64, 64 * 48)).expect(name);
         let start = format!("quality.{name} is ");
         assert!(error.to_string().starts_with(&start), "{error}");
-        // Invalid tolerances draw a picture.
         let is_drawn = name == "tolerance_side";
         assert_eq!(panics(quality, size, 64 * 48), !is_drawn, "{quality:?}");
     }
@@ -219,7 +211,6 @@ fn scene_or_quality_out_of_range_is_refused() {
 fn frame_in_a_larger_picture_has_the_same_bits() {
     const STRIDE: usize = 117;
     let mut renderer = Renderer::new(cpu::best().level);
-    // A pattern, captions, and the marks of the method.
     for scene in [4.0, 20.0, 100.0].map(of_the_show) {
         for quality in REFINEMENTS {
             for (width, height) in [(1, 1), (8, 33), (101, 70), (STRIDE, 64)] {
@@ -240,7 +231,6 @@ fn frame_in_a_larger_picture_has_the_same_bits() {
     }
 }
 
-/// Returns a sphere or a block of size 1 at distance 1 from the camera.
 fn alone(block: Option<Block>) -> Scene {
     let mut scene = show::model_scene(0.0);
     let material = scene.spheres[0].material;
@@ -269,7 +259,6 @@ fn scene_of_any_scale_is_the_same_picture() {
     let blocks = SHAPES.map(|shape| Some(block(shape)));
     let ends = blocks.into_iter().chain([None]).map(alone);
     let ends = ends.map(|scene| (scene, [2e-9, 1e-8, 1e-4, 1e6, 1e8, 1e9]));
-    // All scaled lengths are in their ranges.
     let far = (scaled(&rich(), 0.7), [1e-8, 1e-4, 0.1, 3.0, 1e4, 1e8]);
     let whole = [show::model_scene(2.0), show::field(60, 2.0)];
     let whole = whole.map(|scene| (scene, [1e-4, 1e-2, 0.7, 3.0, 1e2, 1e4]));
@@ -289,8 +278,7 @@ fn scene_of_any_scale_is_the_same_picture() {
     }
 }
 
-/// The distance from the origin in scene units, and the least PSNR in dB against the oracle, which draws the same numbers.
-/// [`eightfold_tracer::limits`] has the figures.
+/// Scene units from the origin, and the least PSNR in dB to the oracle; [`eightfold_tracer::limits`] has both.
 #[test]
 fn scene_far_from_the_origin_is_as_exact_as_stated() {
     for (distance, least) in [

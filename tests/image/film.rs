@@ -1,12 +1,9 @@
-//! The film's dither and tolerance. `accuracy.rs` compares its shoulder and vignette with the oracle.
-
 use crate::drawn::{REFINEMENTS, draw_best};
 use eightfold::show;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Film, Scene};
 
-/// Returns a background without objects, in steps of 255.
 fn empty(steps: f32, dither: f32) -> Scene {
     Scene {
         background: Vec3::splat(steps / 255.0),

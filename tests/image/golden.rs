@@ -1,8 +1,4 @@
-//! Pictures match the reviewed ones in `tests/golden`, which the baseline instruction set drew, so that every machine draws the
-//! same
-//! bits.
-//!
-//! After an intended change, redraw the pictures that differ, and look at them before you commit:
+//! Pictures match the reviewed ones in `tests/golden`, which the baseline instruction set drew. To redraw those that differ:
 //!
 //!     UPDATE_GOLDEN=1 cargo test --test image golden
 
@@ -21,15 +17,13 @@ use eightfold_tracer::scene::Scene;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The largest mean difference, in steps of 1/255: rounding decides a few squares differently on other instruction sets.
+/// In steps of 1/255: rounding decides a few squares differently on other instruction sets.
 const MEAN: f64 = 0.05;
-/// The number of pixels in a thousand that may differ by more than 8/255.
+/// Pixels in a thousand that may differ by more than 8/255.
 const OVER_8: usize = 1;
 
-/// A picture, and the instruction set that drew it.
 type Named = (&'static str, Vec<u32>);
 
-/// Compares the library's pictures with the golden one.
 fn hold(name: &str, scene: &Scene, quality: &Quality, width: usize, height: usize) {
     let drawn = draw_by_all(scene, quality, width, height);
     let drawn: Vec<Named> = drawn
@@ -46,7 +40,6 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/{name}.png"))
 }
 
-/// Replaces the golden picture by that of the last instruction set, the baseline, if they differ.
 fn update(name: &str, width: usize, drawn: &[Named]) {
     let (_, pixels) = drawn.last().expect("an instruction set");
     let there = fs::read(file(name)).map(|bytes| read_png(&bytes));
@@ -110,7 +103,6 @@ fn golden_show() {
     for (name, time, quality) in [
         ("title", 9_000, NamedQuality::EXHAUSTIVE),
         ("model-close", 21_000, NamedQuality::EXHAUSTIVE),
-        // Its overlay shows squares.
         ("method", 34_000, NamedQuality::THESIS),
         ("colonnade", 47_000, NamedQuality::EXHAUSTIVE),
         ("colonnade-close", 54_000, NamedQuality::EXHAUSTIVE),
@@ -118,7 +110,6 @@ fn golden_show() {
         ("machine-close", 63_200, NamedQuality::EXHAUSTIVE),
         ("flake", 75_000, NamedQuality::EXHAUSTIVE),
         ("mirrors", 85_000, NamedQuality::EXHAUSTIVE),
-        // A transition from squares of 16 pixels.
         ("coarse", 92_300, NamedQuality::THESIS),
         ("waves", 94_000, NamedQuality::EXHAUSTIVE),
         ("ball", 98_400, NamedQuality::EXHAUSTIVE),

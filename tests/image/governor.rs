@@ -7,13 +7,12 @@ use std::time::Duration;
 const SECOND: u64 = 1_000_000_000;
 const PRESETS: usize = Quality::LADDER.len();
 
-/// The number of frames after a step in which a governor measures how much time the step saved.
+/// Frames after a step in which a governor measures its effect.
 const COMPARED: usize = 8;
 
-/// A step between presets: the time or the frame, the old and the new preset.
+/// The time or the frame, the old and the new preset.
 type Step = (u64, usize, usize);
 
-/// Counts changes of direction between faster and finer.
 fn turns(steps: &[Step]) -> usize {
     let is_faster = |step: &Step| step.1 < step.2;
     let pairs = steps.windows(2);
@@ -34,11 +33,10 @@ struct Machine {
     governor: Governor,
     /// Nanoseconds per frame.
     budget: f64,
-    /// The time of a frame at each preset, as a share of the time at the finest.
+    /// Frame times relative to the finest preset.
     shares: [f64; PRESETS],
-    /// The time of a frame at the finest preset, as a share of the budget.
+    /// The frame time at the finest preset, as a share of the budget.
     load: f64,
-    /// The largest random deviation of times, as a share.
     noise: f64,
     random: Random,
     /// Nanoseconds since the start.
@@ -47,7 +45,6 @@ struct Machine {
 }
 
 impl Machine {
-    /// Returns a machine with random frame times.
     fn new(mut random: Random, least_fps: u64, load: f64, most_noise: f64) -> Self {
         let ratios = for_each_step(&mut random, 1.1, 2.5);
         let fps = least_fps + random.bits() % (241 - least_fps);
@@ -55,7 +52,6 @@ impl Machine {
         Self::known(random, fps, ratios, load, noise)
     }
 
-    /// Returns a machine by the ratios of frame times between neighbouring presets.
     fn known(random: Random, fps: u64, ratios: [f64; PRESETS - 1], load: f64, noise: f64) -> Self {
         let mut shares = [1.0; PRESETS];
         for (i, ratio) in ratios.into_iter().enumerate() {
@@ -73,12 +69,10 @@ impl Machine {
         }
     }
 
-    /// The time of a frame without noise, as a share of the budget.
     fn cost(&self) -> f64 {
         self.load * self.shares[self.governor.preset()]
     }
 
-    /// Draws a frame that takes `factor` times as long as usual.
     fn frame(&mut self, factor: f64) {
         let noise = between(&mut self.random, 1.0 - self.noise, 1.0 + self.noise);
         let time = self.cost() * noise * factor * self.budget;
@@ -97,7 +91,6 @@ impl Machine {
         }
     }
 
-    /// Runs until the preset is stable and the governor has measured the last step, and clears the list of steps.
     fn settle(&mut self) {
         self.run(10 * SECOND);
         while !self.steps.is_empty() {
@@ -106,7 +99,6 @@ impl Machine {
         }
     }
 
-    /// Returns the time until the first step after a change of the load.
     fn reaction(&mut self, load: f64) -> Option<u64> {
         self.load = load;
         let start = self.now;
@@ -116,7 +108,7 @@ impl Machine {
 }
 
 #[test]
-fn constant_load_leads_to_the_finest_preset_in_time() {
+fn constant_load_selects_the_finest_preset_in_time() {
     for mut random in cases(200) {
         let load = between(&mut random, 0.1, 20.0);
         let most_noise = [0.0, 0.1][random.below(2)];
@@ -128,7 +120,6 @@ fn constant_load_leads_to_the_finest_preset_in_time() {
             assert!(preset == 0 || load * machine.shares[preset - 1] > 0.9);
         }
         machine.run(60 * SECOND);
-        // Where the time is barely sufficient, noise causes a late step.
         let steps = &machine.steps;
         let is_down = steps.iter().all(|&(_, from, to)| to == from + 1);
         assert!(is_down && steps.len() <= 1, "{load}: {steps:?}");
@@ -151,7 +142,6 @@ fn change_of_load_is_followed_within_half_a_second() {
         machine.settle();
         let preset = machine.governor.preset();
         if preset > 0 && machine.cost() < 1.0 {
-            // A load by which the next finer preset takes two thirds of the time.
             let load = 0.67 / machine.shares[preset - 1];
             let reaction = machine.reaction(load).expect("a step");
             assert_eq!(machine.steps[0].2, preset - 1);
@@ -163,7 +153,7 @@ fn change_of_load_is_followed_within_half_a_second() {
 }
 
 #[test]
-fn load_that_comes_and_goes_is_followed_without_trying() {
+fn alternating_load_needs_no_trials() {
     for mut random in cases(200) {
         let [light, heavy] = [(0.2, 0.7), (1.2, 4.0)].map(|(a, b)| between(&mut random, a, b));
         let mut machine = Machine::new(random, 60, light, 0.05);
@@ -172,7 +162,6 @@ fn load_that_comes_and_goes_is_followed_without_trying() {
             machine.load = load;
             machine.run(5 * SECOND);
         }
-        // One way down and one up per round, without trials in between.
         assert!(turns(&machine.steps) <= 9, "{:?}", machine.steps);
     }
 }
@@ -190,10 +179,10 @@ fn single_late_frames_change_nothing() {
     }
 }
 
-/// Frame times cannot separate a load that drops at a step from a step that saves more. In the second case the finer preset would
-/// be too slow, so the governor does not try it.
+/// Frame times cannot separate a load that drops at a step from a step that saves more; in the second case a finer preset would be
+/// too slow.
 #[test]
-fn load_that_gets_lighter_with_a_step_counts_as_saved() {
+fn load_drop_at_a_step_counts_as_saved() {
     let ratios = [1.239_9, 2.313_5, 1.179_1, 1.410_8, 1.1, 1.1];
     for (frames, leads_up) in [(0, false), (COMPARED, true)] {
         let mut machine = Machine::known(Random::new(1), 224, ratios, 4.43, 0.021);
@@ -207,11 +196,10 @@ fn load_that_gets_lighter_with_a_step_counts_as_saved() {
     }
 }
 
-/// A simulated show at 60 frames a second with a target accuracy.
 struct Show {
     governor: AccuracyGovernor,
     target: f64,
-    /// The PSNR at the finest preset, and the loss from each preset to the next faster one, in dB.
+    /// In dB: the PSNR at the finest preset, and the loss from each preset to the next.
     finest: f64,
     losses: [f64; PRESETS - 1],
     random: Random,
@@ -220,7 +208,6 @@ struct Show {
 }
 
 impl Show {
-    /// Returns a show with a random target, `room` dB below the finest preset.
     fn new(mut random: Random, room: f64) -> Self {
         let target = between(&mut random, 35.0, 50.0);
         Self {
@@ -234,12 +221,11 @@ impl Show {
         }
     }
 
-    /// The accuracy at a preset, in dB above the target.
     fn room(&self, preset: usize) -> f64 {
         self.finest - self.losses[..preset].iter().sum::<f64>() - self.target
     }
 
-    /// Returns the probes of a frame: a fiftieth of the pixels has four fifths of the error, as where edges are missed.
+    /// A fiftieth of the pixels has four fifths of the error, as where edges are missed.
     fn probes(&mut self) -> Probes {
         let psnr = self.room(self.governor.preset()) + self.target;
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(psnr / 10.0);
@@ -277,7 +263,7 @@ impl Show {
 
 /// Few shows are held to 2 dB instead of 1, as the documentation of [`AccuracyGovernor`] says.
 #[test]
-fn constant_accuracy_leads_to_the_fastest_preset_that_has_it() {
+fn constant_accuracy_selects_fastest_preset() {
     let mut worse = 0;
     for mut random in cases(500) {
         let room = between(&mut random, -5.0, 15.0);
@@ -299,7 +285,7 @@ fn constant_accuracy_leads_to_the_fastest_preset_that_has_it() {
 }
 
 #[test]
-fn cut_is_followed_within_two_seconds_and_back_within_fifteen() {
+fn cut_changes_preset_in_2_s_and_back_in_15_s() {
     for mut random in cases(60) {
         let change = between(&mut random, 6.0, 10.0);
         let mut show = Show::new(random, 5.0);
@@ -314,20 +300,18 @@ fn cut_is_followed_within_two_seconds_and_back_within_fifteen() {
             let preset = show.governor.preset();
             let found = show.room(preset);
             assert!(preset == 0 || found > -2.0, "{found}");
-            // A preset that was too inaccurate is not tried again while there is little room.
             assert!(preset + 1 == PRESETS || found < 6.0, "{found}");
             if room < 0.0 && cut == 30 * 60 {
                 let &(frame, from, to) = show.steps.get(known).expect("a step");
                 assert!(to < from && frame - cut <= 2 * 60, "{}", frame - cut);
             }
         }
-        // One way and back per change, and a few steps too far.
         assert!(turns(&show.steps) <= 14, "{:?}", show.steps);
     }
 }
 
 #[test]
-fn frames_without_probes_keep_the_preset_and_without_error_select_the_fastest() {
+fn no_probes_keep_preset_no_error_selects_fastest() {
     let mut governor = AccuracyGovernor::new(45.0);
     for (pixels, preset) in [(0, 0), (80, PRESETS - 1)] {
         let probes = Probes {

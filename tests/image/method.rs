@@ -9,7 +9,6 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::observe::Fill;
 use eightfold_tracer::scene::{Method, Scene};
 
-/// Not a multiple of any square's side.
 const SIZE: (usize, usize) = (331, 217);
 
 const WHITE: u32 = 0x00ff_ffff;
@@ -26,7 +25,6 @@ fn scene(method: Method) -> Scene {
     }
 }
 
-/// Draws the model scene with an overlay, and asserts the same bits on two threads and on three.
 fn drawn(method: Method, quality: Quality) -> Drawn {
     let (width, height) = SIZE;
     let [two, three] = [2, 3].map(|threads| {
@@ -75,7 +73,6 @@ fn marks_lie_where_points_are_traced() {
     }
 }
 
-/// Squares also cover each pixel once.
 #[test]
 fn lines_are_the_upper_and_left_sides_of_squares() {
     let method = Method {
@@ -102,7 +99,6 @@ fn lines_are_the_upper_and_left_sides_of_squares() {
     }
 }
 
-/// Coarse squares of one pixel do not change the picture.
 #[test]
 fn overlay_keeps_or_dims_the_picture_between_marks() {
     let dimmed = Method {
@@ -146,7 +142,6 @@ fn coarse_picture_has_squares_of_one_colour() {
                 let corner = drawn.pixels[y * width + x];
                 assert!(is_larger || pixel == corner, "pixel {i} by {side}");
             }
-            // About one point per square.
             let points = drawn.counts.points as usize;
             let most = (width + 64) * (height + 64) * 2 / (side * side);
             assert!(points < most, "{points} by {side}");
@@ -166,7 +161,6 @@ fn front_parts_finished_from_marked_picture() {
     let [finished, marked] = [Method::PLAIN, overlay].map(|method| drawn(method, Quality::DEFAULT));
     for front in [0, 1, 64, 65, 200, width - 1, width] {
         let swept = Method {
-            // In the middle of a pixel, so that rounding is irrelevant.
             front: ((front as f32 + 0.5) / width as f32).min(1.0),
             ..overlay
         };

@@ -1,4 +1,4 @@
-//! The show loses no large patches: connected pixels of an exhaustive frame without a similar pixel nearby.
+//! Connected pixels that the show loses, without a similar pixel nearby.
 
 use crate::drawn::{draw_best, jagged};
 use crate::error::{Difference, worst_channel};
@@ -11,7 +11,7 @@ const SIZE: [usize; 2] = [1280, 720];
 /// The most pixels of a patch. The largest, of 229, is the lit edge of a column in a mirror in another mirror.
 const LARGEST: usize = 240;
 
-/// Returns the exact pixels without a drawn pixel within 2 pixels and 32 of 255.
+/// Returns the exact pixels without a drawn one within 2 pixels and 32 of 255.
 fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     let [width, height] = SIZE;
     let is_alike =
@@ -25,7 +25,6 @@ fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     (0..exact.len()).filter(is_lost).collect()
 }
 
-/// Asserts a PSNR of 42 dB and the largest patch for frames of the show, by times in seconds, jagged and antialiased.
 fn hold(times: impl Iterator<Item = f32>) {
     let (mut largest, mut least) = (0, f64::INFINITY);
     for time in times {

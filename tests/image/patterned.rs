@@ -1,5 +1,3 @@
-//! Patterns in filled squares are as sharp as traced ones, and take few points.
-
 use crate::drawn::{draw, isa_of, jagged};
 use crate::error::Difference;
 use eightfold_scenes::{Random, cases, materials_of, solids};
@@ -7,7 +5,6 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// Returns a floor, with or without a solid on it, that has a pattern of any kind and sharpness, near or far.
 fn patterned(random: &mut Random) -> Scene {
     let distance = random.power(-0.3, 1.5);
     let waves = [Vec3::X, Vec3::Z, vec3(1.0, 0.0, 1.0), Vec3::Y, Vec3::ONE];

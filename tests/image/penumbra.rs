@@ -12,7 +12,6 @@ const LIGHT: Light = Light {
     ..Light::new(vec3(1.0, 6.0, 0.5), Vec3::ONE)
 };
 
-/// Returns the share of the round light that is visible from a point, by many rays.
 fn visible_share(p: DVec3) -> f64 {
     const RINGS: usize = 40;
     let to_light = LIGHT.position.as_dvec3() - p;
@@ -59,7 +58,6 @@ fn penumbra_is_within_a_tenth_of_many_rays() {
     let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0);
     for (i, &pixel) in drawn.pixels.iter().enumerate() {
         let coordinate = |i: usize| (i as f32 + 0.5) / size as f32 * 2.0 - 1.0;
-        // In the picture z points right and x up.
         let p = vec3(
             -coordinate(i / size) * half,
             0.0,

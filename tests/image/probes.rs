@@ -9,11 +9,9 @@ use eightfold_tracer::{Probes, Quality};
 
 const SIZE: (usize, usize) = (200, 149);
 
-/// Spheres, marble, blocks, and waves of the show, most of them dithered.
 fn scenes() -> impl Iterator<Item = Scene> {
     [20.0, 50.0, 62.0, 110.0].into_iter().map(|time| {
         let mut scene = of_the_show(time);
-        // Probes skip overlays; the comparison has all pixels.
         scene.captions.clear();
         scene
     })
@@ -50,7 +48,6 @@ impl Probing {
     }
 }
 
-/// Returns the sum of all squared errors.
 fn error(scene: &Scene, quality: &Quality, [width, height]: [usize; 2]) -> u64 {
     let picture = |quality| draw_best(scene, quality, width, height).pixels;
     let pairs = picture(&quality.reference())
@@ -60,7 +57,6 @@ fn error(scene: &Scene, quality: &Quality, [width, height]: [usize; 2]) -> u64 {
     channels.map(|(a, b)| u64::from(a.abs_diff(b)).pow(2)).sum()
 }
 
-/// Returns the error of an estimate in dB.
 fn off(probes: Probes, error: u64, pixels: u64) -> f32 {
     let share = probes.mean_squared_error() * (3 * pixels) as f64 / error as f64;
     (10.0 * share.log10()).abs() as f32
@@ -85,12 +81,11 @@ fn frames_of_a_picture_probe_each_pixel_once() {
     }
 }
 
-/// Tests intervals of single frames, and of a resting picture until its interval is below 0.3 dB.
+/// Of single frames, and of a resting picture until its interval is below 0.3 dB.
 #[test]
 #[ignore = "5,400 frames"]
 fn long_interval_holds_the_true_error() {
     const SIZE: [usize; 2] = [480, 270];
-    // All frames together probe each pixel once.
     const COUNT: u16 = 648;
     const FRAMES: u32 = 200;
     let pixels = (SIZE[0] * SIZE[1]) as u64;
@@ -129,7 +124,6 @@ fn long_interval_holds_the_true_error() {
     assert!(far <= 3, "{far} of {pictures} pictures");
 }
 
-/// More probes than pixels on edges and at the border.
 #[test]
 fn no_probe_of_an_exhaustive_frame_is_off() {
     for scene in scenes() {

@@ -1,5 +1,3 @@
-//! Refined pictures are close to exhaustive ones, for a share of the points.
-
 use crate::drawn::{draw, draw_best, draw_by_all, jagged};
 use crate::error::Difference;
 use eightfold::show;
@@ -57,7 +55,7 @@ pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     }
 }
 
-/// Crowds of mirrors and glass, and matt crowds with points, suns, spotlights and balls as lights.
+/// Mirrors and glass, and matt crowds lit by points, suns, spotlights and balls.
 #[test]
 #[ignore = "many scenes by chance"]
 fn random_crowds_have_42_db() {

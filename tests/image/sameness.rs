@@ -6,7 +6,6 @@ use crate::threaded_renderer::{ThreadedRenderer, whole};
 use eightfold::show;
 use eightfold_tracer::{Band, Counts, Job, Quality, Renderer, Threads, Worker};
 
-/// Draws the last band first, by two workers in turns.
 struct Backwards(Vec<Worker>);
 
 impl Threads for Backwards {
@@ -27,7 +26,6 @@ fn threads_order_observers_and_probes_change_no_bit() {
     // Two tiles and three bands.
     let (width, height) = (531, 70);
     let others = [2, 32].map(|side| of_side(side, Quality::DEFAULT));
-    // Spheres; blocks and patterns.
     for scene in [show::field(100, 3.0), of_the_show(50.0)] {
         for quality in REFINEMENTS.into_iter().chain(others) {
             for isa in cpu::instruction_sets() {

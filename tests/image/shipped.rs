@@ -9,10 +9,9 @@ use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use std::process::Command;
 
-/// A frame of the show.
 #[derive(Clone, Copy)]
 pub struct Still {
-    /// In the show, in milliseconds.
+    /// In milliseconds.
     pub time: u32,
     pub quality: NamedQuality,
     pub width: usize,
@@ -35,7 +34,6 @@ impl Still {
         scene
     }
 
-    /// Draws the frame with the program that ships.
     pub fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {
         let (seconds, milliseconds) = (self.time / 1000, self.time % 1000);
         let output = Command::new(linked_intro())
@@ -55,13 +53,11 @@ impl Still {
         pixels
     }
 
-    /// Draws the frame with the library under test.
     pub fn drawn(&self, isa: Isa) -> Vec<u32> {
         let quality = &self.quality.quality;
         draw(isa, 2, &self.scene(), quality, self.width, self.height).pixels
     }
 
-    /// Asserts the same bits on every instruction set, by one thread and by several.
     fn assert_same(&self) {
         let several = cpu::shipped().map(|isa| (isa, 3));
         for (isa, threads) in several.chain([(cpu::best(), 1)]) {
@@ -83,9 +79,8 @@ pub const TIMES: [u32; 18] = [
 
 #[test]
 #[ignore = "the intro is started many times"]
-fn what_ships_draws_the_bits_of_the_library_under_test_by_every_quality() {
+fn shipped_bits_match_by_every_quality() {
     for (i, quality) in NamedQuality::all().enumerate() {
-        // Two times per quality, in different scenes.
         for time in [TIMES[i], TIMES[i + 7]] {
             let still = Still {
                 time,
@@ -99,7 +94,7 @@ fn what_ships_draws_the_bits_of_the_library_under_test_by_every_quality() {
 }
 
 #[test]
-fn what_ships_draws_the_bits_of_the_library_under_test_at_every_size() {
+fn shipped_bits_match_at_every_size() {
     for (width, height) in [(1, 1), (7, 3), (1, 100), (MAX_WIDTH, 9), (9, MAX_HEIGHT)] {
         Still::exhaustive(17_300, width, height).assert_same();
     }

@@ -16,7 +16,7 @@ fn show_is_valid_all_along() {
     }
 }
 
-/// Returns the sum of all channels of a small picture, `frames` 60ths of a second after a time.
+/// Sums the channels of a small picture.
 fn brightness(time: f32, frames: f32) -> f64 {
     let drawn = draw_best(&at(time + frames / 60.0), &Quality::DEFAULT, 64, 36);
     let sums = drawn.pixels.iter().flat_map(|pixel| pixel.to_le_bytes());
@@ -69,8 +69,7 @@ fn scene_does_not_depend_on_the_one_before() {
     }
 }
 
-/// Removing an object changes a pixel at one time or more. A scene has the same objects at all times with the same number of
-/// objects.
+/// Removing an object changes a pixel at one time or more. Scenes with the same number of objects have the same objects.
 #[test]
 fn every_object_of_the_show_is_seen() {
     const MOMENTS: usize = 12;
@@ -101,7 +100,6 @@ fn every_object_of_the_show_is_seen() {
     assert!(unseen.is_empty(), "objects, the spheres first: {unseen:?}");
 }
 
-/// Returns a list without one of its items.
 fn without_item<T: Copy + Default, const N: usize>(list: &[T], number: usize) -> List<T, N> {
     let others = list.iter().enumerate().filter(|(i, _)| *i != number);
     others.map(|(_, item)| *item).collect()
@@ -114,7 +112,6 @@ fn camera_jumps_on_bars_and_at_every_cut() {
     for i in 1..frames {
         let eye = |i: usize| at(i as f32 / 60.0).camera.eye;
         if (eye(i) - eye(i - 1)).length() > 0.4 {
-            // A bar has 120 frames.
             assert_eq!(i % 120, 0, "frame {i}");
             jumps.push((i / 120) as u32);
         }
@@ -124,7 +121,6 @@ fn camera_jumps_on_bars_and_at_every_cut() {
     }
 }
 
-/// Whether a camera sees a whole ball in a picture of an aspect ratio.
 fn is_framed(camera: &Camera, aspect: f32, centre: Vec3, radius: f32) -> bool {
     let forward = (camera.look_at - camera.eye).normalize();
     let right = forward.cross(camera.up).normalize();
@@ -137,7 +133,6 @@ fn is_framed(camera: &Camera, aspect: f32, centre: Vec3, radius: f32) -> bool {
     })
 }
 
-/// Returns the spheres, and the corners of the blocks as balls.
 fn balls(scene: &Scene) -> Vec<(Vec3, f32)> {
     let spheres = scene.spheres.iter();
     let mut balls: Vec<_> = spheres
@@ -157,7 +152,6 @@ fn balls(scene: &Scene) -> Vec<(Vec3, f32)> {
 fn subject(name: &str, scene: &Scene) -> Vec<(Vec3, f32)> {
     let mut balls = balls(scene);
     match name {
-        // The parts above the water.
         "title" => {
             balls.retain(|(centre, radius)| centre.y + radius > 0.0);
             balls
@@ -230,7 +224,6 @@ fn captions_are_inside_the_picture_and_bright() {
             captions.for_each(|caption| caption.brightness = caption.brightness.ceil());
             let shown = scene.captions.iter().filter(|it| it.brightness > 0.0);
             let letters: usize = shown.map(|caption| caption.letters.len()).sum();
-            // Captions of the last half second are tested already.
             if letters == seen {
                 continue;
             }

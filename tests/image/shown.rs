@@ -25,7 +25,6 @@ pub fn sized(scene: Scene) -> View {
     }
 }
 
-/// Draws a view without antialiasing.
 pub fn pixels(isa: Isa, view: &View, quality: Quality) -> Vec<u32> {
     let quality = jagged(quality);
     draw(isa, 2, &view.scene, &quality, view.width, view.height).pixels
@@ -53,8 +52,7 @@ impl Effect {
     }
 }
 
-/// Counts of promised effects and of others: all, those that a quality misses, and those that the default quality misses without
-/// the guard.
+/// Of promised effects and of others: all, those that a quality misses, and those missed without the guard.
 #[derive(Debug, Default)]
 struct Tally {
     qualities: Vec<Quality>,
@@ -71,7 +69,6 @@ impl Tally {
         }
     }
 
-    /// Adds the effects of a view, and asserts that promised ones are shown.
     #[track_caller]
     fn add(
         &mut self,
@@ -109,7 +106,6 @@ impl Tally {
         }
     }
 
-    /// Asserts the number of promised effects, and of those that are missed without the guard.
     #[track_caller]
     fn assert_counts(&self, shown: usize, bare: usize) {
         println!(
@@ -121,12 +117,10 @@ impl Tally {
     }
 }
 
-/// All named qualities, and larger squares.
 fn of_all_sides() -> impl Iterator<Item = Quality> {
     named().chain([16, 32].map(|side| of_side(side, Quality::DEFAULT)))
 }
 
-/// Groups the pixels of a picture by colour.
 fn by_colour(pixels: &[u32]) -> BTreeMap<u32, Vec<usize>> {
     let mut colours: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (i, &pixel) in pixels.iter().enumerate() {
@@ -135,7 +129,7 @@ fn by_colour(pixels: &[u32]) -> BTreeMap<u32, Vec<usize>> {
     colours
 }
 
-/// Returns the objects of a view, each by its own colour. Gaps between objects are not promised.
+/// Gaps between objects are not promised.
 fn objects(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let background = (255.0 * view.scene.background.x).round() as u32 * 0x01_0101;
     let mut colours = by_colour(exhaustive);
@@ -170,7 +164,6 @@ fn of_the_show_at_any_time(random: &mut Random) -> View {
     }
 }
 
-/// Asserts that the objects of random views are shown, and that some are missed without the guard.
 #[track_caller]
 fn assert_objects(view: fn(&mut Random) -> View, count: u64, [shown, bare]: [usize; 2]) {
     let mut tally = Tally::new(of_all_sides());
@@ -194,7 +187,6 @@ fn random_objects_are_shown() {
 /// The pixel of the shaded floor of a [`Hidden`] scene: 0.2 of 0.8.
 const SHADED: u32 = 0x29_2929;
 
-/// Returns the visible shadows of spheres in a [`Hidden::POINT`] scene.
 fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let plane = PicturePlane::new(&scene.camera, view.width, view.height);
@@ -234,7 +226,7 @@ fn shadows_on_a_floor_are_shown() {
 /// The pixel of the floor in a single shadow: 0.1 of 0.7.
 const DARK: u32 = 0x12_1212;
 
-/// Returns the only shadow of a view, if it darkens a pixel by 2/255 or more. A difference of 1 can be rounding.
+/// A difference of 1/255 can be rounding.
 fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let lit = pixels(isa, &view.without_spheres(), Quality::EXHAUSTIVE);
     let is_shaded = |&i: &usize| exhaustive[i] == DARK && lit[i] != DARK;
@@ -245,7 +237,7 @@ fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
 }
 
 #[test]
-fn single_shadows_are_shown_however_thin_and_near() {
+fn thin_and_near_shadows_are_shown() {
     let mut tally = Tally::new(named());
     let known = known::thin_shadows().into_iter().enumerate();
     let random = cases(150).map(|mut random| (random.seed as usize, floor::shadow(&mut random)));
@@ -260,7 +252,7 @@ fn single_shadows_are_shown_however_thin_and_near() {
     tally.assert_counts(150, 40);
 }
 
-/// Returns a black mirror with bright images of objects: all their channels are at least half of 255.
+/// All channels of the images are at least half of 255.
 fn mirror(random: &mut Random) -> View {
     let mut scene = Hidden::MIRROR.scene(random);
     scene.ambient = Vec3::ONE;
@@ -268,10 +260,8 @@ fn mirror(random: &mut Random) -> View {
     sized(scene)
 }
 
-/// Returns images. Those of spheres and boxes in 2x2 pixels are promised.
-///
-/// The outline of a round block's image is that of its bounding box. A corner inside this outline, but next to the block, counts as
-/// showing the block.
+/// Images of spheres and boxes in 2x2 pixels are promised. The outline of a round block's image is that of its bounding box, so a
+/// corner inside it can count as showing the block.
 fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let is_image = |pixel: u32| pixel != 0 && pixel.to_be_bytes().iter().all(|&c| c < 128);
     let width = view.width;
@@ -312,7 +302,6 @@ fn images_in_a_floor_are_shown() {
     assert!(tally.shown[1] > 150 && tally.missed[1] <= 2, "{tally:?}");
 }
 
-/// Returns the only image of a view, in half of its object's colour.
 fn image(exhaustive: &[u32]) -> Vec<Effect> {
     let is_image = |&i: &usize| (0x7f_664c..=0x80_664d).contains(&exhaustive[i]);
     let pixels: Vec<usize> = (0..exhaustive.len()).filter(is_image).collect();
@@ -321,7 +310,7 @@ fn image(exhaustive: &[u32]) -> Vec<Effect> {
 }
 
 #[test]
-fn single_images_are_shown_however_thin_and_near() {
+fn thin_and_near_images_are_shown() {
     let mut tally = Tally::new(named());
     for isa in cpu::instruction_sets() {
         tally.add(isa, &known::wide_image(), 1, image);
@@ -366,8 +355,8 @@ fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     })
 }
 
-/// Returns highlights of five pixels or more. They are promised if the point that mirrors the light is visible and lit in one of
-/// their pixels or next to it. Other highlights are partly hidden, in shadow, cut by an edge, or on white.
+/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light, lit. Others are
+/// partly hidden, in shadow, cut by an edge, or on white.
 fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let spheres = scene.spheres.iter().map(Shape::from);

@@ -19,15 +19,12 @@ use eightfold_tracer::scene::{Method, Scene};
 use std::env;
 use std::time::{Duration, Instant};
 
-/// Without `SOAK_SECONDS`.
 const CASES: u64 = 150;
-/// Between two lines of progress.
 const PROGRESS: Duration = Duration::from_secs(5);
 /// The largest mean error of the default quality, in steps of 1/255, in pictures of 5,000 pixels or more. Small spheres fill a
 /// large part of these.
 const MAX_MEAN_ERROR: f64 = 8.0;
 
-/// Returns a named quality, or any drawable one.
 fn quality(random: &mut Random) -> Quality {
     let any = Quality {
         square: 1 << random.below(6),
@@ -45,7 +42,6 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
-/// Makes a number of a scene invalid.
 fn corrupt(scene: &mut Scene, random: &mut Random) {
     let wrong = random.one_of([
         f32::NAN,
@@ -67,7 +63,6 @@ struct Renderers {
     two: ThreadedRenderer,
 }
 
-/// Asserts the properties of a random case. Returns the error of the default quality, if it applies.
 fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
     let what = format!("case {}", random.seed);
     let isa = isa_of(random.seed);
@@ -101,7 +96,6 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
         (pixels, counts)
     };
     if random.seed.is_multiple_of(8) {
-        // Fresh memory.
         renderers.two = ThreadedRenderer::new(2);
     }
     let (pixels, counts) = draw(&mut renderers.one, &quality);
@@ -110,8 +104,8 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
     assert_eq!(work(counts), work(again), "{what}");
 
     let square = largest(&scene, &quality);
-    // Antialiasing traces a point to the right of a pixel and one below, twice where two parts of a picture meet, and up to two
-    // more on each side.
+    // Antialiasing traces a point right of a pixel and one below, twice between parts of a picture, and up to two more on each
+    // side.
     let middles = usize::from(quality.antialias) * 11 * width * height;
     let most = (most_points(square, width, height) + middles) as u64;
     assert!(counts.points <= most, "{what}: {counts:?}");
@@ -135,14 +129,13 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
             }
         }
     }
-    // Corrupt scenes and haze have larger errors.
     let is_measured = quality == Quality::DEFAULT && !is_corrupt && scene.haze == 0.0;
     let is_measured = is_measured && pixels.len() > 5000;
     is_measured.then(|| Difference::between(&others, &pixels))
 }
 
 #[test]
-fn any_case_is_drawn_by_the_same_bits_for_bounded_work() {
+fn any_case_has_same_bits_for_bounded_work() {
     let seconds = env::var("SOAK_SECONDS").ok();
     let limit = seconds.map(|text| Duration::from_secs(text.parse().expect("seconds")));
     let start = Instant::now();

@@ -1,5 +1,3 @@
-//! Scenes as text: scenes survive writing and reading, and every mistake has a line and a column.
-
 use crate::extremes::written;
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::{Kinds, Random, cases};
@@ -27,7 +25,6 @@ impl Text {
         Self { ron, numbers }
     }
 
-    /// Returns where the value of a number's field begins, and the field's name.
     fn field(&self, i: usize) -> (usize, &str) {
         let before = &self.ron[..self.numbers[i].start];
         let colon = before.rfind(':').expect("a number is in a field");
@@ -35,20 +32,17 @@ impl Text {
         (colon + 1, name.expect("a name"))
     }
 
-    /// Returns the text with another number.
     fn with(&self, i: usize, number: f32) -> String {
         let Range { start, end } = self.numbers[i];
         format!("{}{number:?}{}", &self.ron[..start], &self.ron[end..])
     }
 
-    /// Returns the scene with another number, and the field's name.
     pub fn scene_with(&self, i: usize, number: f32) -> (Scene, &str) {
         let scene = ron::from_str(&self.with(i, number)).expect("it is a number");
         (scene, self.field(i).1)
     }
 }
 
-/// Returns the line and the column at the beginning of a message.
 fn place(message: &str) -> Option<(usize, usize)> {
     let mut parts = message.strip_prefix("a.ron:")?.split(':');
     Some((parts.next()?.parse().ok()?, parts.next()?.parse().ok()?))
@@ -68,7 +62,6 @@ fn number_beyond_its_range_is_refused_at_its_place() {
         let (line, column) = place(&fault).expect(&fault);
         let is_at = (start..=text.numbers[i].start).contains(&(column - 1));
         assert!(line == 1 && is_at, "{name}: {fault}");
-        // Rules without a range.
         let Some((least, most)) = refusal.range.split_once(" to ") else {
             continue;
         };

@@ -9,8 +9,7 @@ use eightfold_tracer::Quality;
 /// The least difference, of 255, that shows a bar or a wrong pixel.
 const VISIBLE: u32 = 24;
 
-/// Draws `count` views of bars of each kind by all named qualities. Returns the number of pixels that show bars, and asserts that
-/// no hole has 4 or more of them.
+/// Returns the number of pixels that show bars, and asserts that no hole has 4 or more of them.
 fn assert_whole(count: u64) -> usize {
     let mut shown = 0;
     for (mut random, seen) in

@@ -5,7 +5,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere, Waves};
 use glam::{Vec3, vec3};
 
-/// Returns a red ball over a mirror from a height, under a sky that is brighter above. The floor below the mirror is black.
+/// Returns a red ball over a mirror, under a sky that is brighter above; the floor below the mirror is black.
 fn sea(height: f32, water: Waves) -> Vec<u32> {
     let floor = |y: f32, material: Material| Plane::new(Vec3::Y * y, 1e3, 1e3, material);
     let red = Material::matt(Vec3::X, 0.0);

@@ -7,7 +7,6 @@ use eightfold_tracer::{Frame, Quality};
 
 const SIZE: (usize, usize) = (640, 360);
 
-/// Draws a line of text on black.
 fn written(letters: &[u8], numbers: [usize; 4]) -> Vec<u32> {
     let caption = Caption {
         letters: letters.iter().copied().collect(),

@@ -8,11 +8,9 @@ use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
 use eightfold_stage::intro;
 use std::process::{Command, Stdio};
 
-/// A frame has a whole number of nanoseconds.
 const FPS: usize = 50;
 const SHOW: usize = show::LENGTH as usize * FPS;
 
-/// The length of the second round in seconds.
 const SECONDS: usize = 14;
 
 const SECOND: u64 = 1_000_000_000;
@@ -44,7 +42,7 @@ fn difference(a: &[[u8; 6]], b: &[[u8; 6]]) -> f64 {
 }
 
 #[test]
-fn the_second_time_is_as_the_first_in_sound_and_picture() {
+fn second_round_repeats_sound_and_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let library = simulated::build(folder.path());
     let length = (SHOW / FPS + SECONDS).to_string();
@@ -67,7 +65,6 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     for (number, (heard, wanted)) in heard.zip(wanted).enumerate() {
         assert_eq!(heard, wanted, "sample {number}");
     }
-    // Sound and picture restart together.
     let (start, _) = played[SONG_LENGTH as usize / 48];
     let drift = start.abs_diff(show::LENGTH as u64 * SECOND);
     assert!(drift <= SECOND / FPS as u64, "{start} ns");
@@ -75,7 +72,6 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     let text = String::from_utf8(output.stdout).expect("text");
     let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
     assert!(frames.len() >= SHOW + SECONDS * FPS);
-    // The title and the start of the next scene.
     assert!(grid::BAR * show::cut("model") as f32 + 1.0 < SECONDS as f32);
     for at in (FPS..SECONDS * FPS).step_by(7) {
         let [first, second, before] =

@@ -1,5 +1,3 @@
-//! The intro accepts valid command lines and refuses others in one line.
-
 use eightfold::show;
 use eightfold_stage::{headless, qualities, run, texts};
 use eightfold_window::cpu;
@@ -74,7 +72,6 @@ fn option_has_its_effect() {
     assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
     assert!(said("--seconds=.3 --size=2x3").contains(", 2x3,"));
     assert!(said("--seconds 0.1 --seconds 0.3 --size 2x3").contains("in 0.3"));
-    // A frame can last longer than the remaining time.
     assert!(said("--fps 1 --seconds 0.2 --size 16x12").contains("in 0.2"));
     let frames = |options: &str| {
         let said = said(options);

@@ -74,7 +74,7 @@ fn silent_display_is_given_up_after_some_seconds() {
 }
 
 #[test]
-fn missing_linker_or_descriptors_are_told_in_one_line() {
+fn missing_linker_or_descriptors_are_one_line() {
     let told = "eightfold: cannot load the dynamic linker\n";
     let folder = tempfile::tempdir().unwrap();
     let copied = Command::new("install")
@@ -94,7 +94,7 @@ fn missing_linker_or_descriptors_are_told_in_one_line() {
 }
 
 #[test]
-fn missing_sound_device_is_told_in_one_line() {
+fn missing_sound_device_is_named_in_one_line() {
     let mut command = Command::new(intro());
     command.args(["--seconds", "0.2", "--size", "64x48"]);
     command.env_remove("DISPLAY");
@@ -145,7 +145,6 @@ fn output_that_cannot_be_written_is_an_error() {
             assert!(errors.ends_with(line), "{options} {output}: {errors}");
         }
     }
-    // Closed pipes, also in the middle of a frame.
     for reader in ["true", "head -c 1000 > /dev/null"] {
         let (code, errors) = shell(&format!(
             "INTRO --still 2 | {reader}; exit ${{PIPESTATUS[0]}}"
@@ -155,7 +154,7 @@ fn output_that_cannot_be_written_is_an_error() {
 }
 
 #[test]
-fn display_takes_no_number_of_a_closed_stream() {
+fn closed_streams_do_not_become_the_display() {
     needs!(DISPLAY);
     let server = Server::start(320, 240);
     let streams = "<&- >&- 2>&-";
@@ -167,7 +166,7 @@ fn display_takes_no_number_of_a_closed_stream() {
 }
 
 #[test]
-fn address_space_is_little() {
+fn address_space_is_small() {
     let folder = tempfile::tempdir().unwrap();
     let configuration = folder.path().join("asound.conf");
     fs::write(&configuration, "pcm.default { type null }").unwrap();
@@ -184,7 +183,6 @@ fn address_space_is_little() {
 #[test]
 fn report_has_the_time_of_each_preset() {
     let names = qualities();
-    // Returns the presets in the report, each with its time.
     let used = |options: &str| {
         let (_, said) = run(&mut headless(options));
         let presets = names.split(' ').filter_map(|name| {
@@ -218,12 +216,12 @@ fn report_has_the_time_of_each_preset() {
 }
 
 #[test]
-fn waiting_for_the_next_frame_takes_no_time() {
+fn waiting_for_a_frame_uses_no_processor() {
     let intro = Process::start(&mut headless("--seconds 5 --size 16x16"));
     let stat = Path::new("/proc")
         .join(intro.0.id().to_string())
         .join("stat");
-    // User and system time, in hundredths of a second.
+    // In hundredths of a second.
     let used = || -> u32 {
         let stat = fs::read_to_string(&stat).expect("it runs");
         let (_, fields) = stat.rsplit_once(") ").expect("a name and fields");
@@ -241,7 +239,7 @@ fn waiting_for_the_next_frame_takes_no_time() {
 }
 
 #[test]
-fn small_stack_is_enough_or_told_in_one_line() {
+fn stack_of_96_kib_is_enough() {
     for (kilobytes, expected) in [(96, 0), (95, 1)] {
         for options in ["--still 62.5", "--seconds 0.2"] {
             let play = format!("exec INTRO --silent {options} --size 64x48 > /dev/null");

@@ -38,7 +38,6 @@ fn run(program: &Path, argument: &str) -> Output {
     command.arg(argument).output().expect("it starts")
 }
 
-/// Asserts that the file has at most 64 KiB and unpacks to the linked program.
 fn assert_is_packed(intro: &Intro) {
     let packed = read(&intro.program);
     assert!(packed.len() <= 65_536, "{} bytes", packed.len());
@@ -91,7 +90,6 @@ fn damaged_or_cut_intro_says_so() {
         assert_eq!(errors, "eightfold: this file is damaged\n", "{what}");
     };
     let (middle, last) = (packed.len() / 2, packed.len() - 1);
-    // The stub, then the packed data.
     for place in (CHECKED..5000).step_by(460).chain([middle, last]) {
         let mut damaged = packed.clone();
         damaged[place] ^= 1;
@@ -105,7 +103,7 @@ fn damaged_or_cut_intro_says_so() {
 
 /// Linux kills a program silently if its headers ask for more memory than it may have.
 #[test]
-fn too_little_memory_is_told_in_one_line() {
+fn too_little_memory_is_named_in_one_line() {
     let told = "eightfold: needs 105 MB of memory\n";
     for (kilobytes, told) in [(80_000, told), (105_000_000_u32.div_ceil(1024), "")] {
         let mut bash = Command::new("bash");
@@ -117,7 +115,6 @@ fn too_little_memory_is_told_in_one_line() {
     }
 }
 
-/// The file has no paths and nothing random.
 #[test]
 #[ignore = "the intro is compiled in another folder"]
 fn another_folder_gives_the_same_bytes() {

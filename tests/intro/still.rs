@@ -3,7 +3,6 @@
 use eightfold::show;
 use eightfold_stage::{headless, intro, needs, reader::read_ppm, run, texts, tool};
 
-/// Returns the width and the pixels of a still.
 fn still(options: &str) -> (usize, Vec<u32>) {
     let (output, _) = run(&mut headless(options));
     let (_, errors) = texts(&output);

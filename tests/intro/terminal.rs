@@ -11,7 +11,6 @@ use std::{
     time::Duration,
 };
 
-/// A terminal that runs a shell script.
 struct Terminal {
     socket: PathBuf,
     /// Process ids of the shell, and of tmux, which reads the output.
@@ -20,8 +19,7 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// Starts the intro in a terminal of `columns` by `rows`, and waits for a picture. At the end the terminal shows the exit code,
-    /// and whether its mode was restored.
+    /// Starts the intro, and waits for a picture. At the end the terminal shows the exit code, and whether its mode was restored.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         Terminal::run(columns, rows, &format!("{} {options}", intro().display()))
     }
@@ -62,18 +60,15 @@ impl Terminal {
         text
     }
 
-    /// Returns a variable of tmux.
     fn value(&self, name: &str) -> String {
         let text = self.tmux(&["display", "-p", &format!("#{{{name}}}")]);
         text.trim().to_owned()
     }
 
-    /// Returns the contents, with escape codes for colours.
     fn text(&self) -> String {
         self.tmux(&["capture-pane", "-p", "-e"])
     }
 
-    /// Waits until all cells show a picture.
     fn wait_for_picture(&self, columns: usize, rows: usize) {
         wait_for("a picture", || {
             let text = self.text();
@@ -82,7 +77,7 @@ impl Terminal {
         });
     }
 
-    /// Waits for the end, and asserts the exit code and the restored mode. Returns the contents.
+    /// Waits for the end. Returns the contents.
     fn ended(&self, code: i32) -> String {
         let text = wait_for("the end", || {
             let text = self.text();
@@ -93,7 +88,6 @@ impl Terminal {
         text
     }
 
-    /// Waits for the end, and asserts the restored terminal and the messages.
     fn wait_for_end(&self, code: i32) {
         let text = self.ended(code);
         let fallback = "no X display; playing in the terminal";
@@ -104,13 +98,12 @@ impl Terminal {
         assert_eq!(flags, ["0", "1", "1"]);
     }
 
-    /// Sends a signal to the intro.
     fn signal(&self, name: &str) {
         let mut pkill = tool("pkill");
         run(pkill.args(["--signal", name, "-P", &self.shell, "eightfold"]));
     }
 
-    /// Sends a signal to tmux: nobody reads the output while it is stopped.
+    /// Nobody reads the output while tmux is stopped.
     fn signal_reader(&self, name: &str) {
         sh(&format!("kill -{name} {}", self.reader));
     }
@@ -190,7 +183,7 @@ fn terminal_wider_than_any_frame_shows_a_part() {
 }
 
 #[test]
-fn terminal_without_colours_gets_none() {
+fn terminal_without_colours_gets_no_picture() {
     needs!(&["script"]);
     let play = format!("{} --silent --seconds 0.2 --size 64x48", intro().display());
     let (output, text) = run(script(&play).env("TERM", "dumb"));
@@ -200,7 +193,7 @@ fn terminal_without_colours_gets_none() {
 }
 
 #[test]
-fn escape_and_control_c_end_it_and_other_keys_do_not() {
+fn only_escape_and_control_c_end_the_intro() {
     needs!(&["tmux", "pkill"]);
     // Keys come from the terminal even if standard input is another file.
     for (key, input) in [("Escape", ""), ("C-c", "< /dev/null")] {
@@ -233,7 +226,7 @@ fn end_or_signal_restores_the_terminal() {
 }
 
 #[test]
-fn terminal_is_taken_again_after_a_stop() {
+fn continued_process_restores_the_picture() {
     needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(60, 20, "");
     let tty = terminal.value("pane_tty");
@@ -242,7 +235,6 @@ fn terminal_is_taken_again_after_a_stop() {
     sleep(Duration::from_millis(500));
     terminal.signal("STOP");
     terminal.signal_reader("CONT");
-    // Shells do this when a program stops.
     sh(&format!(
         "stty -F {tty} sane; printf '\\033[?1049l' > {tty}"
     ));
@@ -257,14 +249,13 @@ fn terminal_is_taken_again_after_a_stop() {
 
 #[test]
 #[ignore = "it waits"]
-fn terminal_that_nobody_reads_does_not_delay_the_end() {
+fn unread_terminal_does_not_delay_the_end() {
     needs!(&["tmux", "pkill", "pgrep"]);
     for (options, signal) in [("", Some("TERM")), ("--seconds 4", None)] {
         let terminal = Terminal::play(200, 50, options);
         let intro = run(tool("pgrep").args(["-P", &terminal.shell, "eightfold"])).1;
         let intro = PathBuf::from("/proc").join(intro.trim());
         terminal.signal_reader("STOP");
-        // Frames fill the terminal's buffer.
         sleep(Duration::from_secs(2));
         if let Some(name) = signal {
             terminal.signal(name);

@@ -3,7 +3,6 @@
 use eightfold_stage::missing;
 use std::{collections::BTreeMap, env, fs, path::Path};
 
-/// Counts the ignored tests in a folder by their reasons.
 fn count(folder: &Path, reasons: &mut BTreeMap<String, usize>) {
     for entry in fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();
@@ -21,7 +20,6 @@ fn count(folder: &Path, reasons: &mut BTreeMap<String, usize>) {
 }
 
 fn main() {
-    // A filter skips tests on purpose.
     if env::args().len() > 1 {
         return;
     }

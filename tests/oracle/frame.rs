@@ -1,5 +1,3 @@
-//! A whole picture by the oracle.
-
 use super::{Oracle, Traced, pixel, pixel_like};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
@@ -15,7 +13,6 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Traces all points, on all processors.
     pub fn new(scene: &Scene, quality: &Quality, width: usize, height: usize) -> Self {
         let oracle = Oracle::new(scene, quality, width, height);
         let mut points = vec![Traced::default(); (width + 2) * (height + 2)];
@@ -44,18 +41,15 @@ impl Frame {
         &self.points[(y + 1) * (self.width + 2) + x + 1]
     }
 
-    /// Calls `of` for each pixel, row by row.
     fn map_pixels<T>(&self, of: impl Fn(usize, usize) -> T) -> Vec<T> {
         let pixels = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
         pixels.map(|(x, y)| of(x, y)).collect()
     }
 
-    /// Returns the pixels, `0x00RRGGBB`.
     pub fn picture(&self) -> Vec<u32> {
         self.map_pixels(|x, y| pixel(self.at(x, y).colour, self.dither, x, y))
     }
 
-    /// Returns the pixels, equal to `drawn` where rounding decides, see [`pixel_like`].
     pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {
         self.map_pixels(|x, y| {
             let drawn = drawn[y * self.width + x];
@@ -73,7 +67,6 @@ impl Frame {
         })
     }
 
-    /// Returns the sum of a count over the picture.
     pub fn total(&self, count: impl Fn(&Traced) -> u64) -> u64 {
         self.map_pixels(|x, y| count(self.at(x, y))).iter().sum()
     }

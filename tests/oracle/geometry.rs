@@ -9,12 +9,11 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// The origin.
     pub o: DVec3,
     /// The direction, of length 1.
     pub d: DVec3,
-    /// The rounding error of the origin, in scene units. The origin is on every surface within it: an outward ray does not hit that
-    /// surface, an inward ray hits its far side. So hits need no minimal distance, at any scale.
+    /// The rounding error of the origin, in scene units. Surfaces within it contain the origin: outward rays do not hit them,
+    /// inward rays hit their far sides. So hits need no minimal distance, at any scale.
     slack: f64,
 }
 
@@ -25,12 +24,11 @@ impl Ray {
         Self { o, d, slack }
     }
 
-    /// Returns the point at a distance.
     pub fn at(&self, t: f64) -> DVec3 {
         self.o + t * self.d
     }
 
-    /// Returns the ray from its hit at a distance on.
+    /// Returns the ray from its hit on.
     pub fn moved(&self, t: f64) -> Self {
         let slack = ROUNDING * (self.o.abs().max_element() + t);
         Self {
@@ -40,13 +38,11 @@ impl Ray {
         }
     }
 
-    /// Returns a ray in another direction from the same point.
     pub fn turned(&self, d: DVec3) -> Self {
         Self { d, ..*self }
     }
 }
 
-/// The rays of a picture's pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct PicturePlane {
     eye: DVec3,
@@ -54,7 +50,6 @@ pub struct PicturePlane {
     corner: DVec3,
     dx: DVec3,
     dy: DVec3,
-    /// The side of a pixel at distance 1, in scene units.
     pub pixel: f64,
 }
 
@@ -106,13 +101,11 @@ pub enum Shape {
         centre: DVec3,
         radius: f64,
     },
-    /// A horizontal rectangle.
     Plane {
         centre: DVec3,
         half_x: f64,
         half_z: f64,
     },
-    /// A box, a cylinder or a capsule around its own y axis.
     Block {
         centre: DVec3,
         half: DVec3,
@@ -121,10 +114,8 @@ pub enum Shape {
     },
 }
 
-/// The hit of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Met {
-    /// The distance along the ray.
     pub t: f64,
     /// The outward normal, of length 1.
     pub normal: DVec3,
@@ -161,7 +152,6 @@ impl From<&Block> for Shape {
 }
 
 impl Shape {
-    /// Returns the first hit nearer than `limit`.
     pub fn meet(&self, ray: Ray, limit: f64) -> Option<Met> {
         let met = match *self {
             Self::Sphere { centre, radius } => sphere(ray, centre, radius).map(|t| Met {
@@ -184,7 +174,6 @@ impl Shape {
                     d: axes.transpose() * ray.d,
                     slack: ray.slack + ROUNDING * half.max_element(),
                 };
-                // Few rays hit the bounding sphere.
                 let bound = half.length() * (1.0 + 1e-6) + own.slack;
                 let nearest = own.o - own.o.dot(own.d) * own.d;
                 if nearest.length_squared() > bound * bound {
@@ -204,7 +193,7 @@ impl Shape {
         met.filter(|met| met.t < limit)
     }
 
-    /// Returns a point relative to the centre in the object's own axes, where patterns are defined.
+    /// In the object's own axes, from its centre, where patterns are defined.
     pub fn own_coordinates(&self, p: DVec3) -> DVec3 {
         match *self {
             Self::Sphere { centre, .. } => p - centre,
@@ -213,7 +202,7 @@ impl Shape {
         }
     }
 
-    /// Returns the direction of the grooves around the object's y axis, at a point with the normal `n`.
+    /// The direction of the grooves around the object's y axis.
     pub fn groove(&self, p: DVec3, n: DVec3) -> DVec3 {
         let (axis, centre) = match *self {
             Self::Sphere { centre, .. } | Self::Plane { centre, .. } => (DVec3::Y, centre),
@@ -223,7 +212,6 @@ impl Shape {
     }
 }
 
-/// Returns the distance at which a ray hits a sphere.
 pub fn sphere(ray: Ray, centre: DVec3, radius: f64) -> Option<f64> {
     let least = ray.slack + ROUNDING * radius;
     crossings(ray.o - centre, ray.d, radius, ray.slack)?
@@ -235,7 +223,7 @@ fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {
     let above = ray.o.y - centre.y;
     let t = -above / ray.d.y;
     let p = ray.at(t) - centre;
-    // False for NaN and infinity, from a ray parallel to the plane.
+    // False for NaN and infinity, of a parallel ray.
     let is_hit = above.abs() > ray.slack && t > 0.0 && p.x.abs() <= half_x && p.z.abs() <= half_z;
     is_hit.then_some(Met {
         t,
@@ -243,7 +231,7 @@ fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {
     })
 }
 
-/// Returns the distance at which a ray crosses the face at `at` on axis `i`: 0 if it starts there.
+/// Returns the distance to the face at `at` on axis `i`: 0 if the ray starts there.
 fn face(ray: &Ray, at: f64, i: usize) -> f64 {
     let to_face = at - ray.o[i];
     if to_face.abs() <= ray.slack {
@@ -289,13 +277,12 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
     }
 }
 
-/// Returns the nearest hit in front of a ray.
 fn first(ray: Ray, met: impl Iterator<Item = Met>) -> Option<Met> {
     let ahead = met.filter(|met| met.t > ray.slack);
     ahead.min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
-/// Returns the hits with the side of a cylinder around the y axis, up to a height above and below the origin.
+/// Intersects the side of a cylinder around the y axis.
 fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
     let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
     let met = crossings(o, d, radius, ray.slack).into_iter().flatten();
@@ -310,7 +297,6 @@ fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
 fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
     let cap = |end: f64| {
         let t = face(&ray, end * half.y, 1);
-        // False for NaN, from a ray in the cap's plane.
         let is_met = ray.at(t).with_y(0.0).length_squared() <= half.x * half.x;
         is_met.then_some(Met {
             t,

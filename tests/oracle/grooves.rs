@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-/// Returns the direction of the grooves around an axis, at a point `out` from the object's centre with the normal `n`.
+/// `out` is the point from the object's centre, `n` its normal.
 pub fn direction(axis: DVec3, out: DVec3, n: DVec3) -> DVec3 {
     axis.cross(out).reject_from(n).normalize_or_zero()
 }
 
-/// Returns the cosine between the mirrored direction `r` and the direction `l` to a light, changed by the grooves, see
-/// `Material::anisotropy`. All directions have length 1.
+/// Returns the cosine between the mirrored direction `r` and the direction `l` to a light, changed by grooves, see
+/// `Material::anisotropy`.
 pub fn cosine(r: DVec3, l: DVec3, groove: DVec3, anisotropy: f64) -> f64 {
     let apart = l - r;
     let along = apart.dot(groove);

@@ -19,7 +19,6 @@ use eightfold_tracer::scene::{Material, Scene};
 use geometry::{Met, PicturePlane, Ray, Shape};
 use glam::DVec3;
 
-/// Traces points, in pixels, of one picture of a scene.
 pub struct Oracle<'a> {
     scene: &'a Scene,
     quality: &'a Quality,
@@ -29,7 +28,6 @@ pub struct Oracle<'a> {
     bodies: Vec<Body>,
 }
 
-/// An object that rays hit.
 struct Body {
     object: Object,
     shape: Shape,
@@ -45,29 +43,24 @@ impl Body {
 pub struct Traced {
     /// RGB after the film, not clamped.
     pub colour: DVec3,
-    /// A hash of the whole ray tree: the object that each ray hits, and the lights that are visible there.
+    /// A hash of the ray tree: the object that each ray hits, and the lights visible there.
     pub tree: u64,
-    /// A hash of the keys that the quality compares: objects, and states of the lights (dark, lit, highlight), each up to its
-    /// depth.
+    /// A hash of objects, and of light states (dark, lit, highlight), each up to the quality's depth.
     pub key: u64,
-    /// Primary and secondary rays.
     pub rays: u64,
     pub shadow_rays: u64,
 }
 
-/// An object of the scene: its kind, and its index.
 #[derive(Clone, Copy, Debug, Hash, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Object {
     Sphere(usize),
     Plane(usize),
     Block(usize),
-    /// The visible sphere of a light.
     Light(usize),
     Background,
 }
 
 impl Object {
-    /// Returns the material; lights and the background have none.
     pub fn material(self, scene: &Scene) -> Option<&Material> {
         match self {
             Self::Sphere(i) => Some(&scene.spheres[i].material),
@@ -79,7 +72,6 @@ impl Object {
 }
 
 impl<'a> Oracle<'a> {
-    /// Of the quality, it uses the depths, the highlight and the least contribution.
     pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
         Self {
             scene,
@@ -91,18 +83,16 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    /// Returns the object at the centre of pixel (x, y), which may be outside the picture.
     pub fn object_at(&self, x: isize, y: isize) -> Object {
         let nearest = self.nearest(self.ray(x as f64, y as f64), true);
         nearest.map_or(Object::Background, |(body, _)| body.object)
     }
 
-    /// Returns the ray through a point in pixels. The centre of a pixel has integer coordinates.
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         self.plane.ray(x, y)
     }
 
-    /// Returns the nearest object along a ray, and the hit. `has_lights` includes visible lights.
+    /// `has_lights` includes visible lights.
     fn nearest(&self, ray: Ray, has_lights: bool) -> Option<(&Body, Met)> {
         let mut nearest: Option<(&Body, Met)> = None;
         for body in &self.bodies {
@@ -117,13 +107,11 @@ impl<'a> Oracle<'a> {
         nearest
     }
 
-    /// Whether no surface blocks a ray up to a distance.
     pub fn is_free(&self, ray: Ray, distance: f64) -> bool {
         let mut bodies = self.bodies.iter().filter(|body| !body.is_light());
         bodies.all(|body| body.shape.meet(ray, distance).is_none())
     }
 
-    /// Traces the centre of pixel (x, y), which may be outside the picture.
     pub fn trace(&self, x: isize, y: isize) -> Traced {
         let ray = self.ray(x as f64, y as f64);
         let mut traced = Traced::default();
@@ -133,7 +121,6 @@ impl<'a> Oracle<'a> {
         traced
     }
 
-    /// Applies the film to the light at a pixel.
     fn exposed(&self, light: DVec3, x: isize, y: isize) -> DVec3 {
         let from_middle =
             |at: isize, size: usize| (2.0 * at as f64 + 1.0 - size as f64) / self.height as f64;
@@ -152,7 +139,6 @@ impl<'a> Oracle<'a> {
     }
 }
 
-/// Returns all objects, visible lights included.
 fn bodies(scene: &Scene) -> Vec<Body> {
     let spheres = scene.spheres.iter().map(Shape::from).enumerate();
     let planes = scene.planes.iter().map(Shape::from).enumerate();
@@ -183,7 +169,6 @@ const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 
 /// 8/256.
 const TIE: f64 = 1.0 / 16.0;
 
-/// Returns a colour as pixel (x, y), `0x00RRGGBB`, dithered.
 pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let [red, green, blue] = steps(colour, dither, x, y).map(|step| step.floor() as u32);
     red << 16 | green << 8 | blue
@@ -200,14 +185,14 @@ pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) ->
     })
 }
 
-/// Returns the channels of pixel (x, y) in output steps, to be truncated.
+/// The channels in output steps, to be truncated.
 fn steps(colour: DVec3, dither: f32, x: usize, y: usize) -> [f64; 3] {
     let share = (f64::from(ORDER[y % 4][x % 4]) + 0.5) / 16.0;
     let threshold = 0.5 + f64::from(dither) * (share - 0.5);
     (colour.clamp(DVec3::ZERO, DVec3::ONE) * 255.0 + threshold).to_array()
 }
 
-/// Returns the least and the greatest byte that rounding can make of a channel.
+/// The range of bytes by rounding.
 fn bytes(step: f64) -> [u32; 2] {
     [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32)
 }

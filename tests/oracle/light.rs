@@ -5,7 +5,7 @@ use super::{Object, Oracle};
 use eightfold_tracer::scene::{Light, Sphere};
 use glam::DVec3;
 
-/// Returns the factor on a light's lengths: parallel lights are far away.
+/// Parallel lights are far away.
 pub fn reach(light: &Light) -> f64 {
     if light.parallel {
         f64::from(Light::FAR)
@@ -14,7 +14,6 @@ pub fn reach(light: &Light) -> f64 {
     }
 }
 
-/// Returns the share of a light that its cone emits in the direction `d`.
 pub fn cone(light: &Light, d: DVec3) -> f64 {
     light.spot.map_or(1.0, |spot| {
         let [outer, inner] =
@@ -23,11 +22,8 @@ pub fn cone(light: &Light, d: DVec3) -> f64 {
     })
 }
 
-/// The direction and the distance from a point to a light.
 pub(super) struct ToLight {
-    /// Of length 1.
     pub l: DVec3,
-    /// In scene units.
     pub distance: f64,
 }
 
@@ -43,7 +39,7 @@ impl ToLight {
 }
 
 impl Oracle<'_> {
-    /// Returns the share of a light, as a colour, that passes its cone and all shadows to the origin of a ray.
+    /// Returns the share, as a colour, that passes the cone and all shadows.
     pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, ray: Ray) -> DVec3 {
         let ToLight { l, distance } = *to_light;
         let bodies = self.bodies.iter();
@@ -54,7 +50,6 @@ impl Oracle<'_> {
                 Object::Block(i) if light.diameter > 0.0 => {
                     share *= self.scene.blocks[i].material.tint.as_dvec3();
                 }
-                // Its edges are soft.
                 Object::Sphere(_) if light.diameter > 0.0 => {}
                 Object::Light(_) => {}
                 _ => return DVec3::ZERO,
@@ -100,7 +95,6 @@ fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64
     smooth(off / b + 0.5)
 }
 
-/// Hermite's smooth step, 0 below 0 and 1 above 1.
 fn smooth(tau: f64) -> f64 {
     let tau = tau.clamp(0.0, 1.0);
     tau * tau * (3.0 - 2.0 * tau)

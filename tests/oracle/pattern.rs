@@ -3,7 +3,7 @@
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
-/// Returns the factor of a pattern on a colour, at `p` in the object's own axes, where a pixel covers `footprint` scene units.
+/// `p` is in the object's own axes; a pixel covers `footprint` scene units.
 pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     if pattern.depth == 0.0 {
         return 1.0;
@@ -22,12 +22,11 @@ pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     1.0 - f64::from(pattern.depth) * (0.5 - 0.5 * height)
 }
 
-/// A triangle wave of period 1 between -1 and 1, with a maximum at 0.
 fn wave(v: f64) -> f64 {
     1.0 - 4.0 * (v - v.round()).abs()
 }
 
-/// Returns the noise that shifts the pattern, in periods. It is two-dimensional: constant along an oblique direction.
+/// In periods; constant along an oblique direction.
 fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     let (u, v) = (p.x + 0.6 * p.z, p.y + 0.8 * p.z);
     let mut grain = f64::from(pattern.grain);
@@ -41,7 +40,6 @@ fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     sum
 }
 
-/// Value noise: random numbers from -1 to 1 at integer coordinates, smoothly interpolated.
 fn noise(p: [f64; 2]) -> f64 {
     let cell = p.map(|v| v.floor());
     let s = [0, 1].map(|i| {

@@ -8,7 +8,6 @@ use eightfold_tracer::scene::{Light, Material};
 use glam::DVec3;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// The state of a light at a hit. `Dark` is in shadow or behind the surface.
 #[derive(Clone, Copy, Hash, PartialEq, Eq)]
 enum State {
     Dark,
@@ -16,31 +15,25 @@ enum State {
     Highlight,
 }
 
-/// A point of a surface, as seen by a ray.
 pub struct Hit<'a> {
     object: Object,
     pub material: &'a Material,
     /// The ray from this point on, in the same direction.
     pub ray: Ray,
-    /// The distance that the ray has travelled.
     pub t: f64,
     /// The normal towards the ray, of length 1.
     pub n: DVec3,
     is_inside: bool,
-    /// The direction of the grooves.
     groove: DVec3,
-    /// The colour with its pattern.
     pub painted: DVec3,
 }
 
 impl Hit<'_> {
-    /// Returns the cosine of the angle of incidence.
     fn cosine(&self) -> f64 {
         -self.ray.d.dot(self.n)
     }
 
-    /// Returns the share of light from the direction `l` that the surface reflects along the ray, and the strength of its
-    /// highlight.
+    /// Returns the share of light from the direction `l` along the ray, and the strength of the highlight.
     pub fn reflected(&self, l: DVec3) -> (DVec3, f64) {
         let material = self.material;
         let mirrored = self.ray.d + 2.0 * self.cosine() * self.n;
@@ -51,7 +44,6 @@ impl Hit<'_> {
         (diffuse + highlight * tint, highlight)
     }
 
-    /// Returns the reflected and the refracted direction with their coefficients.
     pub fn bounces(&self) -> [Option<(DVec3, f32)>; 2] {
         let Self { material, n, .. } = *self;
         let (d, cosine) = (self.ray.d, self.cosine());
@@ -74,13 +66,11 @@ impl Hit<'_> {
 }
 
 impl Oracle<'_> {
-    /// Returns the first surface along a ray. Lights have none.
     pub fn surface(&self, ray: Ray) -> Option<Hit<'_>> {
         let (body, met) = self.nearest(ray, false)?;
         self.hit(ray, body, met)
     }
 
-    /// Returns the hit of a ray with a body; `None` for a light.
     fn hit(&self, ray: Ray, body: &Body, met: Met) -> Option<Hit<'_>> {
         let material = body.object.material(self.scene)?;
         let p = ray.at(met.t);
@@ -105,15 +95,14 @@ impl Oracle<'_> {
         })
     }
 
-    /// Returns the colour along a ray. `weight` is the product of the coefficients on its path. `path` is its node in the ray tree:
-    /// 1 for the primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of node p.
+    /// `weight` is the product of the coefficients on the path, `path` the node in the ray tree: 1 for the primary ray, 2 p for the
+    /// reflected and 2 p + 1 for the transmitted ray of node p.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let nearest = self.nearest(ray, true);
         let object = nearest.map_or(Object::Background, |(body, _)| body.object);
         let t = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
         let glow = self.glow(ray, t);
-        // Limits the light of a single ray, without its secondary rays.
         let cut = |light: DVec3| light.min(DVec3::splat(2.0 / f64::from(weight)));
         let Some(hit) = nearest.and_then(|(body, met)| self.hit(ray, body, met)) else {
             self.note(object, &[], weight, path, traced);
@@ -136,7 +125,7 @@ impl Oracle<'_> {
         own + transmittance * self.secondary(&hit, weight * transmittance as f32, path, traced)
     }
 
-    /// Returns the glow around lights up to a distance: the integral in closed form.
+    /// The integral of the glow around lights, in closed form.
     fn glow(&self, ray: Ray, t: f64) -> DVec3 {
         let mut glow = DVec3::ZERO;
         for light in self.scene.lights.iter() {
@@ -153,13 +142,11 @@ impl Oracle<'_> {
         glow
     }
 
-    /// Returns the background in a direction.
     pub fn behind(&self, d: DVec3) -> DVec3 {
         let rise = d.y.max(0.0);
         self.scene.background.as_dvec3() + rise * (2.0 - rise) * self.scene.sky.as_dvec3()
     }
 
-    /// Returns the transmittance of haze over a distance. The background replaces the rest.
     pub fn transmittance(&self, t: f64) -> f64 {
         1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2))
     }
@@ -182,7 +169,6 @@ impl Oracle<'_> {
         colour
     }
 
-    /// Returns the state of a light at a hit, and the light that it adds.
     fn lit(&self, light: &Light, hit: &Hit<'_>, traced: &mut Traced) -> (State, DVec3) {
         let to_light = ToLight::new(light, hit.ray.o);
         let l = to_light.l;
@@ -211,7 +197,6 @@ impl Oracle<'_> {
         (state, share * light.colour.as_dvec3() * reflected)
     }
 
-    /// Adds a node of the ray tree to the hashes.
     fn note(&self, object: Object, states: &[State], weight: f32, path: u32, traced: &mut Traced) {
         let lit: Vec<bool> = states.iter().map(|&s| s != State::Dark).collect();
         traced.tree ^= hash(&(path, object, lit));

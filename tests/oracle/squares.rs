@@ -9,14 +9,13 @@ use std::collections::{HashMap, HashSet};
 /// The width and the height of a tile in pixels. Both tiles trace the points on the border between them.
 pub const TILE: [usize; 2] = [512, 32];
 
-/// The squares that are split, as x, y, side.
+/// x, y, side.
 pub type Splits = HashSet<[usize; 3]>;
 
 fn shows_much(material: &Material) -> bool {
     material.kr + material.kt >= 0.3
 }
 
-/// Whether a quality reacts to a crowd of mirrors and glass.
 fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
     let spheres = scene.spheres.iter().map(|sphere| &sphere.material);
     let blocks = scene.blocks.iter().map(|block| &block.material);
@@ -26,7 +25,6 @@ fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
     quality.key_weight > 0.0 && strong.count() >= 12
 }
 
-/// Returns the side of the largest squares, which is smaller in a crowd.
 pub fn largest(scene: &Scene, quality: &Quality) -> usize {
     if has_crowd(scene, quality) {
         quality.square.min(4)
@@ -35,28 +33,21 @@ pub fn largest(scene: &Scene, quality: &Quality) -> usize {
     }
 }
 
-/// A picture by adaptive squares.
 pub struct Squares<'a> {
     oracle: Oracle<'a>,
-    /// The number of points in finished tiles.
     points: usize,
-    /// Of the current tile.
     traced: HashMap<(usize, usize), Traced>,
-    /// The averaged midpoints of the current tile.
     averaged: HashMap<(usize, usize), Traced>,
-    /// How crowded the current tile is, 0 to 1.
+    /// 0 to 1.
     crowding: f64,
-    /// The splits of another drawing. This one follows them where rounding decides, since one square changes the tolerance of a
-    /// whole crowded tile.
+    /// The splits of another drawing, followed where rounding decides: one square changes the tolerance of a whole crowded tile.
     splits: &'a Splits,
     /// The squares decided by rounding.
     ties: Vec<[usize; 3]>,
-    /// Row by row.
     colours: Vec<DVec3>,
 }
 
 impl<'a> Squares<'a> {
-    /// Draws a picture that follows the splits of another drawing.
     pub fn new(
         scene: &'a Scene,
         quality: &'a Quality,
@@ -96,13 +87,11 @@ impl<'a> Squares<'a> {
         self.points
     }
 
-    /// Whether a drawing with other splits would be the same.
     pub fn follows(&self, splits: &Splits) -> bool {
         let mut ties = self.ties.iter();
         ties.all(|tie| splits.contains(tie) == self.splits.contains(tie))
     }
 
-    /// Returns the pixels, equal to `drawn` where rounding decides, see [`pixel_like`].
     pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {
         let Oracle { scene, width, .. } = self.oracle;
         let pixels = drawn.iter().zip(&self.colours).enumerate();
@@ -112,7 +101,6 @@ impl<'a> Squares<'a> {
         pixels.collect()
     }
 
-    /// Returns the averaged or traced point at (x, y).
     fn at(&mut self, x: usize, y: usize) -> Traced {
         if let Some(averaged) = self.averaged.get(&(x, y)) {
             return *averaged;
@@ -129,7 +117,7 @@ impl<'a> Squares<'a> {
         traced
     }
 
-    /// Whether a point shows a small strong mirror or glass in a crowd, which cannot be interpolated. Large balls can.
+    /// Small strong mirrors and glass in a crowd cannot be interpolated.
     fn glitters(&self, x: usize, y: usize) -> bool {
         let Oracle { scene, quality, .. } = self.oracle;
         let object = self.oracle.object_at(x as isize, y as isize);
@@ -157,7 +145,6 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Fills or splits the square at (x, y), if it is in the picture.
     fn check(&mut self, x: usize, y: usize, side: usize) {
         let is_inside = x < self.oracle.width && y < self.oracle.height;
         if is_inside && !self.is_filled(x, y, side) {
@@ -169,7 +156,6 @@ impl<'a> Squares<'a> {
         [(0, 0), (side, 0), (0, side), (side, side)].map(|(u, v)| self.at(x + u, y + v))
     }
 
-    /// Fills a square if its corners allow it. Returns whether they do.
     fn is_filled(&mut self, x: usize, y: usize, side: usize) -> bool {
         if side == 1 {
             let point = self.at(x, y);
@@ -192,7 +178,6 @@ impl<'a> Squares<'a> {
         is_filled
     }
 
-    /// Averages the midpoints of a square, and draws its four parts.
     fn split(&mut self, x: usize, y: usize, side: usize) {
         let half = side / 2;
         let [a, b, c, d] = self.corners(x, y, side);
@@ -214,7 +199,6 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Returns the largest difference between corners by which the quality fills a square.
     fn allowed(&self, corners: &[Traced; 4], side: usize) -> f64 {
         let quality = self.oracle.quality;
         let agree = corners.iter().all(|corner| corner.key == corners[0].key);
@@ -226,13 +210,12 @@ impl<'a> Squares<'a> {
         f64::from(spread * self.oracle.scene.film.tolerance) * self.growth(side)
     }
 
-    /// Returns the factor on the tolerance of squares of 8 for another side.
     fn growth(&self, side: usize) -> f64 {
         let growth = 8.0 / side as f64;
         growth + self.crowding * (growth.min(1.0) - growth)
     }
 
-    /// Returns the largest difference by which the quality averages the midpoint of a side; negative for none.
+    /// Negative if none is averaged.
     fn allowed_side(&self, side: usize) -> f64 {
         let Film { tolerance, .. } = self.oracle.scene.film;
         let tolerance = f64::from(self.oracle.quality.tolerance_side * tolerance);
@@ -251,7 +234,6 @@ impl<'a> Squares<'a> {
         self.colours[y * self.oracle.width + x] = colour;
     }
 
-    /// Interpolates a square between its corners.
     fn fill(&mut self, x: usize, y: usize, side: usize, corners: [Traced; 4]) {
         let [a, b, c, d] = corners.map(shown);
         for v in 0..side.min(self.oracle.height - y) {
@@ -264,7 +246,6 @@ impl<'a> Squares<'a> {
     }
 }
 
-/// Returns a point's colour, clamped to 0 to 1.
 fn shown(point: Traced) -> DVec3 {
     point.colour.clamp(DVec3::ZERO, DVec3::ONE)
 }
@@ -281,7 +262,7 @@ fn flat(corners: &[Traced; 4]) -> [bool; 2] {
     [may_be, is_sure]
 }
 
-/// Returns the largest difference between corners in a channel, in 255ths.
+/// In 255ths of a channel.
 fn spread(corners: &[Traced; 4]) -> f64 {
     let colours = corners.map(shown);
     let most = colours.into_iter().fold(DVec3::ZERO, DVec3::max);

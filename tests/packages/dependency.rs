@@ -14,7 +14,6 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("dependency")
 }
 
-/// Runs a command, which must succeed. Returns its standard output.
 fn run(command: &mut Command) -> String {
     let output = command.output().expect("it starts");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -23,14 +22,12 @@ fn run(command: &mut Command) -> String {
     text
 }
 
-/// Runs cargo in a directory, with its target in [`folder`].
 fn cargo(directory: impl AsRef<Path>, arguments: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO"));
     let command = command.current_dir(directory).args(arguments);
     run(command.env("CARGO_TARGET_DIR", folder().join("target")))
 }
 
-/// Packs and unpacks the tracer. Returns the folder.
 fn package() -> PathBuf {
     let package = ["package", "--package", "eightfold-tracer", "--offline"];
     cargo(
@@ -87,7 +84,6 @@ fn dependent_without_optimisation_draws() {
     fs::write(dependent.join("src/lib.rs"), DEPENDENT).expect("it is written");
     let copy = |from: PathBuf, to: &str| fs::copy(from, dependent.join(to)).expect("it is copied");
     copy(package.join("README.md"), "src/README.md");
-    // The same versions, which are downloaded already.
     copy(Path::new(ROOT).join("Cargo.lock"), "Cargo.lock");
 
     let said = cargo(&dependent, &["test", "--offline"]);
@@ -106,7 +102,6 @@ fn dependent_without_optimisation_draws() {
     assert!(crates.iter().eq(&expected), "{crates:?}");
 }
 
-/// Returns the libraries that a package's programs link, with versions and features.
 fn libraries(package: &str) -> BTreeSet<String> {
     let tree = [
         "tree",

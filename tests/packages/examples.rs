@@ -1,5 +1,3 @@
-//! Builds and runs the examples.
-
 use eightfold_lab::cargo::Build;
 use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, texts, wait_for};
 use eightfold_tracer::Quality;
@@ -20,7 +18,6 @@ fn output(name: &str) -> (TempDir, String) {
     (folder, text)
 }
 
-/// Returns the pixels of a picture of 640x360.
 fn pixels(folder: &TempDir, name: &str) -> Vec<u32> {
     let (width, pixels) = read_png(&fs::read(folder.path().join(name)).expect("a file"));
     assert_eq!((width, pixels.len()), (640, 640 * 360));
@@ -29,7 +26,7 @@ fn pixels(folder: &TempDir, name: &str) -> Vec<u32> {
 
 #[test]
 #[ignore = "examples are compiled"]
-fn turntable_turns_things_under_a_blue_sky() {
+fn turntable_turns_objects_under_a_blue_sky() {
     let (folder, _) = output("turntable");
     let [first, last] = ["turntable-00.png", "turntable-35.png"].map(|name| pixels(&folder, name));
     let [_, red, _, blue] = first[20 * 640 + 320].to_be_bytes();
@@ -49,7 +46,6 @@ fn squares_marks_less_than_half_of_the_picture() {
     let count = text.trim_end_matches(" squares\n").parse::<usize>();
     let count = count.expect("a number");
     assert!((3600..20_000).contains(&count), "{count} squares");
-    // The sky has one colour, in squares of 8 pixels.
     let pixels = pixels(&folder, "squares.png");
     let at = |[x, y]: [usize; 2]| pixels[y * 640 + x];
     let is_line = |place| at(place) > at([1, 1]);
@@ -103,12 +99,10 @@ fn intro_shows_a_picture_until_esc() {
     assert_eq!(texts(&output).1, "intro: no X display\n");
 }
 
-/// A crate outside the workspace.
 #[test]
 #[ignore = "the libraries of minifb are compiled"]
 fn window_shows_a_picture_until_esc() {
     needs!(DISPLAY);
-    // Git ignores its target folder.
     let mut git = Command::new("git");
     let git = git.current_dir(env!("CARGO_MANIFEST_DIR"));
     let (ignored, _) = run(git.args(["check-ignore", "examples/window/target"]));

@@ -7,7 +7,6 @@ use glam::{Vec3, vec3};
 /// Half the side of the cube above the floor that contains the objects.
 const REACH: f32 = 5.0;
 
-/// Returns glass, a mirror or plastic, by the shares of glass and mirrors.
 fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     let kind = random.between(0.0, 1.0);
     let plastic = Material {
@@ -36,7 +35,7 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     }
 }
 
-/// Returns a crowd of spheres and blocks by their numbers and the shares of glass and mirrors, lit by points.
+/// By the numbers of spheres and blocks, and the shares of glass and mirrors.
 pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let eye = vec3(
         0.0,

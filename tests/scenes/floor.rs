@@ -10,7 +10,6 @@ use glam::{Mat3, Vec3, vec3};
 const IMAGED: Material = Material::matt(vec3(1.0, 0.8, 0.6), 0.0);
 
 impl View {
-    /// Adds a sphere and a light that throws its shadow on the floor.
     pub(crate) fn light(&mut self, centre: Vec3, radius: f32, light: Vec3) {
         let scene = &mut self.scene;
         scene.ambient = Vec3::splat(0.1);
@@ -23,7 +22,6 @@ impl View {
         scene.lights.push(Light::new(light, Vec3::splat(0.73)));
     }
 
-    /// Makes the floor a mirror that is black except for images.
     pub(crate) fn mirror(&mut self) {
         self.scene.ambient = Vec3::ONE;
         self.scene.background = Vec3::ZERO;
@@ -36,7 +34,6 @@ impl View {
         view
     }
 
-    /// Returns the view with lights so bright that a shadow is visible anywhere.
     pub fn glaring(&self) -> Self {
         let mut view = self.clone();
         for light in view.scene.lights.iter_mut() {
@@ -45,7 +42,6 @@ impl View {
         view
     }
 
-    /// Returns the view with a box that the floor hides, including its shadow.
     pub fn with_box(&self) -> Self {
         let mut view = self.clone();
         let side = self.side();
@@ -55,12 +51,11 @@ impl View {
         view
     }
 
-    /// Returns the visible side of the floor: 1 from above, -1 from below.
     fn side(&self) -> f32 {
         (self.scene.camera.eye.y - self.scene.planes[0].centre.y).signum()
     }
 
-    /// Returns a random visible point of a floor at a height, and the length of `pixels` there.
+    /// Returns a visible point of a floor at a height, and the length of `pixels` there.
     fn place(&self, random: &mut Random, height: f32, pixels: f32) -> Option<(Vec3, f32)> {
         let camera = self.scene.camera;
         let raster = camera.raster(self.width, self.height);
@@ -72,7 +67,6 @@ impl View {
     }
 }
 
-/// Returns an empty floor.
 fn empty(random: &mut Random) -> View {
     let floor = random.one_of([0.0, 0.0, 1.0, 37.3, -512.7]);
     let distance = random.power(-1.0, 3.0);
@@ -98,7 +92,7 @@ fn empty(random: &mut Random) -> View {
     }
 }
 
-/// Returns a lit floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden.
+/// A shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden.
 pub fn shadow(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -113,7 +107,6 @@ pub fn shadow(random: &mut Random) -> View {
     let light_at = (view.scene.camera.eye - at).length() * random.power(-1.5, 1.5);
     let share = random.between(0.02, 0.98);
     let (centre, radius) = if random.below(3) == 0 {
-        // Sunk, so that only its tip throws a shadow, or touching the floor.
         let radius = size * random.power(0.0, 3.0);
         let sunk = random.one_of([0.0, 1e-5, 1e-3, 0.1, 1.0]) * random.between(0.0, 1.0);
         let above = side * radius * (1.0 - 2.0 * sunk);
@@ -125,7 +118,7 @@ pub fn shadow(random: &mut Random) -> View {
     view
 }
 
-/// Returns a black mirror with the image of a sphere or a box above it, or half in it.
+/// The image of a sphere or a box above a black mirror, or half in it.
 pub fn image(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -154,14 +147,12 @@ pub fn image(random: &mut Random) -> View {
     view
 }
 
-/// Returns objects on a floor or a slab that rise from it by a tenth of their size down to a rounding error, each in its own
-/// colour.
+/// Objects that rise from a floor or a slab by a tenth of their size down to a rounding error.
 pub fn contact(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
     let mut height = view.scene.planes[0].centre.y;
     if random.below(3) == 0 {
-        // On a slab.
         let half = vec3(1e5, random.one_of([0.01, 1.0, 100.0]), 1e5);
         let plane = view.scene.planes[0];
         let slab = Block::new(Shape::Box, plane.centre, half, plane.material);
@@ -191,7 +182,6 @@ pub fn contact(random: &mut Random) -> View {
         }
         let mut block = solids::block(random, at, Vec3::splat(size), material);
         block.axes = [Mat3::IDENTITY, block.axes][random.below(2)];
-        // A capsule is at least as high as wide, so this one is a ball.
         if kind == 2 && block.shape != Shape::Capsule {
             block.half.y = 0.5 * rise;
             block.axes = Mat3::from_rotation_y(random.between(0.0, 3.0));

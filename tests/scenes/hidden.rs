@@ -5,25 +5,19 @@ use crate::{Random, solids};
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{Vec3, vec3};
 
-/// The small objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Things {
     Spheres,
-    /// Thin boxes, cylinders and capsules.
     Blocks,
     /// Larger spheres and blocks with highlights.
     Shiny,
-    /// Spheres and blocks, alternating.
     Both,
 }
 
-/// The other surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Host {
     Floor(Material),
-    /// Large spheres.
     Balls(Material),
-    /// A pane of glass in front of the objects.
     Pane,
 }
 
@@ -32,24 +26,20 @@ pub enum Host {
 pub struct Hidden {
     pub things: Things,
     pub host: Host,
-    /// Its position is random.
     pub light: Option<Light>,
 }
 
 const GREY: Material = Material::matt(Vec3::splat(0.8), 0.9);
 const LIGHT: Light = Light::new(Vec3::ZERO, Vec3::ONE);
 
-/// The number of small objects.
 const COUNT: usize = 40;
 
 impl Hidden {
-    /// Spheres over a floor, lit by a point.
     pub const POINT: Self = Self {
         things: Things::Spheres,
         host: Host::Floor(GREY),
         light: Some(LIGHT),
     };
-    /// The same, lit by a ball.
     pub const BALL: Self = Self {
         light: Some(Light {
             diameter: 0.5,
@@ -57,7 +47,6 @@ impl Hidden {
         }),
         ..Self::POINT
     };
-    /// The same, lit by a sun.
     pub const SUN: Self = Self {
         light: Some(Light {
             parallel: true,
@@ -65,34 +54,28 @@ impl Hidden {
         }),
         ..Self::POINT
     };
-    /// Blocks over a floor, lit by a point.
     pub const BLOCKS: Self = Self {
         things: Things::Blocks,
         ..Self::POINT
     };
-    /// Spheres over large ones, lit by a point.
     pub const BALLS: Self = Self {
         host: Host::Balls(GREY),
         ..Self::POINT
     };
-    /// Spheres and blocks over a mirror floor.
     pub const MIRROR: Self = Self {
         things: Things::Both,
         host: Host::Floor(Material::mirror(0.5)),
         light: None,
     };
-    /// Spheres over large mirror balls.
     pub const MIRRORS: Self = Self {
         things: Things::Spheres,
         host: Host::Balls(Material::mirror(0.8)),
         light: None,
     };
-    /// Spheres behind glass.
     pub const GLASS: Self = Self {
         host: Host::Pane,
         ..Self::MIRRORS
     };
-    /// Shiny objects over a shiny floor, lit by a point.
     pub const SHINY: Self = Self {
         things: Things::Shiny,
         host: Host::Floor(Material {
@@ -114,7 +97,6 @@ impl Hidden {
         Self::SHINY,
     ];
 
-    /// Returns a random scene of this kind.
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = floor(random, GREY);
         scene.planes = List::default();
@@ -148,7 +130,6 @@ impl Hidden {
         scene
     }
 
-    /// Adds an object in its own colour.
     fn add_thing(&self, scene: &mut Scene, random: &mut Random, number: usize) {
         let centre = random.vector(vec3(-5.0, 0.5, -5.0), vec3(5.0, 3.0, 5.0));
         let is_odd = number % 2 == 1;
@@ -173,12 +154,10 @@ impl Hidden {
     }
 }
 
-/// Returns a position above the floor.
 fn light_place(random: &mut Random) -> Vec3 {
     random.vector(vec3(-6.0, 5.0, -6.0), vec3(6.0, 9.0, 6.0))
 }
 
-/// Returns an empty floor, seen from above.
 fn floor(random: &mut Random, material: Material) -> Scene {
     let eye = random.vector(vec3(-6.0, 2.0, 11.0), vec3(6.0, 8.0, 11.0));
     Scene {
@@ -190,8 +169,7 @@ fn floor(random: &mut Random, material: Material) -> Scene {
     }
 }
 
-/// Returns two spheres above a floor with a slit of light between their shadows: mostly a few pixels wide, ending where the shadows
-/// meet.
+/// A slit of light between the shadows of two spheres: mostly a few pixels wide, ending where the shadows meet.
 pub fn slit(random: &mut Random) -> Scene {
     let mut scene = floor(random, GREY);
     let way = random.vector(vec3(-1.0, 0.0, -1.0), vec3(1.0, 0.0, 1.0));

@@ -7,10 +7,8 @@ use eightfold_tracer::scene::{
 };
 use glam::{Vec3, vec3};
 
-/// The parts of a random scene.
 #[derive(Clone, Copy)]
 pub struct Kinds {
-    /// The largest numbers of objects.
     pub spheres: usize,
     pub planes: usize,
     pub blocks: usize,
@@ -20,11 +18,9 @@ pub struct Kinds {
     pub material: fn(&mut Random) -> Material,
     pub light: fn(&mut Random) -> Light,
     pub camera: fn(&mut Random) -> Camera,
-    /// Whether there can be a sky, haze, an exposure, a film and waves.
     pub air: bool,
     /// Whether objects can touch, overlap, coincide, or form a row.
     pub groups: bool,
-    /// Whether there can be captions and copper bars.
     pub overlays: bool,
     /// The largest scale, as a power of 10; the smallest is its reciprocal.
     pub decades: f32,
@@ -73,7 +69,6 @@ impl Kinds {
         ..Self::RICH
     };
 
-    /// Returns a random scene of these parts.
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = Scene {
             camera: (self.camera)(random),
@@ -123,12 +118,10 @@ fn count(random: &mut Random, most: usize) -> usize {
     random.below(most + 1)
 }
 
-/// Returns a position near the origin, above the ground.
 fn place(random: &mut Random) -> Vec3 {
     random.vector(vec3(-4.0, 0.2, -4.0), vec3(4.0, 3.0, 4.0))
 }
 
-/// Returns a camera that looks at the origin from outside.
 pub fn outside(random: &mut Random) -> Camera {
     let (angle, distance) = (random.between(0.0, 6.3), random.between(7.0, 14.0));
     let eye = vec3(
@@ -140,7 +133,6 @@ pub fn outside(random: &mut Random) -> Camera {
     Camera::new(eye, look_at, random.between(0.3, 1.6))
 }
 
-/// Returns a camera anywhere, also inside objects.
 pub fn anywhere(random: &mut Random) -> Camera {
     let eye = random.vector(vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0));
     let look_at = random.vector(Vec3::splat(-1.0), Vec3::ONE);
@@ -168,7 +160,6 @@ fn add_air(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-/// Adds a neighbour of the last sphere, or a fence of rods.
 fn add_groups(scene: &mut Scene, random: &mut Random) {
     let Some(&last) = scene.spheres.last() else {
         return;
@@ -196,7 +187,6 @@ fn add_groups(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-/// Adds an item if there is room.
 fn add<T: Copy + Default, const N: usize>(list: &mut List<T, N>, item: T) {
     if list.len() < N {
         list.push(item);

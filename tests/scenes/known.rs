@@ -5,7 +5,6 @@ use crate::materials::numbered;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// Returns a floor by its centre and half extents.
 fn floor(camera: Camera, centre: Vec3, [half_x, half_z]: [f32; 2], size: [usize; 2]) -> View {
     View {
         scene: Scene {
@@ -19,13 +18,11 @@ fn floor(camera: Camera, centre: Vec3, [half_x, half_z]: [f32; 2], size: [usize;
     }
 }
 
-/// Returns a camera above the origin that looks along -z, turned right and up.
 fn ahead(height: f32, right: f32, up: f32, field_of_view: f32) -> Camera {
     let eye = Vec3::Y * height;
     Camera::new(eye, eye + vec3(right, up, -1.0), field_of_view)
 }
 
-/// Returns the view with a sphere and a light that throws its shadow on the floor.
 fn lit(mut view: View, centre: Vec3, radius: f32, light: Vec3) -> View {
     view.light(centre, radius, light);
     view
@@ -159,7 +156,6 @@ pub fn slivers() -> [View; 3] {
     views
 }
 
-/// Highlights thinner than a pixel, on a cylinder and a capsule.
 pub fn thin_highlights() -> [Scene; 2] {
     let tilted = Mat3::from_cols(
         vec3(0.665_042_4, 0.052_484_63, -0.744_959),
@@ -216,7 +212,6 @@ fn rod(shape: Shape, centre: Vec3, half: Vec3) -> Block {
     Block::new(shape, centre, half, Material::BLACK)
 }
 
-/// Returns a shiny grey block by grey, `kd`, `ks`, exponent and metallic share, and a light.
 fn shone_on(
     camera: Camera,
     block: Block,

@@ -37,7 +37,6 @@ pub use thin::Seen;
 use eightfold_tracer::scene::{MIN_LENGTH, Material, Scene};
 use glam::Vec3;
 
-/// A scene, and the size of its picture in pixels.
 #[derive(Clone, Debug)]
 pub struct View {
     pub scene: Scene,

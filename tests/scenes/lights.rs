@@ -2,7 +2,6 @@ use crate::Random;
 use eightfold_tracer::scene::{Light, Spot};
 use glam::vec3;
 
-/// Returns a visible point.
 pub fn point(random: &mut Random) -> Light {
     let position = random.vector(vec3(-8.0, 0.2, -8.0), vec3(8.0, 9.0, 8.0));
     Light {
@@ -11,7 +10,6 @@ pub fn point(random: &mut Random) -> Light {
     }
 }
 
-/// Returns a point or a ball, near or a sun, with or without cone and glow.
 pub fn any(random: &mut Random) -> Light {
     let position = random.vector(vec3(-9.0, 6.0, -9.0), vec3(9.0, 12.0, 9.0));
     let (outer, soft) = (random.between(0.65, 1.25), random.between(0.1, 0.3));
@@ -25,7 +23,7 @@ pub fn any(random: &mut Random) -> Light {
     [light, spotlight(light, outer - soft, outer)][random.below(2)]
 }
 
-/// Returns the light as a spotlight at the origin, with angles in radians.
+/// Aims at the origin; angles are in radians.
 pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
     Light {
         spot: Some(Spot {
@@ -37,7 +35,6 @@ pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
     }
 }
 
-/// Returns the light as a sun, a spotlight and a ball.
 pub fn others(light: Light, diameter: f32) -> [Light; 3] {
     let sun = Light {
         parallel: true,

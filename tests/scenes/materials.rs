@@ -2,7 +2,7 @@ use crate::Random;
 use eightfold_tracer::scene::{Material, Pattern};
 use glam::{Vec3, vec3};
 
-/// Returns plastic, a mirror or glass; `kr + kt` is at most 1.
+/// `kr + kt` is at most 1.
 pub fn plain(random: &mut Random) -> Material {
     let kt = random.zero_or(0.2, 0.9);
     Material {
@@ -20,7 +20,6 @@ pub fn plain(random: &mut Random) -> Material {
     }
 }
 
-/// Returns a plain material with a pattern, and a tint if it is transparent.
 pub fn painted(random: &mut Random) -> Material {
     let material = plain(random);
     Material {
@@ -32,7 +31,7 @@ pub fn painted(random: &mut Random) -> Material {
     }
 }
 
-/// Returns a painted material with numbers up to the ends of their ranges.
+/// Numbers up to the ends of their ranges.
 pub fn extreme(random: &mut Random) -> Material {
     let material = painted(random);
     Material {
@@ -50,7 +49,6 @@ pub fn extreme(random: &mut Random) -> Material {
     }
 }
 
-/// Returns stripes, checkers, marble or a uniform colour.
 pub fn pattern(random: &mut Random) -> Pattern {
     let waves = [0; 3].map(|_| random.zero_or(0.2, 2.0));
     Pattern {
@@ -63,7 +61,6 @@ pub fn pattern(random: &mut Random) -> Pattern {
     }
 }
 
-/// Returns a material with highlights of any size.
 pub fn shiny(random: &mut Random) -> Material {
     Material {
         colour: Vec3::splat(random.between(0.0, 0.6)),
@@ -75,7 +72,7 @@ pub fn shiny(random: &mut Random) -> Material {
     }
 }
 
-/// Returns a material whose ambient colour is unique to a number: at least `step` of 255 apart in a channel.
+/// The colour is unique to a number: at least `step` of 255 apart in a channel.
 pub fn numbered(number: usize, step: usize) -> Material {
     let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
     Material {
@@ -84,7 +81,7 @@ pub fn numbered(number: usize, step: usize) -> Material {
     }
 }
 
-/// Returns a matt material whose colour is unique to a number below 64; all channels are at least half of 255.
+/// The colour is unique to a number below 64; channels are at least half of 255.
 pub fn bright(number: usize) -> Material {
     let digit = |unit: usize| (128 + 30 * (number / unit % 4)) as f32 / 255.0;
     Material::matt(vec3(digit(1), digit(4), digit(16)), 0.8)

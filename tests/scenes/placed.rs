@@ -4,7 +4,7 @@ use crate::{Random, View, coloured, scaled, solids};
 use eightfold_tracer::scene::{Camera, Light, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// Returns the point that a pixel shows at a distance, and a length in pixels there.
+/// Returns the point that a pixel shows at a distance, and the length of `pixels` there.
 fn at(view: &View, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) {
     let camera = view.scene.camera;
     let raster = camera.raster(view.width, view.height);
@@ -14,14 +14,13 @@ fn at(view: &View, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) 
     (camera.eye + d * distance, length)
 }
 
-/// Returns a visible point at a power of 10 of the distance, and a length there by a power of 10 in pixels.
+/// Distance and length are powers of 10.
 fn anywhere(random: &mut Random, view: &View, far: [f32; 2], pixels: [f32; 2]) -> (Vec3, f32) {
     let [x, y] = [view.width, view.height].map(|side| random.between(0.0, side as f32));
     let distance = random.power(far[0], far[1]);
     at(view, [x, y], distance, random.power(pixels[0], pixels[1]))
 }
 
-/// Returns an empty view in any direction, sometimes along an axis.
 fn among(random: &mut Random) -> View {
     let eye = random.vector(vec3(-3.0, -2.0, -3.0), vec3(3.0, 2.0, 3.0));
     let any = random.vector(Vec3::NEG_ONE, Vec3::ONE);
@@ -37,7 +36,6 @@ fn among(random: &mut Random) -> View {
     }
 }
 
-/// Adds rectangles of all sizes, below the eye and above.
 fn add_planes(view: &mut View, random: &mut Random) {
     for _ in 0..random.below(3) {
         let centre = random.vector(vec3(-6.0, -3.0, -6.0), vec3(6.0, 3.0, 6.0));
@@ -59,7 +57,6 @@ fn add_around(view: &mut View, random: &mut Random) {
     }
 }
 
-/// Colours the objects, and scales the scene.
 fn finished(view: View, random: &mut Random) -> View {
     let coloured = coloured(&view.scene, random.one_of([1, 28]));
     let decades = random.one_of([0.0, 4.0]);
@@ -69,7 +66,7 @@ fn finished(view: View, random: &mut Random) -> View {
     }
 }
 
-/// Returns spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
+/// Spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
 pub fn placed(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(63) {
@@ -92,7 +89,7 @@ pub fn placed(random: &mut Random) -> View {
     finished(view, random)
 }
 
-/// Returns blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
+/// Blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
 pub fn placed_blocks(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(31) {
@@ -105,7 +102,7 @@ pub fn placed_blocks(random: &mut Random) -> View {
     finished(view, random)
 }
 
-/// Adds a cube, a rod or a slab by its bounding sphere, aligned or turned; `thin` scales its thin sides.
+/// By the bounding sphere; `thin` scales thin sides.
 fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 2], thin: f32) {
     let (centre, radius) = anywhere(random, view, far, pixels);
     let shares = [0; 3].map(|_| [1.0, random.between(0.02, 1.0)][random.below(2)]);
@@ -119,7 +116,7 @@ fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 
     view.scene.blocks.push(block);
 }
 
-/// Returns small spheres, each between the corners of a square of 8 pixels.
+/// Each sphere is between the corners of a square of 8 pixels.
 pub fn between_corners() -> View {
     let mut view = View {
         scene: Scene::default(),

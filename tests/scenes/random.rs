@@ -12,7 +12,6 @@ impl Random {
         Self { seed, state: seed }
     }
 
-    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.state;
@@ -21,7 +20,6 @@ impl Random {
         bits ^ (bits >> 31)
     }
 
-    /// Returns a number in [0, 1) with 53 random bits.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -30,22 +28,18 @@ impl Random {
         dvec2(self.unit(), self.unit())
     }
 
-    /// Returns an integer below `end`.
     pub fn below(&mut self, end: usize) -> usize {
         (self.bits() % end as u64) as usize
     }
 
-    /// Returns a number from `low` to `high`.
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * ((self.bits() >> 40) as f32 / (1 << 24) as f32)
     }
 
-    /// Returns 0, or a number from `low` to `high`, with equal probability.
     pub fn zero_or(&mut self, low: f32, high: f32) -> f32 {
         [0.0, self.between(low, high)][self.below(2)]
     }
 
-    /// Returns 10 to a power from `low` to `high`.
     pub fn power(&mut self, low: f32, high: f32) -> f32 {
         10_f32.powf(self.between(low, high))
     }
@@ -54,7 +48,6 @@ impl Random {
         values[self.below(N)]
     }
 
-    /// Returns a point in a box.
     pub fn vector(&mut self, low: Vec3, high: Vec3) -> Vec3 {
         let mut share = || self.between(0.0, 1.0);
         low + (high - low) * vec3(share(), share(), share())
@@ -64,17 +57,14 @@ impl Random {
         self.vector(Vec3::ZERO, Vec3::ONE)
     }
 
-    /// Returns random axes.
     pub fn turn(&mut self) -> Mat3 {
         let turn = self.vector(Vec3::splat(-3.0), Vec3::splat(3.0));
         Mat3::from_quat(Quat::from_scaled_axis(turn))
     }
 }
 
-/// Returns a generator for each of `count` cases.
-///
-/// The environment variable `CASES` sets another count, and `FIRST_CASE` the first seed (0). To repeat a failed case, set
-/// `FIRST_CASE` to its seed and `CASES=1`.
+/// Returns a generator per case. The variable `CASES` sets another count, and `FIRST_CASE` the first seed (0). To repeat a failed
+/// case, set `FIRST_CASE` to its seed and `CASES=1`.
 pub fn cases(count: u64) -> impl Iterator<Item = Random> {
     let number = |name: &str| {
         let text = std::env::var(name).ok()?;

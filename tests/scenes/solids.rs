@@ -1,12 +1,9 @@
-//! Boxes, cylinders and capsules.
-
 use crate::Random;
 use eightfold_tracer::scene::{Block, Material, Shape};
 use glam::Vec3;
 
 pub const SHAPES: [Shape; 3] = [Shape::Box, Shape::Cylinder, Shape::Capsule];
 
-/// Returns the nearest valid extent of a shape.
 pub fn fitting(shape: Shape, half: Vec3) -> Vec3 {
     match shape {
         Shape::Box => half,
@@ -15,7 +12,6 @@ pub fn fitting(shape: Shape, half: Vec3) -> Vec3 {
     }
 }
 
-/// Returns a block of any shape and direction.
 pub fn block(random: &mut Random, centre: Vec3, half: Vec3, material: Material) -> Block {
     let shape = random.one_of(SHAPES);
     Block {

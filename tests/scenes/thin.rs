@@ -84,7 +84,6 @@ impl Seen {
         views
     }
 
-    /// Joins objects and bars, in distinct colours.
     fn joined(self, others: &Scene, bars: Option<&Scene>) -> Scene {
         let mut scene = others.clone();
         let floor = scene.planes.iter().next().map(|plane| plane.material);
@@ -120,7 +119,6 @@ impl Seen {
         let nearer = [1.0, random.power(-0.7, 0.7)][random.below(2)];
         let share = random.between(0.02, 0.7);
         let raster = view.scene.camera.raster(view.width, view.height);
-        // Both ends, and the length of a pixel there.
         let ends = [(from, far), (to, far * nearer)].map(|(at, far)| {
             let eye = view.scene.camera.eye;
             let d = raster.corner + raster.dx * at.x + raster.dy * at.y;

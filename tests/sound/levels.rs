@@ -1,5 +1,3 @@
-//! The soundtrack has the loudness of music, a dynamic structure, and no DC offset.
-
 use super::{BAR, decibels, peak, song};
 use ebur128::{EbuR128, Mode};
 use eightfold::show;

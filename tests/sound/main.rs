@@ -1,5 +1,3 @@
-//! Properties of the soundtrack.
-
 mod levels;
 mod onsets;
 mod sameness;
@@ -7,7 +5,6 @@ mod sameness;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};
 use std::sync::OnceLock;
 
-/// Samples per bar.
 const BAR: usize = 96_000;
 
 fn song() -> &'static [[f32; 2]] {

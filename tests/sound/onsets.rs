@@ -1,10 +1,7 @@
-//! The picture's kicks coincide with those of the sound.
-
 use super::song;
 use eightfold::show::{self, grid};
 use eightfold::sound::{RATE, pulse};
 
-/// Samples per millisecond.
 const FRAME: usize = RATE as usize / 1000;
 
 /// Milliseconds before and after an onset whose energies are compared.

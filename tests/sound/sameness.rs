@@ -1,5 +1,3 @@
-//! A sample is a function of its position in the song.
-
 use super::{BAR, song};
 use eightfold::show;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};

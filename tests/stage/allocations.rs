@@ -1,9 +1,7 @@
-//! Counts allocations by Rust's allocator. C has its own.
-
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::SeqCst};
 
-/// The system's allocator with a count of its calls, for a test program's `#[global_allocator]`.
+/// Counts calls of Rust's allocator, as a `#[global_allocator]`.
 pub struct Counting(AtomicUsize);
 
 impl Counting {

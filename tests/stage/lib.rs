@@ -19,7 +19,6 @@ use std::{
 };
 use tempfile::TempDir;
 
-/// The intro, rebuilt if needed.
 static BUILT: LazyLock<Build> =
     LazyLock::new(|| Build::release("eightfold").expect("it can be built"));
 
@@ -33,13 +32,11 @@ pub fn linked_intro() -> PathBuf {
     BUILT.linked("eightfold").expect("it was linked")
 }
 
-/// Returns the named qualities, as errors and `--help` list them.
 pub fn qualities() -> String {
     let others = ["thesis", "exhaustive"];
     [&Quality::NAMES[..], &others].concat().join(" ")
 }
 
-/// Returns a command that starts the intro without display and sound.
 pub fn headless(options: &str) -> Command {
     let mut command = Command::new(linked_intro());
     command.env_remove("DISPLAY").arg("--silent");
@@ -47,20 +44,18 @@ pub fn headless(options: &str) -> Command {
     command
 }
 
-/// Returns standard output and standard error.
 pub fn texts(output: &Output) -> (String, String) {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (text(&output.stdout), text(&output.stderr))
 }
 
-/// Runs a command. Returns its output, and its standard output as text.
 pub fn run(command: &mut Command) -> (Output, String) {
     let output = command.output().expect("the command starts");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     (output, text)
 }
 
-/// Waits until a function returns a value.
+/// Waits for a value.
 ///
 /// # Panics
 /// After ten seconds.
@@ -68,7 +63,7 @@ pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
     try_for(look).unwrap_or_else(|| panic!("waited in vain for {what}"))
 }
 
-/// Waits up to ten seconds until a function returns a value.
+/// Waits up to ten seconds for a value.
 pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     while start.elapsed() < Duration::from_secs(10) {
@@ -80,18 +75,16 @@ pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     None
 }
 
-/// A process that is killed when dropped.
 pub struct Process(pub Child);
 
 impl Process {
-    /// Starts a command with pipes from standard output and standard error.
     pub fn start(command: &mut Command) -> Process {
         let command = command.stdin(Stdio::null());
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         Process(command.spawn().expect("the command starts"))
     }
 
-    /// Waits for the end. Returns the waiting time, the exit code (`None` after a signal), standard output and standard error.
+    /// Returns the waiting time, the exit code (`None` after a signal), standard output and standard error.
     pub fn end(mut self) -> (Duration, Option<i32>, String, String) {
         let start = Instant::now();
         let status = wait_for("the end of a process", || {
@@ -115,15 +108,13 @@ impl Drop for Process {
     }
 }
 
-/// An X server with a virtual screen and its own display number.
 pub struct Server {
     process: Process,
-    /// The value for `DISPLAY`.
     pub display: String,
     manager: Option<Process>,
     /// The window manager's settings, which it reads late.
     settings: Option<TempDir>,
-    /// Whether the window manager focuses new windows, wherever the pointer is.
+    /// Wherever the pointer is.
     gives_focus: bool,
 }
 
@@ -132,7 +123,6 @@ impl Server {
         Server::start_with(width, height, &[])
     }
 
-    /// Starts a server with additional arguments.
     pub fn start_with(width: usize, height: usize, arguments: &[&str]) -> Server {
         let mut command = tool("Xvfb");
         let screen = format!("{width}x{height}x24");
@@ -157,7 +147,6 @@ impl Server {
         }
     }
 
-    /// Starts a server with the window manager openbox.
     pub fn start_managed(width: usize, height: usize) -> Server {
         let mut server = Server::start(width, height);
         let mut openbox = tool("openbox");
@@ -172,7 +161,7 @@ impl Server {
         server
     }
 
-    /// Starts a server with the window manager twm, which does not know fullscreen. It places windows without a click.
+    /// twm does not know fullscreen. It places windows without a click.
     pub fn start_with_twm(width: usize, height: usize) -> Server {
         let mut server = Server::start(width, height);
         let folder = tempfile::tempdir().expect("a folder");
@@ -202,7 +191,6 @@ impl Server {
         run(xdotool.args(words.split(' '))).1
     }
 
-    /// Starts the intro, and waits until its window is visible and focused.
     pub fn play(&self, options: &str) -> Process {
         wait_for("the last window to go", || {
             self.window().is_none().then_some(())
@@ -219,7 +207,6 @@ impl Server {
         intro
     }
 
-    /// Starts a program and waits for its window.
     pub fn open(&self, command: &mut Command, window: impl Fn() -> Option<[i32; 4]>) -> Process {
         command.env("DISPLAY", &self.display);
         let mut program = Process::start(command);
@@ -238,12 +225,12 @@ impl Server {
         program
     }
 
-    /// Returns the position and size of the intro's window without its frame; `None` until it is visible.
+    /// Without its frame; `None` until it is visible.
     pub fn window(&self) -> Option<[i32; 4]> {
         self.geometry(&["-name", "Eightfold"])
     }
 
-    /// Returns the position and size of a window without its frame; `None` until it is visible. `which` are arguments of xwininfo.
+    /// `which` are arguments of xwininfo.
     pub fn geometry(&self, which: &[&str]) -> Option<[i32; 4]> {
         let mut xwininfo = self.tool("xwininfo");
         let (_, text) = run(xwininfo.args(which));
@@ -263,11 +250,9 @@ impl Server {
     pub fn wait_for_window(&self, wanted: [i32; 4]) {
         let found = try_for(|| self.window().filter(|&window| window == wanted));
         assert!(found.is_some(), "{:?}, not {wanted:?}", self.window());
-        // For frames of the new size.
         sleep(Duration::from_millis(200));
     }
 
-    /// Returns a rectangle of the screen as `0x00RRGGBB` pixels.
     pub fn screenshot(&self, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
         let part = format!("{width}x{height}+{x}+{y}");
         let pixels = self.import(&["-window", "root", "-crop", &part, "+repage"]);
@@ -275,7 +260,7 @@ impl Server {
         pixels
     }
 
-    /// Returns the contents of the intro's window, by its own colour table if it has one.
+    /// By the window's own colour table.
     pub fn window_screenshot(&self) -> Vec<u32> {
         self.import(&["-window", "Eightfold"])
     }
@@ -290,15 +275,14 @@ impl Server {
             .collect()
     }
 
-    /// Kills the server, as in a crash.
     pub fn kill(&mut self) {
         self.process.0.kill().expect("it runs");
         self.process.0.wait().expect("it has ended");
     }
 }
 
-/// Runs `work` on several servers, given by their arguments. The test program starts itself for this test with another `DISPLAY`,
-/// since changing the environment of a running program is unsafe.
+/// Runs `work` on several servers, given by their arguments. The test program starts itself for this test with another `DISPLAY`:
+/// changing the environment of a running program is unsafe.
 pub fn on_displays(servers: &[&[&str]], work: fn()) {
     const INSIDE: &str = "EIGHTFOLD_TEST_INSIDE";
     if env::var_os(INSIDE).is_some() {

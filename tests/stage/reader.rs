@@ -1,5 +1,3 @@
-//! Reads PNG and PPM files.
-
 use std::io::Cursor;
 
 /// Decodes an 8-bit RGB PNG file. Returns the width and the `0x00RRGGBB` pixels.

@@ -13,12 +13,10 @@ use std::{
 /// Tools and their Debian packages. A tool is a command, or a shared library if its name contains `.so`.
 const PACKAGES: &str = include_str!("tools.txt");
 
-/// For tests on a display.
 pub const DISPLAY: &[&str] = &[
     "Xvfb", "openbox", "xdotool", "xprop", "xwininfo", "wmctrl", "import",
 ];
 
-/// The folders of shared libraries on Debian and other systems.
 const LIBRARIES: [&str; 5] = [
     "/usr/lib/x86_64-linux-gnu",
     "/usr/lib64",
@@ -45,7 +43,6 @@ pub fn lacks(tools: &[&str]) -> bool {
     true
 }
 
-/// Ends a test that [lacks] a tool.
 #[macro_export]
 macro_rules! needs {
     ($($tools:expr),+) => {
@@ -59,13 +56,10 @@ fn packages() -> impl Iterator<Item = (&'static str, &'static str)> {
     PACKAGES.lines().filter_map(|line| line.split_once(' '))
 }
 
-/// Returns the missing tools and their Debian packages.
 pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
     packages().filter(|(tool, _)| !is_there(tool))
 }
 
-/// Returns a command that runs a tool of `tools.txt`.
-///
 /// # Panics
 /// If the tool is missing. Tests use [`needs!`] first.
 pub fn tool(name: &str) -> Command {

@@ -1,5 +1,3 @@
-//! Frames and the window allocate nothing.
-
 use eightfold::show;
 use eightfold_stage::{allocations::Counting, on_displays};
 use eightfold_tracer::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker};
@@ -14,7 +12,6 @@ use eightfold_window::{
 #[global_allocator]
 static ALLOCATOR: Counting = Counting::new();
 
-/// Can exceed the number of processors.
 const THREADS: usize = 3;
 
 static MEMORY: StaticCell<Memory> = StaticCell::new(Memory::new());
@@ -29,7 +26,7 @@ impl Threads for PoolThreads {
 }
 
 #[test]
-fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
+fn frames_and_window_allocate_nothing() {
     on_displays(&[&[]], || {
         let mut window = Window::open(c"Eightfold", 320, 240).expect("there is a display");
         let mut renderer = Renderer::with_memory(cpu::best().level, MEMORY.take());

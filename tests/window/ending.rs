@@ -1,11 +1,9 @@
-//! The end of the intro.
-
 use super::{end_by_escape, on_screen, servers};
 use eightfold_stage::{DISPLAY, Server, needs, run};
 use std::{process::Command, thread::sleep, time::Duration};
 
 #[test]
-fn escape_ends_it_at_once() {
+fn escape_ends_the_intro() {
     needs!(DISPLAY);
     for (manager, server) in servers() {
         let intro = server.play("--seconds 60");
@@ -18,7 +16,7 @@ fn escape_ends_it_at_once() {
 }
 
 #[test]
-fn closing_the_window_ends_it_at_once() {
+fn closed_window_ends_the_intro() {
     needs!(DISPLAY);
     let server = on_screen(Server::start_managed);
     // A message of the window manager, and by force.
@@ -38,7 +36,7 @@ fn closing_the_window_ends_it_at_once() {
 }
 
 #[test]
-fn the_end_of_the_server_is_an_error_and_no_crash() {
+fn lost_server_is_reported() {
     needs!(DISPLAY);
     for (manager, mut server) in servers() {
         let intro = server.play("--seconds 60");
@@ -51,9 +49,8 @@ fn the_end_of_the_server_is_an_error_and_no_crash() {
 }
 
 #[test]
-fn the_show_waits_while_the_process_is_stopped() {
+fn stopped_process_pauses_the_show() {
     needs!(DISPLAY);
-    /// In seconds.
     const STOP: f64 = 2.0;
     let server = Server::start(320, 240);
     let intro = server.play("--size 64x48 --seconds 3");

@@ -1,11 +1,9 @@
-//! Keys and fullscreen.
-
 use super::{SCREEN, end_by_escape, on_screen, servers};
 use eightfold_stage::{DISPLAY, Server, needs, run, wait_for};
 use std::{thread::sleep, time::Duration};
 
 #[test]
-fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
+fn f_and_w_switch_fullscreen() {
     needs!(DISPLAY);
     for (manager, server) in servers() {
         let intro = server.play("--size 640x400 --seconds 60");
@@ -20,7 +18,6 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
             server.xdotool("key w");
             server.wait_for_window(window);
         }
-        // The last of several keys counts.
         server.xdotool("key --delay 0 f w f w");
         sleep(Duration::from_millis(300));
         server.wait_for_window(window);
@@ -29,7 +26,7 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
 }
 
 #[test]
-fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_in_the_usa() {
+fn keys_follow_the_layout_or_the_us_keyboard() {
     needs!(DISPLAY, &["setxkbmap"]);
     let server = on_screen(Server::start);
     // Key codes: F and W on a US keyboard, W on a French one, right Alt, left Ctrl.
@@ -67,7 +64,7 @@ fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_i
 }
 
 #[test]
-fn a_window_manager_that_never_heard_of_fullscreen_does_not_keep_it_from_the_whole_screen() {
+fn window_manager_without_fullscreen_is_bypassed() {
     needs!(DISPLAY, &["twm"]);
     let server = on_screen(Server::start_with_twm);
     let intro = server.play("--size 640x400 --seconds 60");
@@ -84,13 +81,12 @@ fn a_window_manager_that_never_heard_of_fullscreen_does_not_keep_it_from_the_who
 }
 
 #[test]
-fn h_shows_numbers_over_the_picture_and_hides_them() {
+fn h_toggles_the_hud() {
     needs!(DISPLAY);
     let server = on_screen(Server::start);
     let intro = server.play("--size 640x400 --seconds 60");
     let [left, top, ..] = server.window().expect("a window");
     server.xdotool(&format!("mousemove {} {}", left + 20, top + 300));
-    // The title's sky is dark there for seconds.
     let is_written = || {
         let corner = server.screenshot([left, top, 250, 30]);
         corner.iter().any(|&pixel| pixel & 0xff_ff_ff == 0xff_ff_ff)
@@ -113,7 +109,7 @@ fn h_shows_numbers_over_the_picture_and_hides_them() {
 }
 
 #[test]
-fn nobody_at_the_keyboard_leaves_the_screen_on() {
+fn idle_keyboard_keeps_the_screen_on() {
     needs!(DISPLAY, &["xprintidle"]);
     let server = on_screen(Server::start);
     let idle = || -> u64 {
@@ -130,7 +126,7 @@ fn nobody_at_the_keyboard_leaves_the_screen_on() {
 }
 
 #[test]
-fn it_can_start_over_the_whole_screen() {
+fn fullscreen_option_starts_fullscreen() {
     needs!(DISPLAY);
     for (manager, server) in servers() {
         let intro = server.play("--fullscreen --size 640x400 --seconds 60");
@@ -145,7 +141,6 @@ fn it_can_start_over_the_whole_screen() {
     }
 }
 
-/// Asserts that the picture fills the screen: the background is not black.
 fn assert_covered(server: &Server, manager: &str) {
     let shot = server.screenshot(SCREEN);
     let black = shot.iter().filter(|&&pixel| pixel == 0).count();

@@ -13,7 +13,6 @@ use std::time::Duration;
 /// Larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
 
-/// Starts a server with a screen of this size.
 fn on_screen(start: fn(usize, usize) -> Server) -> Server {
     let [_, _, width, height] = SCREEN.map(|side| side as usize);
     start(width, height)

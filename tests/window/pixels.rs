@@ -9,7 +9,7 @@ use std::{env, thread::sleep, time::Duration};
 
 type Size = (usize, usize);
 
-/// Returns a pixel of a picture in which all neighbouring pixels differ.
+/// Neighbouring pixels differ.
 fn colour(x: usize, y: usize, round: usize) -> u32 {
     let mixed = (x * 73 + y * 179 + round * 31) as u32;
     mixed.wrapping_mul(0x9e37_79b1) >> 8
@@ -43,7 +43,6 @@ fn check_all_sizes() {
             // Two frames: the window has two buffers.
             draw(&mut window, drawn, round);
             draw(&mut window, drawn, round + 1);
-            // For the server.
             sleep(Duration::from_millis(100));
             compare(&display, size, drawn, round + 1);
         }
@@ -60,7 +59,6 @@ fn draw(window: &mut Window, (width, height): Size, round: usize) {
     assert_eq!(window.show(), Next::GoOn);
 }
 
-/// Compares the screen with the drawn pixels.
 fn compare(display: &str, (width, height): Size, drawn: Size, round: usize) {
     let mut import = tool("import");
     let part = format!("{width}x{height}+0+0");

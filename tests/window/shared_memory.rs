@@ -27,7 +27,7 @@ fn build(folder: &Path, name: &str, code: &str) -> PathBuf {
     library
 }
 
-/// Plays until the window shows a frame: its background is not black.
+/// The background is not black.
 fn play(server: &Server, command: &mut Command) -> Process {
     let command = command.args(["--silent", "--size", "200x150"]);
     let intro = server.open(command, || server.window());
@@ -38,7 +38,6 @@ fn play(server: &Server, command: &mut Command) -> Process {
     intro
 }
 
-/// Returns the number of shared segments that a process has created.
 fn segments(process: &Process) -> usize {
     let id = process.0.id().to_string();
     let table = fs::read_to_string("/proc/sysvipc/shm").expect("the system tells");
@@ -49,7 +48,7 @@ fn segments(process: &Process) -> usize {
 }
 
 #[test]
-fn a_server_that_does_not_share_memory_gets_the_frames_all_the_same() {
+fn server_without_shared_memory_gets_frames() {
     needs!(DISPLAY);
     let folder = tempfile::tempdir().expect("a folder");
     build(folder.path(), "libXext.so.6", YES_AND_NOTHING);
@@ -59,7 +58,7 @@ fn a_server_that_does_not_share_memory_gets_the_frames_all_the_same() {
 }
 
 #[test]
-fn no_shared_memory_is_left() {
+fn shared_memory_is_released() {
     needs!(DISPLAY);
     let folder = tempfile::tempdir().expect("a folder");
     let library = build(folder.path(), "no_addresses.so", NO_ADDRESSES);

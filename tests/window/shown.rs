@@ -1,5 +1,3 @@
-//! The picture in the window.
-
 use super::{end_by_escape, servers};
 use eightfold::show;
 use eightfold_lab::{error::Difference, threaded_renderer::ThreadedRenderer};
@@ -13,7 +11,7 @@ use std::{
 };
 
 #[test]
-fn the_window_has_its_title_and_size_and_shows_the_frame() {
+fn window_has_title_and_size_and_shows_a_frame() {
     needs!(DISPLAY);
     for (manager, server) in servers() {
         let intro = server.play("--seconds 60");
@@ -38,7 +36,7 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
 
 #[test]
 #[ignore = "many X servers are started"]
-fn the_frame_has_its_colours_by_pixels_of_any_depth() {
+fn pixels_of_any_depth_show_the_colours() {
     needs!(DISPLAY);
     // Screenshots round 10 bits to 8. A step of 5 bits is 8/255.
     for (depth, tolerance) in [(30, 1.2), (16, 3.0), (15, 3.0)] {
@@ -49,7 +47,7 @@ fn the_frame_has_its_colours_by_pixels_of_any_depth() {
 }
 
 #[test]
-fn the_environment_does_not_keep_the_window_from_opening() {
+fn environment_variables_do_not_block_the_window() {
     needs!(DISPLAY);
     let server = Server::start(320, 240);
     for (variable, value) in [
@@ -84,7 +82,7 @@ fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
 }
 
 #[test]
-fn the_window_can_have_any_size() {
+fn window_of_any_size_is_filled() {
     needs!(DISPLAY);
     for (manager, server) in servers() {
         let intro = server.play("--seconds 60");
@@ -106,7 +104,7 @@ fn the_window_can_have_any_size() {
 }
 
 #[test]
-fn a_window_beyond_the_largest_picture_is_filled() {
+fn window_beyond_largest_picture_is_filled() {
     needs!(DISPLAY);
     let server = Server::start(4100, 2200);
     let intro = server.play("--fullscreen --seconds 60");
@@ -123,7 +121,7 @@ fn a_window_beyond_the_largest_picture_is_filled() {
 }
 
 #[test]
-fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
+fn display_with_colour_table_counts_as_none() {
     needs!(DISPLAY);
     // Pixels of 8 bits are indices of a colour table.
     let server = Server::start_with(320, 240, &["-screen", "0", "320x240x8"]);
@@ -140,7 +138,6 @@ fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
     );
 }
 
-/// Returns the mean difference between a screenshot and the closest frame of the show up to a time.
 fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {
     let mut renderer = ThreadedRenderer::new(1);
     let mut pixels = vec![0; shot.len()];
