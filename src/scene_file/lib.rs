@@ -6,7 +6,7 @@ mod node;
 use eightfold_tracer::glam::{EulerRot, Mat3};
 use eightfold_tracer::scene::{Camera, Material, Scene};
 use motion::Motion;
-use node::{Fault, Kind, Node};
+use node::{Kind, Mistake, Node};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -38,28 +38,28 @@ impl SceneFile {
     /// One line: file, line, column, value, range.
     pub fn parse(name: &str, text: &str) -> Result<Self, String> {
         let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
-        let mistake =
-            |line, column, what: &str| format!("{name}:{line}:{column}: {}", shortened(what));
+        let located =
+            |line, column, message: &str| format!("{name}:{line}:{column}: {}", shortened(message));
         let tree = Node::read(text).map_err(|error| {
             let start = error.span.start;
-            mistake(start.line, start.col, &error.code.to_string())
+            located(start.line, start.col, &error.code.to_string())
         })?;
-        Self::of(name, tree).map_err(|fault| {
-            let before = &text[..fault.at.unwrap_or(0)];
+        Self::of(name, tree).map_err(|mistake| {
+            let before = &text[..mistake.at.unwrap_or(0)];
             let line = before.rsplit('\n').next().unwrap_or(before);
             let lines = before.matches('\n').count();
-            mistake(lines + 1, line.chars().count() + 1, &fault.what)
+            located(lines + 1, line.chars().count() + 1, &mistake.message)
         })
     }
 
-    fn of(name: &str, mut tree: Node) -> Result<Self, Fault> {
+    fn of(name: &str, mut tree: Node) -> Result<Self, Mistake> {
         let name = name.to_owned();
         let mut length = LENGTH;
         if let Some(node) = tree.take("length") {
             length = f32::deserialize(&node)?;
             if !(length > 0.0 && length <= 3600.0) {
-                let what = format!("length is {length}, must be above 0, up to 3600");
-                return Err(Fault::new(node.at, what));
+                let message = format!("length is {length}, must be above 0, up to 3600");
+                return Err(Mistake::new(node.at, message));
             }
         }
         let motions = tree.take("motions").unwrap_or_default().parts.into_iter();
@@ -84,9 +84,9 @@ impl SceneFile {
         for time in keys.map(|key| key.time).chain([0.0]) {
             let tree = file.tree_at(time)?;
             if let Err(error) = Scene::deserialize(&tree)?.validate() {
-                let what = error.to_string();
-                let path = what.split(' ').next().unwrap_or_default();
-                return Err(Fault::new(tree.nearest(path).at, what));
+                let message = error.to_string();
+                let path = message.split(' ').next().unwrap_or_default();
+                return Err(Mistake::new(tree.nearest(path).at, message));
             }
         }
         Ok(file)
@@ -100,14 +100,14 @@ impl SceneFile {
     }
 
     /// Returns the tree at a time, with materials in place of their names.
-    fn tree_at(&self, time: f32) -> Result<Node, Fault> {
+    fn tree_at(&self, time: f32) -> Result<Node, Mistake> {
         let mut tree = self.tree.clone();
         for motion in &self.motions {
             let of = &motion.of;
-            let what = format!("motion is of {of:?}, must be of a value in the file");
+            let message = format!("motion is of {of:?}, must be of a value in the file");
             let (at, numbers) = motion.at(time);
             let place = tree.place(of, at);
-            place.ok_or(Fault::new(at, what))?.set(&numbers);
+            place.ok_or(Mistake::new(at, message))?.set(&numbers);
         }
         let materials = tree.take("materials").unwrap_or_default();
         for list in ["spheres", "planes", "blocks"] {
@@ -117,9 +117,9 @@ impl SceneFile {
                     && let Kind::Word(_) = material.kind
                 {
                     let name = String::deserialize(&*material)?;
-                    let what = format!("material is {name:?}, must be in materials");
-                    let fault = Fault::new(material.at, what);
-                    material.copy(materials.get(&name).ok_or(fault)?);
+                    let message = format!("material is {name:?}, must be in materials");
+                    let mistake = Mistake::new(material.at, message);
+                    material.copy(materials.get(&name).ok_or(mistake)?);
                 }
                 if list == "blocks" {
                     turn(object)?;
@@ -155,7 +155,7 @@ fn cut(text: &str, most: usize) -> String {
 }
 
 /// Rotates the axes of a block by its `turn`: radians about its z axis first, then x, then y.
-fn turn(block: &mut Node) -> Result<(), Fault> {
+fn turn(block: &mut Node) -> Result<(), Mistake> {
     if let Some(axes) = block.get_mut("axes")
         && axes.parts.len() == 3
     {

@@ -1,6 +1,6 @@
 //! Values that change with time.
 
-use super::node::{Fault, Kind, Node};
+use super::node::{Kind, Mistake, Node};
 use serde::Deserialize;
 
 /// The motion of a number or a vector.
@@ -40,7 +40,7 @@ pub struct Key {
 }
 
 /// Returns the numbers of a scalar, a vector or a matrix.
-fn numbers(node: &Node) -> Result<Vec<f32>, Fault> {
+fn numbers(node: &Node) -> Result<Vec<f32>, Mistake> {
     if node.kind == Kind::List {
         let all: Result<Vec<_>, _> = node.parts.iter().map(numbers).collect();
         return all.map(|all| all.concat());
@@ -49,12 +49,12 @@ fn numbers(node: &Node) -> Result<Vec<f32>, Fault> {
 }
 
 impl Motion {
-    pub fn read(mut node: Node) -> Result<Self, Fault> {
+    pub fn read(mut node: Node) -> Result<Self, Mistake> {
         let keys = node.take("keys");
         let mut motion = Self::deserialize(&node)?;
         for key in keys.iter().flat_map(|keys| &keys.parts) {
             let [time, value] = &key.parts[..] else {
-                return Err(Fault::new(key.at, "key must be (seconds, value)"));
+                return Err(Mistake::new(key.at, "key must be (seconds, value)"));
             };
             let at = key.at;
             let (time, numbers) = (f32::deserialize(time)?, numbers(value)?);
@@ -63,18 +63,18 @@ impl Motion {
                 None => (f32::MIN, numbers.len()),
             };
             if !(time > before && time.is_finite()) {
-                return Err(Fault::new(
+                return Err(Mistake::new(
                     at,
                     format!("time is {time}, must be above {before}"),
                 ));
             }
             if numbers.len() != count {
-                return Err(Fault::new(at, format!("key must have {count} numbers")));
+                return Err(Mistake::new(at, format!("key must have {count} numbers")));
             }
             motion.keys.push(Key { at, time, numbers });
         }
         if motion.keys.is_empty() {
-            return Err(Fault::new(node.at, "motion must have a key"));
+            return Err(Mistake::new(node.at, "motion must have a key"));
         }
         Ok(motion)
     }

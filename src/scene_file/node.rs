@@ -159,30 +159,30 @@ impl<'de> Visitor<'de> for Reader<'_> {
 
 /// A mistake and its byte in the text.
 #[derive(Debug)]
-pub struct Fault {
+pub struct Mistake {
     pub at: Option<usize>,
-    pub what: String,
+    pub message: String,
 }
 
-impl Fault {
-    pub fn new(at: usize, what: impl Into<String>) -> Self {
-        let (at, what) = (Some(at), what.into());
-        Self { at, what }
+impl Mistake {
+    pub fn new(at: usize, message: impl Into<String>) -> Self {
+        let (at, message) = (Some(at), message.into());
+        Self { at, message }
     }
 }
 
-impl std::error::Error for Fault {}
+impl std::error::Error for Mistake {}
 
-impl fmt::Display for Fault {
+impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.what)
+        f.write_str(&self.message)
     }
 }
 
-impl de::Error for Fault {
-    fn custom<T: fmt::Display>(what: T) -> Self {
-        let (at, what) = (None, what.to_string());
-        Self { at, what }
+impl de::Error for Mistake {
+    fn custom<T: fmt::Display>(message: T) -> Self {
+        let (at, message) = (None, message.to_string());
+        Self { at, message }
     }
 
     fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
@@ -198,7 +198,7 @@ impl de::Error for Fault {
     }
 }
 
-impl<'de> IntoDeserializer<'de, Fault> for &Node {
+impl<'de> IntoDeserializer<'de, Mistake> for &Node {
     type Deserializer = Self;
 
     fn into_deserializer(self) -> Self {
@@ -207,15 +207,15 @@ impl<'de> IntoDeserializer<'de, Fault> for &Node {
 }
 
 impl<'de> Deserializer<'de> for &Node {
-    type Error = Fault;
+    type Error = Mistake;
 
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mistake> {
         let value = match &self.kind {
             Kind::Number(number) => visitor.visit_f32(*number),
             Kind::Word(word) => match (word.as_str(), ron::from_str::<String>(word)) {
                 ("true" | "false", _) => visitor.visit_bool(word == "true"),
                 (_, Ok(text)) => visitor.visit_string(text),
-                (_, Err(_)) => Err(Fault::invalid_type(Unexpected::Other(word), &visitor)),
+                (_, Err(_)) => Err(Mistake::invalid_type(Unexpected::Other(word), &visitor)),
             },
             Kind::List => SeqDeserializer::new(self.parts.iter()).deserialize_any(visitor),
             Kind::Struct => {
@@ -223,16 +223,16 @@ impl<'de> Deserializer<'de> for &Node {
                 MapDeserializer::new(fields).deserialize_any(visitor)
             }
         };
-        value.map_err(|Fault { at, what }| {
-            let name = what
+        value.map_err(|Mistake { at, message }| {
+            let name = message
                 .strip_prefix("field is ")
-                .and_then(|what| what.split(',').next());
+                .and_then(|message| message.split(',').next());
             let part = name.and_then(|name| self.get(name));
-            Fault::new(at.unwrap_or(part.unwrap_or(self).at), what)
+            Mistake::new(at.unwrap_or(part.unwrap_or(self).at), message)
         })
     }
 
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mistake> {
         match &self.kind {
             Kind::Word(word) if word == "None" => visitor.visit_none(),
             _ => visitor.visit_some(self),
@@ -244,13 +244,13 @@ impl<'de> Deserializer<'de> for &Node {
         _: &'static str,
         _: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, Fault> {
+    ) -> Result<V::Value, Mistake> {
         let name = match &self.kind {
             Kind::Word(name) => name,
             _ => "",
         };
         let value = visitor.visit_enum(StrDeserializer::new(name));
-        value.map_err(|fault: Fault| Fault::new(self.at, fault.what))
+        value.map_err(|mistake: Mistake| Mistake::new(self.at, mistake.message))
     }
 
     serde::forward_to_deserialize_any! {

@@ -106,10 +106,13 @@ impl Session {
         let canvas = self.window.canvas(size.width, size.height);
         canvas.copy_from_slice(&self.viewer.picture);
         let row = |(key, words): (&str, &str)| (key.to_owned(), words.to_owned());
-        let fault = self.subject.fault().map(|fault| row(("", fault)));
+        let mistake = self.subject.mistake().map(|mistake| row(("", mistake)));
         let keys = KEYS.map(row).into_iter().filter(|_| self.has_keys);
-        self.panel
-            .show(fault.into_iter().chain(keys).collect(), canvas, size.width);
+        self.panel.show(
+            mistake.into_iter().chain(keys).collect(),
+            canvas,
+            size.width,
+        );
         is_new
     }
 

@@ -49,8 +49,8 @@ impl Subject {
         file.map_or(self.name.length(), |file| file.scene.length)
     }
 
-    pub fn fault(&self) -> Option<&str> {
-        self.file.as_ref()?.fault.as_deref()
+    pub fn mistake(&self) -> Option<&str> {
+        self.file.as_ref()?.mistake.as_deref()
     }
 
     pub fn look(&mut self) {

@@ -9,7 +9,7 @@ pub struct Watched {
     text: Option<Result<String, String>>,
     /// The mistake in a text that was read once: the file may be half written.
     suspect: Option<String>,
-    pub fault: Option<String>,
+    pub mistake: Option<String>,
 }
 
 impl Watched {
@@ -18,7 +18,7 @@ impl Watched {
             scene,
             text: None,
             suspect: None,
-            fault: None,
+            mistake: None,
         }
     }
 
@@ -29,7 +29,7 @@ impl Watched {
         let text = scenes::text(Path::new(name));
         if self.text.as_ref() == Some(&text) {
             if self.suspect.is_some() {
-                self.fault = self.suspect.take();
+                self.mistake = self.suspect.take();
             }
             return false;
         }
@@ -39,7 +39,7 @@ impl Watched {
         match read {
             Ok(scene) => {
                 self.scene = scene;
-                (self.suspect, self.fault) = (None, None);
+                (self.suspect, self.mistake) = (None, None);
                 true
             }
             Err(mistake) => {

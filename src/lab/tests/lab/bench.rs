@@ -1,6 +1,6 @@
 //! `lab bench`: consistent figures. No test depends on measured times.
 
-use super::{cells, lab, printed, render, said};
+use super::{cells, lab, printed, render, stderr};
 use eightfold_lab::error::Difference;
 use eightfold_stage::reader::read_png;
 use serde_json::Value;
@@ -9,7 +9,7 @@ use std::path::Path;
 /// Runs a short bench with small frames. Returns its table and rows.
 fn bench(more: &str) -> (String, Vec<Value>) {
     let output = lab(&format!("bench --frames 3 --views 2 --json - {more}"));
-    let table = said(&output);
+    let table = stderr(&output);
     assert!(output.status.success(), "{table}");
     (table, serde_json::from_slice(&output.stdout).expect("JSON"))
 }
@@ -115,18 +115,6 @@ fn errors_match_rendered_pictures() {
     assert_eq!(number(&rows[1], "pixels_over_8"), difference.over_8 as f64);
 }
 
-#[test]
-fn json_file_keeps_table_on_standard_output() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("bench.json");
-    let table = printed(&format!(
-        "bench --size 40x30 --frames 2 --views 1 --json {}",
-        file.display()
-    ));
-    let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).expect("JSON");
-    assert_eq!(cells(&table).len(), 1 + rows.len());
-}
-
 #[cfg(target_os = "linux")]
 #[test]
 fn signal_keeps_figures() {
@@ -134,8 +122,8 @@ fn signal_keeps_figures() {
     let file = folder.path().join("bench.json");
     let line = "bench --frames 100000 --size 32x24 --size 48x36 --json";
     let output = super::interrupted(super::command(line).arg(&file));
-    assert_eq!(output.status.code(), Some(130), "{}", said(&output));
-    assert!(said(&output).contains("stopped early"));
+    assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
+    assert!(stderr(&output).contains("stopped early"));
     let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
     assert_eq!(rows.len(), 6);
     for row in &rows {

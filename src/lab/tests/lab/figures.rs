@@ -1,10 +1,10 @@
-use super::{lab, said};
+use super::{lab, stderr};
 use eightfold_stage::reader::read_png;
 
 #[test]
 fn sheet_has_six_distinct_pictures() {
     let output = lab("figures --size 200x150 --out -");
-    assert!(output.status.success(), "{}", said(&output));
+    assert!(output.status.success(), "{}", stderr(&output));
     let (width, sheet) = read_png(&output.stdout);
     let place = |i: usize| [12 + i % 2 * 212, 12 + i / 2 * (150 + 40 + 12)];
     let picture = |i: usize| {

@@ -29,7 +29,7 @@ fn lab(line: &str) -> Output {
     command(line).output().expect("the lab starts")
 }
 
-fn said(output: &Output) -> String {
+fn stderr(output: &Output) -> String {
     texts(output).1
 }
 
@@ -42,7 +42,7 @@ fn printed(line: &str) -> String {
 #[track_caller]
 fn printed_bytes(line: &str) -> Vec<u8> {
     let output = lab(line);
-    assert!(output.status.success(), "{line}: {}", said(&output));
+    assert!(output.status.success(), "{line}: {}", stderr(&output));
     output.stdout
 }
 
@@ -65,7 +65,7 @@ fn render(out: &Path, more: &str) -> Output {
 /// Asserts that a command failed with an exit code and one line with some words, without a temporary name.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
-    let text = said(output);
+    let text = stderr(output);
     assert_eq!(output.status.code(), Some(code), "{text}");
     assert_eq!(text.trim_end().lines().count(), 1, "{text}");
     assert!(!text.contains(".lab-"), "{text}");

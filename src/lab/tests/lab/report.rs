@@ -1,6 +1,6 @@
 //! `lab report`: changes only the marked parts of pages.
 
-use super::{assert_one_line, lab, said};
+use super::{assert_one_line, lab, stderr};
 use eightfold_stage::reader::read_png;
 use std::fs;
 use std::process::Output;
@@ -31,7 +31,7 @@ fn report(folder: &TempDir, names: &str) -> Output {
 fn parts_show_results_of_their_commands() {
     let folder = folder(README, PAGE);
     let output = report(&folder, "");
-    assert!(output.status.success(), "{}", said(&output));
+    assert!(output.status.success(), "{}", stderr(&output));
     let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
     assert_eq!(read("README.md"), README);
     let picture = fs::read(folder.path().join("docs/a.png")).unwrap();
@@ -74,7 +74,7 @@ fn failing_part_keeps_all_pages() {
         let folder = folder(&PAGE.replace("old", ""), page);
         let output = report(&folder, "");
         assert_eq!(output.status.code(), Some(1));
-        assert!(said(&output).contains(why), "{}", said(&output));
+        assert!(stderr(&output).contains(why), "{}", stderr(&output));
         let text = fs::read_to_string(folder.path().join("README.md")).unwrap();
         assert_eq!(text, PAGE.replace("old", ""));
     }

@@ -1,6 +1,6 @@
 //! `lab trade`: complete files, consistent figures. No test depends on measured times.
 
-use super::{cells, printed, said};
+use super::{cells, printed, stderr};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -119,8 +119,8 @@ fn signal_keeps_results() {
     let out = folder.path().join("trade");
     let line = "trade --size 48x36 --frames 100000 --out";
     let output = super::interrupted(super::command(line).arg(&out));
-    assert_eq!(output.status.code(), Some(130), "{}", said(&output));
-    assert!(said(&output).contains("stopped early"));
+    assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
+    assert!(stderr(&output).contains("stopped early"));
     assert_plots(&out, "front squares");
     for row in rows(&out) {
         let frames = row["frames"].as_u64().expect("a number");

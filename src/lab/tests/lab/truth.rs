@@ -1,6 +1,6 @@
 //! `lab truth` against closed forms and the oracle.
 
-use crate::{lab, said};
+use crate::{lab, stderr};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::{Comparison, Estimate, draw};
 use eightfold_oracle::Oracle;
@@ -212,10 +212,10 @@ fn picture_depends_on_seed() {
         ))
     };
     let (first, other) = (truth(7), truth(8));
-    let said = said(&first);
+    let stderr = stderr(&first);
     assert!(
-        said.contains("real-time picture to 4 paths a pixel: error "),
-        "{said}"
+        stderr.contains("real-time picture to 4 paths a pixel: error "),
+        "{stderr}"
     );
     assert!(first.status.success() && first.stdout == truth(7).stdout);
     assert!(first.stdout != other.stdout);
