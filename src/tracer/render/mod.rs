@@ -30,20 +30,14 @@ use fearless_simd::Level;
 
 impl Frame<'_> {
     fn validate(&self) -> Result<(), Error> {
-        let Self {
-            width,
-            height,
-            stride,
-            ref pixels,
-            ..
-        } = *self;
+        let (width, height, stride) = (self.width, self.height, self.stride);
         if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
             return Err(Error::Size { width, height });
         }
         if stride < width {
             return Err(Error::Stride { width, stride });
         }
-        let (needed, given) = (self.count(), pixels.len());
+        let (needed, given) = (self.count(), self.pixels.len());
         if given < needed {
             return Err(Error::Pixels { needed, given });
         }

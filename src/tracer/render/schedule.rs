@@ -52,31 +52,23 @@ mod tests {
     use super::*;
     use crate::picture::CELL_ROWS;
     use crate::refine::Worker;
-    use std::prelude::v1::*;
-
-    struct Tops(Vec<usize>);
-
-    impl Threads for Tops {
-        fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-            let mut worker = Worker::new();
-            for band in bands {
-                self.0.push(band.top);
-                job(&mut worker, band);
-            }
-        }
-    }
+    use std::sync::Mutex;
+    use std::vec::Vec;
 
     #[test]
     fn bands_with_most_rays_are_drawn_first() {
         const RAYS: [u64; 5] = [3, 0, 9, 3, 4];
         const PIXELS: usize = 2 * (4 * TILE_HEIGHT + 6);
+        let order = Mutex::new(Vec::new());
         let job = |_: &mut Worker, band: &mut Band<'_>| {
-            band.counts.rays = RAYS[band.top / TILE_HEIGHT];
+            let number = band.top / TILE_HEIGHT;
+            order.lock().unwrap().push(number);
+            band.counts.rays = RAYS[number];
             band.pixels.fill(1);
         };
         let mut schedule = Schedule::new();
-        for tops in [[4, 3, 2, 1, 0], [2, 4, 3, 0, 1]] {
-            let (mut pixels, mut threads) = ([0; PIXELS], Tops(Vec::new()));
+        for expected in [[4, 3, 2, 1, 0], [2, 4, 3, 0, 1]] {
+            let mut pixels = [0; PIXELS];
             let mut picture = Band {
                 width: 2,
                 stride: 2,
@@ -84,8 +76,8 @@ mod tests {
                 rough: &mut [[0; _]; CELL_ROWS * 5],
                 ..Band::none()
             };
-            let counts = schedule.run(&mut picture, &job, &mut threads);
-            assert_eq!(threads.0, tops.map(|band| band * TILE_HEIGHT));
+            let counts = schedule.run(&mut picture, &job, &mut Worker::new());
+            assert_eq!(core::mem::take(&mut *order.lock().unwrap()), expected);
             assert_eq!(counts.rays, 19);
             assert_eq!(pixels, [1; PIXELS], "each band is drawn once");
         }
