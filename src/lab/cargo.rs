@@ -13,25 +13,20 @@ pub struct Build {
 
 impl Build {
     pub fn release(package: &str) -> Result<Self> {
-        Self::release_with(package, &[])
-    }
-
-    pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
-        Self::of(&["build", "--release", "--package", package], variables)
+        Self::of(&["build", "--release", "--package", package])
     }
 
     /// Builds the intro for Windows by an alias in `.cargo/config.toml`.
     pub fn windows() -> Result<Self> {
-        Self::of(&["exe"], &[])
+        Self::of(&["exe"])
     }
 
-    fn of(arguments: &[&str], variables: &[(&str, &str)]) -> Result<Self> {
+    fn of(arguments: &[&str]) -> Result<Self> {
         let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
         let mut command = Command::new(cargo);
         command
             .args(arguments)
             .args(["--message-format", "json-render-diagnostics"])
-            .envs(variables.iter().copied())
             .stderr(Stdio::inherit());
         // Set by `cargo run`; otherwise the current folder has to be in the workspace.
         if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
