@@ -5,7 +5,7 @@ use super::*;
 
 const RAYS: usize = 200_000;
 
-const SEEDS: u64 = 3;
+const SEEDS: u64 = 1;
 
 /// The probability that a seed exceeds its bound.
 const EXCEEDED: f64 = 1e-6;
