@@ -1,13 +1,12 @@
-# Sums up what `cargo test` has written: a line for each suite, one for all, and the names of the tests that failed.
+# Summarises the output of `cargo test`: a line per suite, the total, and the failed tests.
 
-# The suite that is running: "Running tests/governor.rs (...)", "Running unittests src/lib.rs (target/.../deps/NAME-...)",
-# "Doc-tests NAME".
+# "Running tests/image/main.rs (...)", "Running unittests src/lib.rs (target/.../deps/NAME-...)", "Doc-tests NAME".
 function start(name) {
     finish()
     suite = name
 }
 
-# A suite without a line "test result" is a program of its own, which counts as one test.
+# A suite without a line "test result" has no harness, and counts as one test.
 function finish() {
     if (suite == "") return
     if (!has_result) passed = 1
@@ -32,11 +31,11 @@ BEGIN {
 /^test .* \.\.\. FAILED$/ { failures = failures "\n    " suite ": " $2 }
 /^test result: / {
     has_result = 1
-    # A test that was left out has passed, as cargo sees it.
+    # Cargo counts skipped tests as passed.
     passed = $4 - left_out; failed = $6; left_out += $8
     seconds = $NF + 0
 }
-# A program of its own that failed: "error: test failed, to rerun pass `--test NAME`".
+# A failed suite without a harness: "error: test failed, to rerun pass `--test NAME`".
 /^error: test failed, to rerun pass/ && !has_result {
     has_result = failed = 1
     failures = failures "\n    " suite
