@@ -119,7 +119,11 @@ fn too_little_memory_is_named_in_one_line() {
 fn packed_program_contains_no_paths() {
     let program = eightfold_pack::unpack_executable(&read(&intro().program)).expect("it is packed");
     let home = std::env::var("HOME").expect("a home");
-    for path in [env!("CARGO_MANIFEST_DIR"), &format!("{home}/.cargo"), "/rustc/"] {
+    for path in [
+        env!("CARGO_MANIFEST_DIR"),
+        &format!("{home}/.cargo"),
+        "/rustc/",
+    ] {
         let mut parts = program.windows(path.len());
         assert!(parts.all(|part| part != path.as_bytes()), "{path}");
     }

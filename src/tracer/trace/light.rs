@@ -27,11 +27,7 @@ pub(super) fn gather<S: Isa>(
     occluders: &mut Occluders,
     counts: &mut Counts,
 ) -> Reflected<S> {
-    let Tracer {
-        isa: simd,
-        world,
-        quality,
-    } = tracer;
+    let (simd, world, quality) = (tracer.isa, tracer.world, tracer.quality);
     let zero = splat(simd, 0.0);
     let none = M::<S>::splat(simd, false);
     let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);

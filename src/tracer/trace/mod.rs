@@ -124,9 +124,7 @@ impl<'a> Tracer<'a, Level> {
 
 #[inline(always)]
 fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut Batch) {
-    let Tracer {
-        isa: simd, world, ..
-    } = tracer;
+    let (simd, world) = (tracer.isa, tracer.world);
     let mut next = 0;
     loop {
         let is_primary = batch.stack.len() < lanes::<S>() && next < batch.points.len();

@@ -20,19 +20,8 @@ pub(super) fn shade<S: Isa>(
     active: M<S>,
     batch: &mut Batch,
 ) -> Contribution<S> {
-    let Tracer {
-        isa: simd,
-        world,
-        quality,
-    } = tracer;
-    let Batch {
-        surfaces,
-        stack,
-        counts,
-        occluders,
-        ..
-    } = batch;
-    let surface = SurfaceLanes::look_up(simd, world, hit.object, active, surfaces);
+    let (simd, world, quality) = (tracer.isa, tracer.world, tracer.quality);
+    let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut batch.surfaces);
     let shaded = active & surface.is_lit();
     let air = AirLanes::along(simd, world, &rays.d, hit.t, &surface);
     // The weight of the light that leaves the surface.
@@ -46,13 +35,20 @@ pub(super) fn shade<S: Isa>(
     let mut keys = Keys::new(simd, quality, active, rays);
     if shaded.any_true() {
         let point = &ShadingPoint::new(simd, world, rays, hit, &surface, shaded);
-        let reflected = light::gather(tracer, &surface, point, &mut keys, occluders, counts);
+        let reflected = light::gather(
+            tracer,
+            &surface,
+            point,
+            &mut keys,
+            &mut batch.occluders,
+            &mut batch.counts,
+        );
         untextured = reflected.untextured;
         reflectance = point.reflectance;
         colour = reflected.specular.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
-        scatter(tracer, &parents, &surface, point, marks, stack);
+        scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
     }
     if let Some(air) = &air {
         colour = air.veil(colour);
@@ -79,9 +75,7 @@ fn scatter<S: Isa>(
     marks: U<S>,
     stack: &mut RayStack,
 ) {
-    let Tracer {
-        isa: simd, quality, ..
-    } = tracer;
+    let (simd, quality) = (tracer.isa, tracer.quality);
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
     let least = splat(simd, quality.least_contribution);

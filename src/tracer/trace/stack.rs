@@ -28,13 +28,9 @@ impl RayStack {
 
     #[inline(always)]
     pub fn push<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
-        let Rays {
-            o,
-            d,
-            weight,
-            slot_path,
-        } = rays;
-        let mut rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight, slot_path.bitcast()];
+        let (o, d) = (&rays.o, &rays.d);
+        let slot_path = rays.slot_path.bitcast();
+        let mut rows = [o.x, o.y, o.z, d.x, d.y, d.z, rays.weight, slot_path];
         simd.gather_first(&mut rows, mask);
         let start = self.len;
         for (column, row) in self.columns.iter_mut().zip(&rows) {

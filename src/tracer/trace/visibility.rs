@@ -75,12 +75,9 @@ fn transmittance<S: Isa>(
     solids: &Candidates,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
-    let &SpotCone {
-        aim,
-        cos_outer,
-        cos_inner,
-    } = &light.cone;
-    let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - cos_outer) / (cos_inner - cos_outer);
+    let SpotCone { cos_outer, .. } = light.cone;
+    let aim = Vec3x::splat(simd, light.cone.aim);
+    let inward = (-rays.d.dot(aim) - cos_outer) / (light.cone.cos_inner - cos_outer);
     let is_asked = rays.distance.simd_gt(zero);
     let in_cone = is_asked.select(soft_edge(simd, inward), zero);
     let mut passing = Vec3x {
