@@ -1,7 +1,7 @@
 use crate::{model::Coder, new_model, with_addresses};
 
-/// Returns the bits that each byte costs when [`pack`](crate::pack) packs them all. The file also has the length, the checksum and
-/// a few bits that end the code.
+/// Returns the bits that each byte costs in the packed code, which also has a few
+/// bits at its end.
 #[must_use]
 pub fn costs(bytes: &[u8]) -> Vec<f32> {
     let mut model = new_model();

@@ -44,7 +44,7 @@ mod stub;
 #[cfg(test)]
 mod tests;
 
-use std::{error, fmt};
+use std::error;
 
 pub use costs::costs;
 use encoder::Encoder;
@@ -54,22 +54,7 @@ use model::Model;
 /// The reason why a program is not packed.
 pub type Error = Box<dyn error::Error>;
 
-/// Packs bytes: an FNV-1a checksum of the rest, the unpacked length (both 32 bits, little-endian), and the code.
-///
-/// # Panics
-/// If there are more than [`LONGEST`] bytes.
-#[must_use]
-pub fn pack(bytes: &[u8]) -> Vec<u8> {
-    assert!(
-        bytes.len() <= LONGEST,
-        "size is {} bytes; must be at most {LONGEST}",
-        bytes.len()
-    );
-    let length = (bytes.len() as u32).to_le_bytes();
-    let rest = [&length, &*encode(bytes)].concat();
-    [&checksum(&rest).to_le_bytes(), &*rest].concat()
-}
-
+/// Returns the arithmetic code of bytes.
 fn encode(bytes: &[u8]) -> Vec<u8> {
     let mut model = new_model();
     let mut encoder = Encoder::new();
@@ -93,48 +78,26 @@ fn with_addresses(bytes: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// Unpacks bytes that [`pack`] has packed.
-///
-/// # Errors
-/// If the checksum or the length is wrong.
-pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
-    let (sum, rest) = packed.split_first_chunk().ok_or(Damaged)?;
-    let (length, code) = rest.split_first_chunk().ok_or(Damaged)?;
-    if u32::from_le_bytes(*sum) != checksum(rest) {
-        return Err(Damaged);
-    }
-    decode(code, u32::from_le_bytes(*length) as usize)
-}
-
-fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Damaged> {
+fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Error> {
     if length > LONGEST {
-        return Err(Damaged);
+        return Err(DAMAGED.into());
     }
     let mut bytes = vec![0; length];
     let is_whole = model::decode(&mut new_model(), code, &mut bytes);
-    is_whole.then_some(bytes).ok_or(Damaged)
+    is_whole.then_some(bytes).ok_or_else(|| DAMAGED.into())
 }
 
+/// Returns the FNV-1a hash.
 fn checksum(bytes: &[u8]) -> u32 {
     bytes.iter().fold(0x811c_9dc5, |hash, &byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     })
 }
 
-/// The maximum number of bytes, which take 16 seconds.
-pub const LONGEST: usize = 1 << 24;
+/// The maximum size of a program with its loader, which takes 16 seconds.
+const LONGEST: usize = 1 << 24;
 
-/// An error: the packed data is damaged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Damaged;
-
-impl fmt::Display for Damaged {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("packed data is damaged")
-    }
-}
-
-impl error::Error for Damaged {}
+const DAMAGED: &str = "packed data is damaged";
 
 #[allow(unsafe_code, reason = "68 MB do not fit on a stack")]
 fn new_model() -> Box<Model> {

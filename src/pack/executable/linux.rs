@@ -12,7 +12,7 @@ use std::collections::HashMap;
 
 use super::{Memory, encode_both};
 use crate::{
-    Damaged, Error, checksum, decode, elf,
+    DAMAGED, Error, checksum, decode, elf,
     elf::Segment,
     stub::{FIRST, LOADER, Stub},
 };
@@ -91,7 +91,7 @@ pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
     let start = file.len().checked_sub(stack.size as usize);
     let checked = file.get(start.ok_or("file is incomplete")?..);
     if checked.is_none_or(|checked| u64::from(checksum(checked)) != stack.address) {
-        return Err(Damaged.into());
+        return Err(DAMAGED.into());
     }
-    Ok(decode(packed, stack.physical_address as usize)?)
+    decode(packed, stack.physical_address as usize)
 }

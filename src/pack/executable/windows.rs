@@ -23,7 +23,7 @@ use object::pe::{
 
 use super::{Memory, Version, encode_both};
 use crate::{
-    Damaged, Error, checksum, decode,
+    DAMAGED, Error, checksum, decode,
     elf::{self, PAGE, number},
     pe::{BASE_ALIGNMENT, CODE, Executable, Imports, MEMORY, Section},
     stub::{FIRST, LOADER, Stub},
@@ -147,7 +147,7 @@ pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
     let end = start.saturating_add(length);
     let bytes = file.get(checked..end).ok_or("file is incomplete")?;
     if checksum(bytes) as usize != sum {
-        return Err(Damaged.into());
+        return Err(DAMAGED.into());
     }
-    Ok(decode(file.get(start..end).ok_or(Damaged)?, unpacked)?)
+    decode(file.get(start..end).ok_or(DAMAGED)?, unpacked)
 }

@@ -139,19 +139,9 @@ impl Frames {
                     );
                 }
                 PutImage::Shared(xext) => {
-                    let (put, unannounced) = (xext.XShmPutImage, xlib::False);
+                    let put = xext.XShmPutImage;
                     put(
-                        display,
-                        window,
-                        context,
-                        image,
-                        0,
-                        0,
-                        0,
-                        top,
-                        columns,
-                        height,
-                        unannounced,
+                        display, window, context, image, 0, 0, 0, top, columns, height, 0,
                     );
                 }
             }

@@ -11,6 +11,11 @@ use core::{
     },
 };
 
+use libc::{
+    SIGABRT, SIGBUS, SIGCHLD, SIGCONT, SIGFPE, SIGILL, SIGPIPE, SIGSEGV, SIGSYS, SIGTRAP, SIGTSTP,
+    SIGTTIN, SIGTTOU, SIGURG, SIGWINCH,
+};
+
 use crate::{
     backend::memory::pixels,
     line::{self, Writer},
@@ -34,28 +39,11 @@ const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
 /// Signals that do not end a process, and keep their action. (SIGKILL and SIGSTOP cannot be handled.)
 const HARMLESS: u64 = bits(&[
-    libc::SIGPIPE,
-    libc::SIGCHLD,
-    libc::SIGCONT,
-    libc::SIGTSTP,
-    libc::SIGTTIN,
-    libc::SIGTTOU,
-    libc::SIGURG,
-    libc::SIGWINCH,
-    #[cfg(not(target_os = "linux"))]
-    libc::SIGINFO,
+    SIGPIPE, SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH,
 ]);
 
 /// Signals of errors in the process, which cannot continue.
-const MISTAKES: u64 = bits(&[
-    libc::SIGILL,
-    libc::SIGTRAP,
-    libc::SIGABRT,
-    libc::SIGBUS,
-    libc::SIGFPE,
-    libc::SIGSEGV,
-    libc::SIGSYS,
-]);
+const MISTAKES: u64 = bits(&[SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS]);
 
 /// Returns a set of signals, from bit 0 for signal 1 on.
 const fn bits(signals: &[c_int]) -> u64 {
@@ -403,30 +391,36 @@ mod tests {
 
     #[test]
     fn escape_ends_and_sequences_do_not() {
-        let ends = |reads: &[&[u8]]| {
+        let endings: [&[&[u8]]; 8] = [
+            &[b"\x1b", b""],
+            &[b"\x1b\x1b", b""],
+            &[b"\x1b", b"x"],
+            &[b"\x1b[A\x1b", b""],
+            &[b"ab\x03"],
+            &[b"x\x1b[A\x1b[27uy"],
+            &[b"x\x1b[A\x1b[99;5uy"],
+            &[b"x\x1b[A\x1b[27;5;99~y"],
+        ];
+        // Alt and a letter, other keys with modifiers, letters, an arrow and a function key, an arrow in two parts.
+        let others: [&[&[u8]]; 5] = [
+            &[b"\x1bx", b""],
+            &[b"\x1b[99u\x1b[27;5;98~\x1b[27~", b""],
+            &[b"", b"fw", b""],
+            &[b"\x1b[A\x1bOP", b""],
+            &[b"\x1b", b"[A", b""],
+        ];
+        for (reads, expected) in endings
+            .map(|reads| (reads, true))
+            .into_iter()
+            .chain(others.map(|reads| (reads, false)))
+        {
             let mut keys = KeyParser::default();
-            reads.iter().any(|typed| keys.ends(typed))
-        };
-        assert!(ends(&[b"\x1b", b""]), "Esc, and nothing after it");
-        assert!(ends(&[b"\x1b\x1b", b""]), "Esc twice");
-        assert!(ends(&[b"\x1b", b"x"]), "Esc, and a letter later");
-        assert!(!ends(&[b"\x1bx", b""]), "Alt and a letter");
-        assert!(ends(&[b"ab\x03"]), "Ctrl-C");
-        for sequence in ["27u", "99;5u", "27;5;99~"] {
-            let typed = ["x\x1b[A\x1b[", sequence, "y"].concat();
-            assert!(ends(&[typed.as_bytes()]), "{sequence}");
+            assert_eq!(
+                reads.iter().any(|typed| keys.ends(typed)),
+                expected,
+                "{reads:?}"
+            );
         }
-        assert!(!ends(&[b"\x1b[99u\x1b[27;5;98~\x1b[27~", b""]), "others");
-        assert!(ends(&[b"\x1b[A\x1b", b""]), "an arrow, and Esc");
-        assert!(!ends(&[b"", b"fw", b""]), "letters");
-        assert!(
-            !ends(&[b"\x1b[A\x1bOP", b""]),
-            "an arrow and a function key"
-        );
-        assert!(
-            !ends(&[b"\x1b", b"[A", b""]),
-            "an arrow that comes in two parts"
-        );
     }
 
     #[test]

@@ -294,21 +294,9 @@ impl RenderTarget for Window {
         let (columns, rows) = (self.size.0 as i32, self.size.1 as i32);
         // SAFETY: the pixels have this size, and outlive the call.
         unsafe {
-            let pixels = self.pixels.as_ptr();
+            let (context, pixels) = (self.context, self.pixels.as_ptr());
             StretchDIBits(
-                self.context,
-                0,
-                0,
-                columns,
-                rows,
-                0,
-                0,
-                width,
-                height,
-                pixels,
-                &info,
-                0,
-                COPY,
+                context, 0, 0, columns, rows, 0, 0, width, height, pixels, &info, 0, COPY,
             );
         }
         let mut next = Next::GoOn;

@@ -117,16 +117,9 @@ impl Toplevel {
         // SAFETY: the window exists, and the text outlives the call and has this length.
         unsafe {
             let set = self.x.XChangeProperty;
-            let length = text.len() as c_int;
+            let (start, length) = (text.as_ptr(), text.len() as c_int);
             set(
-                display,
-                window,
-                property,
-                kind,
-                format,
-                replace,
-                text.as_ptr(),
-                length,
+                display, window, property, kind, format, replace, start, length,
             );
         }
     }
