@@ -49,7 +49,7 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// The errors of the probed pixels of one or more frames, which estimate the error of all pixels.
+/// The errors of probed pixels, which estimate the error of all pixels.
 ///
 /// The error is the difference from the frame at [`Quality::reference`](crate::Quality::reference).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -62,9 +62,9 @@ pub struct Probes {
     pub fourths: u64,
 }
 
-/// A squared error that is added to the mean, weighted by itself, for rare pixels that make most of the error but that no probe
-/// met. Without it 80 of 100 confidence intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of probes.
-/// The show's mean is 20 to 20,000.
+/// A squared error that is added to the mean, weighted by itself, for rare pixels with large errors that no probe met. Without it
+/// 80 of 100 confidence intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of probes. The show's mean
+/// is 20 to 20,000.
 const UNSEEN: f32 = 500.0;
 
 impl Probes {
@@ -109,7 +109,7 @@ impl Probes {
     }
 
     /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for frames that differ. Four times the
-    /// probes halve it. It is infinite or NaN for fewer than two probes, or without errors.
+    /// probes halve it. It is infinite or NaN without errors, or with one probe.
     #[must_use]
     pub fn margin(&self) -> f32 {
         self.margin_with(UNSEEN)

@@ -58,8 +58,8 @@ static DIGITS: [&str; 12] = [
     "nlfbdgi", // 9
 ];
 
-/// Returns the strokes of an ASCII capital, digit or full stop, and of ± for a slash; none for other bytes. Each stroke has two
-/// ends, in grid units from the letter's upper left, x to the right and y down.
+/// Returns the strokes of an ASCII capital, digit or full stop, and of ± for a slash; none for other bytes. Both ends are in grid
+/// units from the letter's upper left, x to the right and y down.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     points(letter)
         .windows(2)

@@ -16,8 +16,8 @@ const TOO_LATE: u64 = 6;
 /// Limits the number of late frames that one frame counts as, so that a single outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
-/// The time in nanoseconds for which a finer preset must look possible. With the delay of [`Governor::mean`] a step up takes half a
-/// second at 30 frames per second.
+/// The nanoseconds for which a finer preset must look possible. With the delay of [`Governor::mean`] a step up takes half a second
+/// at 30 frames per second.
 const CALM: u64 = SECOND / 5;
 
 /// The number of frames after a step down that are compared with those before it.
@@ -147,13 +147,13 @@ const RETRY_GAIN: f32 = 0.5;
 
 /// Selects presets of [`Quality::LADDER`] to hold an accuracy.
 ///
-/// It evaluates the results of [`Frame::with_probes`](crate::Frame::with_probes), and steps to a finer preset when frames are certainly
-/// less accurate, and to a faster one when that is certainly accurate enough. The last step to a finer preset shows the difference
-/// between both.
+/// From the results of [`Frame::with_probes`](crate::Frame::with_probes), it steps to a finer preset when frames are certainly less
+/// accurate, and to a faster one when that is certainly accurate enough, by the difference that the last step to a finer preset
+/// showed.
 ///
-/// A few pixels make most of the error, so the accuracy of a second of frames is uncertain by some dB. A difference of 6 dB causes
-/// a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the finest preset, the accuracy
-/// is up to 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
+/// A few pixels make most of the error, so a second of frames is uncertain by some dB. A difference of 6 dB causes a step within
+/// one or two seconds. The preset is stable while the accuracy is constant. Except at the finest preset, the accuracy is up to 1 dB
+/// below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
 pub struct AccuracyGovernor {
     /// In dB to exhaustive frames.
     target: f32,

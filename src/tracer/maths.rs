@@ -1,4 +1,4 @@
-//! Scalar functions that `core` lacks, for scenes that move: roots, sines, rounding and easing.
+//! Scalar functions that `core` lacks, for scenes that move.
 //!
 //! They give the same bits on every platform: they are correctly rounded, or use sums and products only.
 
@@ -16,9 +16,9 @@ pub fn sqrt(x: f32) -> f32 {
     f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
 
-/// Returns the sine of an angle in radians, to 1e-6 for angles up to 1e6; NaN for NaN and infinity.
+/// Returns the sine of an angle in radians, to 1e-6 up to 1e6; NaN for NaN and infinity.
 ///
-/// `libm` is accurate for larger angles, too, but needs a table with 2.8 kB of digits of pi, which cannot be compressed.
+/// `libm` is accurate for larger angles, too, but needs 2.8 kB of digits of pi, which cannot be compressed.
 #[must_use]
 pub fn sin(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU)

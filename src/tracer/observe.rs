@@ -2,11 +2,10 @@
 
 use crate::counts::Counts;
 
-/// Receives the points and squares of a frame, from all threads concurrently and in any order. For `()`, the intro's observer, the
-/// compiler removes all calls.
+/// Receives the points and squares of a frame, from all threads concurrently and in any order. For `()` the compiler removes all
+/// calls.
 ///
-/// Coordinates are pixels of the picture. Points may lie up to one square's side beyond the right and the lower edge of the
-/// picture.
+/// Coordinates are pixels. Points may lie up to one square's side beyond the right and the lower edge of the picture.
 pub trait Observer: Copy + Sync {
     /// Whether the methods are called.
     const LISTENS: bool = true;

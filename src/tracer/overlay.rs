@@ -93,8 +93,8 @@ impl Overlay<'_> {
 }
 
 impl Frame<'_> {
-    /// Draws captions over a finished picture, aligned to its left side. The signs `#`, `$`, `%` and `&` in their letters show the
-    /// digits of the first to the fourth number, see [`Caption::letters`].
+    /// Draws captions over a finished picture, aligned to its left side. The signs `#`, `$`, `%` and `&` show the digits of the
+    /// four numbers, see [`Caption::letters`].
     ///
     /// # Panics
     /// If the frame has too few pixels.
@@ -143,7 +143,7 @@ fn distance(at: Vec2, letter: u8) -> f32 {
 
 /// Blends a pixel to black by the share `covered`, and adds shares of blue, green and red, which are no larger.
 ///
-/// A call per pixel: vectorised rows of a bar would cost the intro 240 packed bytes.
+/// Not inlined: vectorised rows would cost the intro 240 packed bytes.
 #[inline(never)]
 fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
     // In 256ths. A brightness above 1, which a valid scene never has, counts as 1.

@@ -57,8 +57,8 @@ impl<'a> Frame<'a> {
         Self { stride, ..self }
     }
 
-    /// Moves all samples `x` pixels right and `y` pixels down from the pixels' centres, -0.5 to 0.5 each. For supersampling,
-    /// average frames whose offsets cover a pixel evenly.
+    /// Moves all samples `x` pixels right and `y` pixels down, -0.5 to 0.5 each. For supersampling, average frames whose offsets
+    /// cover a pixel evenly.
     #[must_use]
     pub const fn with_offset(self, x: f32, y: f32) -> Self {
         Self {
@@ -70,12 +70,11 @@ impl<'a> Frame<'a> {
     /// Probes `count` pixels: traces them as an exhaustive frame does, and compares them with the frame. The results are in
     /// [`Counts::probes`]; the picture stays the same.
     ///
-    /// `seed` selects the pixels. Consecutive seeds probe different pixels until each was probed once, so pass the frame's number.
-    /// Captions and copper bars are drawn after the comparison. A frame with a [`Method`](crate::scene::Method) overlay, or one
-    /// that stays coarse, has no probes.
+    /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Captions and copper bars
+    /// are not compared. A frame with a [`Method`](crate::scene::Method) overlay, or one that stays coarse, has no probes.
     ///
     /// The estimated mean squared error is unbiased, with an uncertainty of [`Probes::margin`](crate::Probes::margin). A few pixels
-    /// make most of the error, so use the probes of many frames: at 60 frames a second, one second is accurate to 1 or 2 dB, one
+    /// make most of the error, so add the probes of many frames: at 60 frames a second, one second is accurate to 1 or 2 dB, one
     /// minute to some tenths of a dB.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
@@ -118,8 +117,8 @@ pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
-/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough, which means that neighbouring pixels in it may
-/// differ by an edge. Neighbours in smooth cells, and across their common border, never do.
+/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough, so that neighbouring pixels may differ by an edge.
+/// In smooth cells, and across their common border, they never do.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
@@ -142,8 +141,8 @@ impl Band<'_> {
         self.top..self.top + self.height()
     }
 
-    /// Marks the band as drawn by the caller: it may have edges anywhere. The rows next to the renderer's bands must be drawn
-    /// before edges are antialiased.
+    /// Marks the band as drawn by the caller, with edges anywhere. Draw the rows next to the renderer's bands before edges are
+    /// antialiased.
     pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);
     }

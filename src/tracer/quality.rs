@@ -5,9 +5,9 @@ use crate::range_error::{Checked, Range, RangeError};
 /// Settings that trade accuracy for speed: the refinement of squares, and the depth of rays.
 ///
 /// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
-/// it is split. One tolerance is for corners with equal *keys*, which show the same objects in the same light, and one for corners
-/// with different keys. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles
-/// for squares of 4 pixels, where an error covers a quarter of the pixels, and so on.
+/// it is split. Corners with equal *keys*, which show the same objects in the same light, have another tolerance than corners with
+/// different keys. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for
+/// squares of 4 pixels, where an error covers a quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
@@ -17,20 +17,20 @@ pub struct Quality {
     pub tolerance_agreeing: f32,
     /// The tolerance for different keys, 0 to infinity. If both tolerances are equal, keys are not computed.
     pub tolerance_differing: f32,
-    /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and their colours are
-    /// within the tolerance, the midpoint is their mean. 0 traces all midpoints.
+    /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within
+    /// it, the midpoint is their mean.
     pub tolerance_side: f32,
     /// Whether a square is also split if an object, the shadow of a sphere on a plane, an image in a flat first plane, or a
-    /// highlight may be visible in it that none of its corners shows. [`limits`](crate::limits) lists exceptions. All presets and
+    /// highlight may be visible between its corners. [`limits`](crate::limits) lists exceptions. All presets and
     /// [`Quality::THESIS`] are guarded. For the original rules of 2008, which miss objects between corners, use `Quality { guarded:
     /// false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// The largest depth of rays whose objects are part of the key. Primary rays have depth 0.
     pub key_depth: u32,
-    /// The least weight of rays whose objects are part of the key, 0 to infinity: keys cover mirrors and glass, but not weak
-    /// reflections of a floor. A ray's weight is the product of `kr`, `kt` and the haze along its path. If this is above 0 and a
-    /// scene has twelve strong mirrors or glass solids, all points of these solids have different keys, and squares have 4 pixels
-    /// at most: reflections in a dense cluster are tiny.
+    /// The least weight of rays whose objects are part of the key, 0 to infinity, for mirrors and glass, but not weak reflections
+    /// of a floor. A ray's weight is the product of `kr`, `kt` and the haze along its path. If it is above 0 and a scene has twelve
+    /// strong mirrors or glass solids, all points of these have different keys, and squares have 4 pixels at most: reflections in a
+    /// dense cluster are tiny.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
@@ -40,8 +40,8 @@ pub struct Quality {
     pub depth: u32,
     /// The least weight of secondary rays, 0 to infinity. A ray's weight is the product of `kr` and `kt` along its path.
     pub least_contribution: f32,
-    /// Whether edges are antialiased. Where two neighbouring pixels differ by 20/255 or more in a channel, the point half-way
-    /// between them is traced and mixed into both. Up to two more points for each pixel find the edge by bisection.
+    /// Whether edges are antialiased. Where neighbouring pixels differ by 20/255 or more in a channel, the point half-way between
+    /// them is traced and mixed into both; up to two more points for each pixel find the edge by bisection.
     pub antialias: bool,
 }
 
@@ -83,12 +83,12 @@ impl Quality {
     /// The first four are antialiased, which takes a third to a half more time. `docs/accuracy.md` has their speed and errors,
     /// measured by `cargo lab trade --ladder`.
     ///
-    /// The presets are chosen on the front of time against FLIP and pops, which `cargo lab trade` prints. (Pops are pixels that
-    /// jump between frames while the exhaustive frame's stay.) By PSNR only, the default had a tolerance of 9 and a least
-    /// contribution of 0.02; now it takes a tenth more time in the model scene, for a third of the pops, most of which were in
-    /// squares of 2, and two thirds of the FLIP error.
+    /// They lie on the front of time against FLIP and pops (pixels that jump between frames while the exhaustive frame's stay),
+    /// which `cargo lab trade` prints. By PSNR only, the default had a tolerance of 9 and a least contribution of 0.02; now it
+    /// takes a tenth more time in the model scene, for a third of the pops, most of which were in squares of 2, and two thirds of
+    /// the FLIP error.
     ///
-    /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more of them are split.
+    /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
     pub const LADDER: &'static [Self; 7] = &[
         Self::within(8, 2.0).antialiased(),
         Self::within(8, 3.0).antialiased(),

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 /// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of range.
 ///
-/// Its text is, for example, `spheres[3].material.kd is 1.5, must be 0 to 1`.
+/// An example of its text: `spheres[3].material.kd is 1.5, must be 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RangeError {

@@ -3,17 +3,17 @@
 //! A kernel is generic over the instruction set `S` and inlined into one function per set: four lanes for SSE2, eight for AVX2,
 //! sixteen for AVX-512. A lane's result never depends on its neighbours.
 //!
-//! A closure that the compiler does not inline loses the instruction set, and with it the speed, so kernels call small functions
-//! marked `#[inline(always)]`.
+//! Kernels call small functions marked `#[inline(always)]`: a closure that is not inlined loses the instruction set, and with it
+//! the speed.
 
 mod isa;
 mod pow;
 mod vec3x;
 
-/// Evaluates an expression with AVX2, or with the baseline if the level lacks AVX2.
+/// Evaluates an expression with AVX2, or with the baseline without AVX2.
 ///
-/// AVX-512 is only used for rays, see [`trace_wide`](crate::trace::trace_wide): squares are judged and filled by rows of eight
-/// pixels, one AVX2 register, and wider rows cost the intro 1,335 packed bytes without a gain.
+/// Only rays use AVX-512, see [`trace_wide`](crate::trace::trace_wide): squares are judged and filled by rows of eight pixels, one
+/// AVX2 register, and wider rows cost the intro 1,335 packed bytes without a gain.
 macro_rules! by_isa {
     ($isa:expr, $simd:ident => $expression:expr) => {
         match crate::lanes::avx2($isa) {
@@ -97,7 +97,7 @@ pub(crate) fn clamp<S: Isa>(v: F<S>, least: F<S>, most: F<S>) -> F<S> {
 }
 
 /// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, in the low bits of the sum; subtracting
-/// it again gives the integer as a float.
+/// it again gives a float.
 pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// Returns the difference from the nearest integer, for numbers between -2^22 and 2^22.

@@ -98,8 +98,8 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
 /// Returns a lower bound of the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1: at least 0.8 times the
 /// root.
 ///
-/// The bits of a float approximate its logarithm: `e + m` for `2^e (1 + m)` is too small by up to 0.09. The inverse is too large by
-/// up to a factor of 1.07.
+/// The bits of a float approximate its logarithm: `e + m` for `2^e (1 + m)` is too small by up to 0.09, and the inverse too large
+/// by up to a factor of 1.07.
 fn root_below(x: f32, h: f32) -> f32 {
     const ONE: f32 = (1 << 23) as f32;
     const BIAS: f32 = 127.0;

@@ -14,7 +14,7 @@ use crate::scene::Scene;
 
 /// The memory that threads share while they render a frame, of [`Memory::BYTES`] bytes.
 ///
-/// It is too large for a thread's stack. With the feature `std` a [`Renderer`](crate::Renderer) has it on the heap; without, the
+/// It is too large for a thread's stack. A [`Renderer`](crate::Renderer) has it on the heap with the feature `std`; without, the
 /// caller provides a `static`, which takes no space in the executable file.
 pub struct Memory {
     prepared: Prepared,

@@ -89,8 +89,7 @@ pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature =
 impl Renderer {
     /// Returns a renderer for an instruction set, with its own memory of [`Memory::BYTES`] bytes.
     ///
-    /// [`Level::baseline`] is the instruction set that the program is compiled for; [`Renderer::detect`] selects the best of this
-    /// CPU.
+    /// [`Level::baseline`] is the instruction set that the program is compiled for.
     #[must_use]
     pub fn new(level: Level) -> Self {
         Self::with_memory(level, BoxedMemory::new())
@@ -146,8 +145,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(self.render_valid(scene, quality, frame, threads))
     }
 
-    /// Renders a frame like [`Renderer::render`], and reports its points and squares to an observer. The frame and its counts are
-    /// the same. Points of antialiasing (see [`Quality::antialias`]) are not reported.
+    /// Renders a frame like [`Renderer::render`], with the same result, and reports its points and squares to an observer. Points
+    /// of antialiasing are not reported.
     ///
     /// # Errors
     /// Like [`Renderer::render`].
@@ -165,8 +164,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(memory.render_observed(&plan, scene, frame, threads, observer))
     }
 
-    /// Renders a frame of a scene that is known to be valid, without checking it. An invalid scene gives some picture, in bounded
-    /// time.
+    /// Renders a frame without checking the scene. An invalid one gives some picture, in bounded time.
     ///
     /// # Panics
     /// If the frame's size, stride or number of pixels is out of range, or the quality's [`square`](Quality::square) or

@@ -5,8 +5,7 @@ use super::{Material, Shape};
 use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
-/// A box, a cylinder with flat ends, or a capsule, which has half spheres as ends. If its material is transparent, rays are
-/// refracted at each side.
+/// A box, a cylinder with flat ends, or a capsule with half spheres as ends. Transparent blocks refract rays at each side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]

@@ -9,7 +9,7 @@ use crate::range_error::{Checked, RangeError};
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Film {
     /// The start of the roll-off of highlights, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`
-    /// with `x = c - s`, a smooth curve below 1. A ray contributes 2 at most. With 1 highlights are clipped.
+    /// with `x = c - s`, a smooth curve below 1. A ray contributes 2 at most. 1 clips highlights.
     pub shoulder: f32,
     /// The darkening towards the corners, 0 to 1: light is multiplied by `1 / (1 + vignette r^2)`, where r is the distance from the
     /// picture's middle in halves of its height.

@@ -1,7 +1,7 @@
 //! The scene description: camera, shapes, materials, lights, captions and copper bars.
 //!
-//! Coordinates are right-handed with y up. Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the
-//! brightest displayed value. [`Scene::validate`] checks every number against its documented range.
+//! Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the brightest displayed value; y is up.
+//! [`Scene::validate`] checks every number against its documented range.
 
 mod block;
 pub(crate) mod camera;
@@ -384,12 +384,12 @@ pub struct Light {
     /// the light is invisible.
     pub parallel: bool,
     /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, spheres cast penumbrae, and a material's `tint` colours its shadow,
-    /// black for glass without a tint. At 0 shadows are hard and black. A light wholly inside a sphere illuminates its inside; a
-    /// light that crosses the surface does not.
+    /// black for glass without a tint. At 0 shadows are hard and black. A light illuminates the inside of a sphere if it is wholly
+    /// inside.
     pub diameter: f32,
     /// The radius of the glow, 0 to [`MAX_LENGTH`]; 0 for none. The glow has the light's colour where a ray passes through the
     /// position, half of it at this distance, and falls off with the squared distance far away. An object in front of the light
-    /// hides the half of the glow behind it. The glow of parallel lights is the sun's disc.
+    /// hides the half behind it. The glow of parallel lights is the sun's disc.
     pub glow: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
@@ -499,8 +499,8 @@ impl Light {
 
 /// The cone of a spotlight, with a soft edge.
 ///
-/// The brightness is 1 within `inner_angle` of `aim`, 0 beyond `outer_angle`, and `s^2 (3 - 2 s)` between them, where s rises
-/// linearly from 0 to 1 with the cosine of the angle.
+/// The brightness is 1 within `inner_angle` of `aim`, 0 beyond `outer_angle`, and `s^2 (3 - 2 s)` between, where s rises linearly
+/// with the cosine of the angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]

@@ -7,10 +7,9 @@ use glam::Vec3;
 /// A procedural texture that darkens the colour of a surface.
 ///
 /// It is a function of the coordinates relative to the object's centre, along its own axes; spheres and planes have the scene's
-/// axes. Along each axis a triangle wave between -1 and 1 has `waves` periods per scene unit and a maximum at 0. The pattern has
-/// the smallest of the three magnitudes and the sign of the waves' product; it is multiplied by `edge`, shifted by `balance` and
-/// clamped to -1 to 1. Waves along one axis give stripes, along two or three checkers, with fields half a period wide. Noise along
-/// x turns stripes into marble.
+/// axes. Along each axis a triangle wave between -1 and 1 has `waves` periods per scene unit and a maximum at 0. The smallest
+/// magnitude with the sign of the waves' product is multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along
+/// one axis give stripes, along two or three checkers, with fields half a period wide. Noise along x turns stripes into marble.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]

@@ -35,7 +35,7 @@ fn each<T>(
 impl Scene {
     /// Checks every number of the scene against its documented range.
     ///
-    /// Valid scenes have the accuracy in [`crate::limits`]. An invalid one gives some picture, in bounded time.
+    /// Valid scenes have the accuracy in [`crate::limits`]; others give some picture, in bounded time.
     ///
     /// # Errors
     /// The first number that is out of range.

@@ -6,11 +6,11 @@ use crate::range_error::{Checked, Range, RangeError};
 /// Waves on the first plane of a scene, which turn a mirror into water. They tilt normals; the plane stays flat.
 ///
 /// There are six waves of equal slope, each [`Waves::SHORTER`] times as long as the previous one. The first travels along z, each
-/// other one in a direction turned by [`Waves::TURN`] radians from z towards x. At u wavelengths from a level point of a wave, -1/2
-/// to 1/2, its slope is `8 u (1 - 2 |u|)` times the steepest one: two arcs of parabolas, nearly a sine.
+/// other one in a direction turned by [`Waves::TURN`] radians from z towards x. At u wavelengths from a level point, -1/2 to 1/2,
+/// the slope is `8 u (1 - 2 |u|)` times the steepest one: two arcs of parabolas, nearly a sine.
 ///
-/// Where a pixel covers w scene units of water, the slope of a wave of the length l is multiplied by `1 - w x / l`, at least 0,
-/// where x is [`Waves::PIXELS`]: distant water is calm.
+/// Where a pixel covers w scene units, the slope of a wave of the length l is multiplied by `1 - w x / l`, at least 0, where x is
+/// [`Waves::PIXELS`]: distant water is calm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]

@@ -5,8 +5,8 @@ use super::cylinder;
 use crate::lanes::*;
 use glam::Vec3;
 
-/// Returns the intervals of rays inside the capsule. For a ray that starts outside, both ends are the entry; for one that starts
-/// inside, or is in the mask `inward`, they are 0 and the exit.
+/// Returns the intervals of rays inside the capsule. Both ends are the entry of a ray from outside; those of a ray from inside, or
+/// in the mask `inward`, are 0 and the exit.
 ///
 /// The hit is on the sphere around the point of the core that is nearest to the ray's crossing of the infinite cylinder.
 #[inline(always)]

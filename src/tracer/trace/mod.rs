@@ -1,8 +1,8 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Rays of any points travel in packets, one ray per lane. Secondary rays go to a stack of fixed capacity, and the next packet is
-//! popped as soon as the stack fills the lanes, so there is no recursion and few lanes are idle. Colours are summed in fixed point:
-//! integer sums do not depend on the order of rays, so a point's bits do not depend on the other points of the batch.
+//! Rays of any points travel in packets, one per lane. Secondary rays go to a stack of fixed capacity, and the next packet is
+//! popped as soon as it fills the lanes, so there is no recursion and few lanes are idle. Colours are integer sums, so a point's
+//! bits do not depend on the order of rays or on other points.
 //!
 //! | step of a packet | module |
 //! | --- | --- |

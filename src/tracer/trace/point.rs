@@ -23,7 +23,7 @@ pub(super) struct ShadingPoint<S: Isa> {
     /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
     pub reflectance: F<S>,
     /// The limit for the cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere,
-    /// whose far side blocks all lights beyond it. The chord towards a light has the length of twice the cosine times the radius.
+    /// whose far side blocks all lights beyond it. A chord towards a light has the length of twice the cosine times the radius.
     pub horizon: F<S>,
     pub inside: M<S>,
     pub shaded: M<S>,

@@ -36,7 +36,7 @@ pub(super) struct SurfaceLanes<'a, S: Isa> {
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
-    /// Looks up the objects of the active lanes. Most packets hit one object, usually a cached one. Otherwise the surfaces of all
+    /// Looks up the objects of the active lanes. Most packets hit one object, usually a cached one; otherwise the surfaces of all
     /// objects are mixed lane by lane. The cache must be of this frame.
     #[inline(always)]
     pub fn look_up(

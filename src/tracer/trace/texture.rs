@@ -89,7 +89,7 @@ impl<'a> SeenPattern<'a> {
 }
 
 /// A pattern is fine where a sharp edge is narrower than this number of pixels: squares evaluate it at each pixel. Coarser patterns
-/// are interpolated, which halves the time for the marble of the show's colonnade.
+/// are interpolated, which halves the time of the marble in the show's colonnade.
 const FINE: f32 = 4.0;
 
 /// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long. It is
