@@ -1,6 +1,6 @@
 //! Antialiasing changes pixels at edges only, by the share that an edge covers.
 
-use crate::drawn::draw_best;
+use crate::drawn::{draw_best, with_antialias};
 use crate::error::worst_channel;
 use eightfold_oracle::squares::TILE;
 use eightfold_scenes::{Kinds, cases};
@@ -8,13 +8,6 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Material, Scene};
 use std::f32::consts::TAU;
-
-fn with(antialias: bool, quality: Quality) -> Quality {
-    Quality {
-        antialias,
-        ..quality
-    }
-}
 
 #[test]
 fn points_are_added_between_differing_pixels() {
@@ -32,7 +25,7 @@ fn points_are_added_between_differing_pixels() {
         };
         let (width, height) = (1 + random.below(600), 1 + random.below(80));
         let [plain, smooth] = [false, true]
-            .map(|antialias| draw_best(&scene, &with(antialias, quality), width, height));
+            .map(|antialias| draw_best(&scene, &with_antialias(antialias, quality), width, height));
         let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
         let mut is_beside_an_edge = vec![false; width * height];
         // Midpoints between bands, and between stretches of 64 columns, are traced twice.
@@ -68,7 +61,7 @@ fn points_are_added_between_differing_pixels() {
 #[test]
 fn share_of_a_cut_pixel_is_known_to_an_eighth() {
     const SIDE: usize = 40;
-    let quality = with(true, Quality::EXHAUSTIVE);
+    let quality = with_antialias(true, Quality::EXHAUSTIVE);
     let (mut worst, mut squares, mut count) = (0.0_f32, 0.0, 0);
     for step in 0..48 {
         let (angle, distance) = (step as f32 * TAU / 48.0, 3.0 + 0.37 * step as f32 % 5.0);

@@ -33,11 +33,15 @@ pub const fn of_side(square: usize, quality: Quality) -> Quality {
     Quality { square, ..quality }
 }
 
-pub const fn jagged(quality: Quality) -> Quality {
+pub const fn with_antialias(antialias: bool, quality: Quality) -> Quality {
     Quality {
-        antialias: false,
+        antialias,
         ..quality
     }
+}
+
+pub const fn jagged(quality: Quality) -> Quality {
+    with_antialias(false, quality)
 }
 
 pub const fn bare(quality: Quality) -> Quality {

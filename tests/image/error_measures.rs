@@ -1,23 +1,18 @@
 use crate::error::Difference;
 use crate::overlay::{draw_error, heat};
 
-const WIDTH: usize = 20;
-const HEIGHT: usize = 20;
-const DARK: [u32; WIDTH * HEIGHT] = [0; WIDTH * HEIGHT];
+const DARK: [u32; 400] = [0; 400];
 
-fn block(column: usize, row: usize, light: u32) -> Vec<u32> {
+/// Returns the dark picture with 64 bright pixels.
+fn bright(light: u32) -> Vec<u32> {
     let mut pixels = DARK.to_vec();
-    for y in (8 * row..8 * row + 8).take_while(|&y| y < HEIGHT) {
-        for x in (8 * column..8 * column + 8).take_while(|&x| x < WIDTH) {
-            pixels[y * WIDTH + x] = light;
-        }
-    }
+    pixels[..64].fill(light);
     pixels
 }
 
 #[test]
 fn difference_is_of_the_furthest_channel() {
-    let difference = Difference::between(&DARK, &block(0, 0, 0x0002_0900));
+    let difference = Difference::between(&DARK, &bright(0x0002_0900));
     assert_eq!((difference.largest, difference.over_8), (9, 64));
     let squares = f64::from(64 * (2 * 2 + 9 * 9)) / (3 * DARK.len()) as f64;
     assert!((difference.psnr - 10.0 * (255.0 * 255.0 / squares).log10()).abs() < 1e-9);
@@ -26,7 +21,7 @@ fn difference_is_of_the_furthest_channel() {
 #[test]
 fn pooled_psnr_is_of_the_mean_squared_error() {
     let lights = [0x0002_0900, 0x0000_0011, 0];
-    let differences = lights.map(|light| Difference::between(&DARK, &block(0, 0, light)));
+    let differences = lights.map(|light| Difference::between(&DARK, &bright(light)));
     let squares = f64::from(64 * (2 * 2 + 9 * 9 + 17 * 17)) / (3 * 3 * DARK.len()) as f64;
     let psnr = 10.0 * (255.0 * 255.0 / squares).log10();
     assert!((Difference::pooled_psnr(&differences) - psnr).abs() < 1e-9);

@@ -119,27 +119,20 @@ fn few_pixels_of_shadows_are_lit() {
         }),
         ..light
     };
+    let suns = by(Hidden::POINT, sun);
+    let spotlights = by(Hidden::POINT, spotlight);
+    let balls = by(Hidden::POINT, ball);
+    let blocks_by_suns = by(Hidden::BLOCKS, sun);
+    let any = usize::MAX;
     for (what, kind, quality, share, patch) in [
         ("finest", Hidden::POINT, finest, 0.0035, 20),
         ("default", Hidden::POINT, default, 0.004, 20),
         ("thesis", Hidden::POINT, Quality::THESIS, 0.002, 12),
-        ("sun", by(Hidden::POINT, sun), default, 0.006, usize::MAX),
-        (
-            "spotlight",
-            by(Hidden::POINT, spotlight),
-            default,
-            0.004,
-            usize::MAX,
-        ),
-        ("ball", by(Hidden::POINT, ball), default, 0.003, usize::MAX),
-        ("blocks", Hidden::BLOCKS, default, 0.025, usize::MAX),
-        (
-            "blocks by a sun",
-            by(Hidden::BLOCKS, sun),
-            default,
-            0.006,
-            usize::MAX,
-        ),
+        ("suns", suns, default, 0.006, any),
+        ("spotlights", spotlights, default, 0.004, any),
+        ("balls", balls, default, 0.003, any),
+        ("blocks", Hidden::BLOCKS, default, 0.025, any),
+        ("blocks by suns", blocks_by_suns, default, 0.006, any),
     ] {
         lit(kind, quality).assert_within(share, patch, what);
         if quality == default {

@@ -140,19 +140,15 @@ fn no_probe_of_an_exhaustive_frame_is_off() {
 
 #[test]
 fn overlays_and_coarse_pictures_are_not_probed() {
-    let marked = Method {
-        points: 0.5,
+    let method = |points, coarse, front| Method {
+        points,
+        coarse,
+        front,
         ..Method::PLAIN
     };
-    let coarse = Method {
-        coarse: 16.0,
-        front: 1.0,
-        ..Method::PLAIN
-    };
-    let behind_the_front = Method {
-        front: 0.4,
-        ..marked
-    };
+    let marked = method(0.5, 0.0, 0.0);
+    let coarse = method(0.0, 16.0, 1.0);
+    let behind_the_front = method(0.5, 0.0, 0.4);
     for (method, expected) in [(marked, 0), (coarse, 0), (behind_the_front, 1000)] {
         let scene = Scene {
             method,

@@ -19,15 +19,6 @@ pub struct Still {
 }
 
 impl Still {
-    fn exhaustive(time: u32, width: usize, height: usize) -> Self {
-        Self {
-            time,
-            quality: NamedQuality::EXHAUSTIVE,
-            width,
-            height,
-        }
-    }
-
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::default();
         show::at((f64::from(self.time) / 1000.0) as f32, &mut scene);
@@ -95,16 +86,17 @@ fn shipped_bits_match_by_every_quality() {
 
 #[test]
 fn shipped_bits_match_at_every_size() {
+    let still = |time, quality, width, height| Still {
+        time,
+        quality,
+        width,
+        height,
+    };
     for (width, height) in [(1, 1), (7, 3), (1, 100), (MAX_WIDTH, 9), (9, MAX_HEIGHT)] {
-        Still::exhaustive(17_300, width, height).assert_same();
+        still(17_300, NamedQuality::EXHAUSTIVE, width, height).assert_same();
     }
     let quality = "default".parse().expect("a quality");
-    let largest = Still {
-        time: 33_500,
-        quality,
-        width: MAX_WIDTH,
-        height: MAX_HEIGHT,
-    };
+    let largest = still(33_500, quality, MAX_WIDTH, MAX_HEIGHT);
     let isa = cpu::best();
     assert!(largest.shipped(isa, 2) == largest.drawn(isa));
 }

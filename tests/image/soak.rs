@@ -20,7 +20,6 @@ use std::env;
 use std::time::{Duration, Instant};
 
 const CASES: u64 = 150;
-const PROGRESS: Duration = Duration::from_secs(5);
 /// The largest mean error of the default quality, in steps of 1/255, in pictures of 5,000 pixels or more. Small spheres fill a
 /// large part of these.
 const MAX_MEAN_ERROR: f64 = 8.0;
@@ -58,12 +57,7 @@ fn corrupt(scene: &mut Scene, random: &mut Random) {
     *scene = text.scene_with(number, wrong).0;
 }
 
-struct Renderers {
-    one: ThreadedRenderer,
-    two: ThreadedRenderer,
-}
-
-fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
+fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<Difference> {
     let what = format!("case {}", random.seed);
     let isa = isa_of(random.seed);
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
@@ -96,10 +90,10 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
         (pixels, counts)
     };
     if random.seed.is_multiple_of(8) {
-        renderers.two = ThreadedRenderer::new(2);
+        *two = ThreadedRenderer::new(2);
     }
-    let (pixels, counts) = draw(&mut renderers.one, &quality);
-    let (others, again) = draw(&mut renderers.two, &quality);
+    let (pixels, counts) = draw(one, &quality);
+    let (others, again) = draw(two, &quality);
     assert!(pixels == others, "{what}: another picture by two threads");
     assert_eq!(work(counts), work(again), "{what}");
 
@@ -120,7 +114,7 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
         square: 1,
         ..quality
     };
-    let (others, _) = draw(&mut renderers.one, &every);
+    let (others, _) = draw(one, &every);
     if !quality.antialias && scene.method == Method::PLAIN {
         for y in (0..height).step_by(square) {
             for x in (0..width).step_by(square) {
@@ -139,18 +133,10 @@ fn any_case_has_same_bits_for_bounded_work() {
     let seconds = env::var("SOAK_SECONDS").ok();
     let limit = seconds.map(|text| Duration::from_secs(text.parse().expect("seconds")));
     let start = Instant::now();
-    let mut renderers = Renderers {
-        one: ThreadedRenderer::new(1),
-        two: ThreadedRenderer::new(2),
-    };
+    let mut renderers = [1, 2].map(ThreadedRenderer::new);
     let (mut held, mut measured, mut worst) = (0, 0, 0.0_f64);
-    let mut told = Duration::ZERO;
     let is_on = |_: &Random| limit.is_none_or(|limit| start.elapsed() < limit);
     for mut random in cases(limit.map_or(CASES, |_| u64::MAX)).take_while(is_on) {
-        if limit.is_some() && start.elapsed() - told >= PROGRESS {
-            told = start.elapsed();
-            eprintln!("{} s: {held} cases held", told.as_secs());
-        }
         if let Some(difference) = hold(&mut renderers, &mut random) {
             measured += 1;
             worst = worst.max(difference.mean);

@@ -1,6 +1,6 @@
 //! Thin objects, their shadows and their images have no holes, jagged and antialiased.
 
-use crate::drawn::{draw, isa_of, named};
+use crate::drawn::{draw, isa_of, named, with_antialias};
 use crate::error::worst_channel;
 use crate::errors::patches;
 use eightfold_scenes::{Seen, cases};
@@ -19,19 +19,13 @@ fn assert_whole(count: u64) -> usize {
         let [view, without] = seen.view(&mut random);
         let (width, height) = (view.width, view.height);
         for antialias in [false, true] {
-            let reference = Quality {
-                antialias,
-                ..Quality::EXHAUSTIVE
-            };
+            let reference = with_antialias(antialias, Quality::EXHAUSTIVE);
             let [exhaustive, without] = [&view, &without]
                 .map(|view| draw(isa, 2, &view.scene, &reference, width, height).pixels);
             let is_bar = |i: usize| worst_channel(exhaustive[i], without[i]) > VISIBLE;
             shown += (0..exhaustive.len()).filter(|&i| is_bar(i)).count();
             for quality in named() {
-                let quality = Quality {
-                    antialias,
-                    ..quality
-                };
+                let quality = with_antialias(antialias, quality);
                 let drawn = draw(isa, 2, &view.scene, &quality, width, height).pixels;
                 let is_wrong =
                     |i: &usize| is_bar(*i) && worst_channel(exhaustive[*i], drawn[*i]) > VISIBLE;

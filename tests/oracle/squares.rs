@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 /// The width and the height of a tile in pixels. Both tiles trace the points on the border between them.
 pub const TILE: [usize; 2] = [512, 32];
 
-/// x, y, side.
+/// Split squares: x, y, side.
 pub type Splits = HashSet<[usize; 3]>;
 
 fn shows_much(material: &Material) -> bool {

@@ -88,41 +88,23 @@ fn dependent_without_optimisation_draws() {
 
     let said = cargo(&dependent, &["test", "--offline"]);
     assert_eq!(said.matches("... ok").count(), 2, "{said}");
-    let tree = [
-        "tree", "--prefix", "none", "--edges", "normal", "--format", "{lib}",
-    ];
-    let crates: BTreeSet<String> = cargo(&dependent, &tree).lines().map(String::from).collect();
-    let expected = [
-        "dependent",
-        "eightfold_tracer",
-        "fearless_simd",
-        "glam",
-        "libm",
-    ];
-    assert!(crates.iter().eq(&expected), "{crates:?}");
+    let crates = tree(&dependent, "dependent", "{lib}");
+    let expected = "dependent eightfold_tracer fearless_simd glam libm";
+    assert!(crates.iter().eq(expected.split(' ')), "{crates:?}");
 }
 
-fn libraries(package: &str) -> BTreeSet<String> {
-    let tree = [
-        "tree",
-        "--package",
-        package,
-        "--edges",
-        "normal,no-proc-macro",
-        "--prefix",
-        "none",
-    ];
-    let all = cargo(
-        ROOT,
-        &[&tree[..], &["--no-dedupe", "--format", "{p} {f}"]].concat(),
-    );
-    all.lines().map(String::from).collect()
+/// Returns the libraries that a package's programs link.
+fn tree(directory: impl AsRef<Path>, package: &str, format: &str) -> BTreeSet<String> {
+    let words = "tree --edges normal,no-proc-macro --prefix none --no-dedupe --package";
+    let mut words: Vec<&str> = words.split(' ').collect();
+    words.extend([package, "--format", format]);
+    cargo(directory, &words).lines().map(String::from).collect()
 }
 
 /// Both use one profile, so libraries with the same features are the same file.
 #[test]
 fn lab_is_linked_with_the_libraries_of_the_intro() {
-    let (intro, lab) = (libraries("eightfold"), libraries("eightfold-lab"));
+    let [intro, lab] = ["eightfold", "eightfold-lab"].map(|package| tree(ROOT, package, "{p} {f}"));
     assert!(intro.len() >= 6, "{intro:?}");
     assert!(intro.is_subset(&lab), "{:?}", intro.difference(&lab));
 }

@@ -114,8 +114,7 @@ pub struct Server {
     manager: Option<Process>,
     /// The window manager's settings, which it reads late.
     settings: Option<TempDir>,
-    /// Wherever the pointer is.
-    gives_focus: bool,
+    focuses_new_windows: bool,
 }
 
 impl Server {
@@ -143,7 +142,7 @@ impl Server {
             display: format!(":{}", number.trim()),
             manager: None,
             settings: None,
-            gives_focus: false,
+            focuses_new_windows: false,
         }
     }
 
@@ -152,7 +151,7 @@ impl Server {
         let mut openbox = tool("openbox");
         openbox.env("DISPLAY", &server.display);
         server.manager = Some(Process::start(&mut openbox));
-        server.gives_focus = true;
+        server.focuses_new_windows = true;
         wait_for("the window manager", || {
             let mut xprop = server.tool("xprop");
             let (_, text) = run(xprop.args(["-root", "_NET_SUPPORTED"]));
@@ -161,7 +160,6 @@ impl Server {
         server
     }
 
-    /// twm does not know fullscreen. It places windows without a click.
     pub fn start_with_twm(width: usize, height: usize) -> Server {
         let mut server = Server::start(width, height);
         let folder = tempfile::tempdir().expect("a folder");
@@ -198,7 +196,7 @@ impl Server {
         let mut command = Command::new(intro());
         command.arg("--silent").args(options.split_whitespace());
         let intro = self.open(&mut command, || self.window());
-        if self.gives_focus {
+        if self.focuses_new_windows {
             wait_for("keys to go to the window", || {
                 let name = self.xdotool("getwindowfocus getwindowname");
                 (name.trim() == "Eightfold").then_some(())
@@ -253,32 +251,37 @@ impl Server {
         sleep(Duration::from_millis(200));
     }
 
-    pub fn screenshot(&self, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
-        let part = format!("{width}x{height}+{x}+{y}");
-        let pixels = self.import(&["-window", "root", "-crop", &part, "+repage"]);
-        assert_eq!(pixels.len(), (width * height) as usize, "a whole picture");
-        pixels
+    pub fn screenshot(&self, area: [i32; 4]) -> Vec<u32> {
+        screenshot(&self.display, area)
     }
 
     /// By the window's own colour table.
     pub fn window_screenshot(&self) -> Vec<u32> {
-        self.import(&["-window", "Eightfold"])
-    }
-
-    fn import(&self, arguments: &[&str]) -> Vec<u32> {
-        let mut import = self.tool("import");
-        let import = import.args(arguments).args(["-depth", "8", "rgb:-"]);
-        let rgb = run(import).0.stdout;
-        let pixels = rgb.chunks_exact(3);
-        pixels
-            .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]))
-            .collect()
+        import(&self.display, &["-window", "Eightfold"])
     }
 
     pub fn kill(&mut self) {
         self.process.0.kill().expect("it runs");
         self.process.0.wait().expect("it has ended");
     }
+}
+
+/// Returns an area of a display's screen, by x, y, width and height.
+pub fn screenshot(display: &str, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
+    let part = format!("{width}x{height}+{x}+{y}");
+    let pixels = import(display, &["-window", "root", "-crop", &part, "+repage"]);
+    assert_eq!(pixels.len(), (width * height) as usize, "a whole picture");
+    pixels
+}
+
+fn import(display: &str, arguments: &[&str]) -> Vec<u32> {
+    let mut import = tool("import");
+    let import = import.env("DISPLAY", display).args(arguments);
+    let (output, _) = run(import.args(["-depth", "8", "rgb:-"]));
+    let pixels = output.stdout.chunks_exact(3);
+    pixels
+        .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]))
+        .collect()
 }
 
 /// Runs `work` on several servers, given by their arguments. The test program starts itself for this test with another `DISPLAY`:

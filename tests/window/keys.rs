@@ -4,8 +4,10 @@ use std::{thread::sleep, time::Duration};
 
 #[test]
 fn f_and_w_switch_fullscreen() {
-    needs!(DISPLAY);
-    for (manager, server) in servers() {
+    needs!(DISPLAY, &["twm"]);
+    // twm does not know fullscreen.
+    let twm = ("twm", on_screen(Server::start_with_twm));
+    for (manager, server) in servers().into_iter().chain([twm]) {
         let intro = server.play("--size 640x400 --seconds 60");
         server.xdotool("search --name Eightfold windowmove 123 77");
         sleep(Duration::from_millis(300));
@@ -61,23 +63,6 @@ fn keys_follow_the_layout_or_the_us_keyboard() {
         server.wait_for_window(window);
         drop(intro);
     }
-}
-
-#[test]
-fn window_manager_without_fullscreen_is_bypassed() {
-    needs!(DISPLAY, &["twm"]);
-    let server = on_screen(Server::start_with_twm);
-    let intro = server.play("--size 640x400 --seconds 60");
-    let window = server.window().expect("a window");
-    server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
-    for _ in 0..2 {
-        server.xdotool("key f");
-        server.wait_for_window(SCREEN);
-        assert_covered(&server, "twm");
-        server.xdotool("key w");
-        server.wait_for_window(window);
-    }
-    end_by_escape(&server, intro);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The window shows the drawn pixels at any size, and stretches pictures of other sizes, with shared memory and without.
 
-use eightfold_stage::{on_displays, run, tool};
+use eightfold_stage::{on_displays, run, screenshot, tool};
 use eightfold_window::{
     render_target::{Next, RenderTarget},
     window::Window,
@@ -60,18 +60,13 @@ fn draw(window: &mut Window, (width, height): Size, round: usize) {
 }
 
 fn compare(display: &str, (width, height): Size, drawn: Size, round: usize) {
-    let mut import = tool("import");
-    let part = format!("{width}x{height}+0+0");
-    let import = import.args(["-window", "root", "-crop", &part, "+repage"]);
-    let (output, _) = run(import
-        .env("DISPLAY", display)
-        .args(["-depth", "8", "rgb:-"]));
-    let (pixels, rest) = output.stdout.as_chunks::<3>();
-    assert_eq!((pixels.len(), rest), (width * height, &[][..]), "{part}");
-    for (i, &rgb) in pixels.iter().enumerate() {
+    let pixels = screenshot(display, [0, 0, width as i32, height as i32]);
+    for (i, pixel) in pixels.into_iter().enumerate() {
         let (x, y) = (i % width, i / width);
-        let source = colour(x * drawn.0 / width, y * drawn.1 / height, round);
-        let [_, expected @ ..] = source.to_be_bytes();
-        assert_eq!(rgb, expected, "pixel {x},{y} of {part}, drawn as {drawn:?}");
+        let expected = colour(x * drawn.0 / width, y * drawn.1 / height, round);
+        assert_eq!(
+            pixel, expected,
+            "pixel {x},{y} of {width}x{height}, drawn as {drawn:?}"
+        );
     }
 }
