@@ -1,4 +1,4 @@
-// Chromium without a screen, by its DevTools protocol over a pipe.
+// Headless Chromium, by the DevTools protocol over a pipe.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Driver } from "./driver.mjs";
 
-/** A browser, with more options. */
+/** Starts a browser with additional options. */
 export class Browser {
   constructor(more = []) {
     this.folder = mkdtempSync(join(tmpdir(), "eightfold-web-"));
@@ -29,7 +29,7 @@ export class Browser {
     message.error ? reply.reject(new Error(message.error.message)) : reply.resolve(message.result);
   }
 
-  /** Sends a command, of a page's session or of the browser's own. */
+  /** Sends a command to a page's session, or to the browser. */
   send(method, params = {}, sessionId = undefined) {
     const id = (this.last ?? 0) + 1;
     this.last = id;
@@ -49,7 +49,7 @@ export class Browser {
     return page;
   }
 
-  /** A page of a browser of its own. */
+  /** Opens a page in a new browser. */
   static page(address) {
     return new Browser().open(address);
   }
@@ -58,7 +58,7 @@ export class Browser {
     const ended = new Promise((resolve) => this.process.once("exit", resolve));
     this.process.kill();
     await ended;
-    // Its other processes end a little later, and write into the folder until then.
+    // Its other processes write into the folder until they end.
     for (let turn = 0; turn < 100; turn++) {
       try {
         return rmSync(this.folder, { recursive: true, force: true });
@@ -90,14 +90,14 @@ class Page extends Driver {
     return this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: scale, mobile: width < 500 });
   }
 
-  /** Loads an address, until the page is at work, or something else is so. */
+  /** Loads an address, and waits for the page or another condition. */
   async go(address, condition = "globalThis.eightfold?.view") {
     await this.send("Page.navigate", { url: "about:blank" });
     await this.send("Page.navigate", { url: address });
     await this.until(condition);
   }
 
-  /** The value of an expression, which may be a promise, in the page or in one of its workers. */
+  /** Evaluates an expression or a promise in the page or in a worker. */
   async value(expression, session) {
     const { result, exceptionDetails } = await this.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true }, session);
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
@@ -108,18 +108,18 @@ class Page extends Driver {
     return this.browser.end();
   }
 
-  /** Clicks on the middle of an element. */
+  /** Clicks the centre of an element. */
   async click(selector) {
     const [x, y] = await this.value(`(() => { const element = document.querySelector(${JSON.stringify(selector)}); element.scrollIntoView({ block: "nearest" }); const box = element.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()`);
     for (const type of ["mousePressed", "mouseReleased"]) await this.mouse(type, x, y);
   }
 
-  /** Something that the mouse does: mousePressed, mouseReleased, or mouseMoved with its button up or down. */
+  /** Sends mousePressed, mouseReleased, or mouseMoved with the button up or down. */
   mouse(type, x, y, isDown = type !== "mouseMoved") {
     return this.send("Input.dispatchMouseEvent", { type, x, y, button: isDown ? "left" : "none", buttons: isDown ? 1 : 0, clickCount: type === "mouseMoved" ? 0 : 1 });
   }
 
-  /** Presses a key. It is repeated `repeats` times until it is released. */
+  /** Presses a key, repeats it `repeats` times, and releases it. */
   async key(key, code = key, hasShift = false, repeats = 0) {
     const text = key === "Enter" ? "\r" : key.length === 1 ? key : undefined;
     const event = { key, code, text, modifiers: hasShift ? 8 : 0 };
@@ -129,7 +129,7 @@ class Page extends Driver {
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", ...event });
   }
 
-  /** A screenshot as a PNG file, of what is seen or of all of the page. */
+  /** Returns a PNG screenshot of the viewport or the whole page. */
   async screenshot(isWhole = false) {
     const { cssContentSize } = await this.send("Page.getLayoutMetrics");
     const clip = isWhole ? { x: 0, y: 0, width: cssContentSize.width, height: cssContentSize.height, scale: 1 } : undefined;

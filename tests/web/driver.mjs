@@ -1,4 +1,4 @@
-// What the drivers of browsers share, and a server of files for them.
+// Shared by the drivers of browsers: a file server, the test runner, and WebDriver.
 
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -8,7 +8,7 @@ const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/cs
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** A port that nobody listens on. */
+/** Returns a free port. */
 export async function freePort() {
   const server = createServer();
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
@@ -18,8 +18,8 @@ export async function freePort() {
 }
 
 /**
- * Serves a folder, with more headers. `change` may return another status, more headers or other bytes for a path. Returns its address,
- * and how to end it.
+ * Serves a folder with additional headers. `change` can replace the status, add headers or replace the bytes of a path. Returns the
+ * address, and a function that ends the server.
  */
 export async function serve(folder, headers = {}, change = () => ({})) {
   const server = createServer((request, response) => {
@@ -37,7 +37,7 @@ export async function serve(folder, headers = {}, change = () => ({})) {
   return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
-/** Runs tests whose names contain a word, and prints a line for each. Returns the exit code. */
+/** Runs the tests whose names contain a word, with a line each. Returns the exit code. */
 export async function run(tests, word, by = "") {
   let code = 0;
   for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(word))) {
@@ -68,12 +68,12 @@ export class Driver {
     return this.value(`document.getElementById("${id}").textContent`);
   }
 
-  /** Sets a field as if somebody had. */
+  /** Sets a field as a user does. */
   input(id, value) {
     return this.value(`(() => { const input = document.getElementById("${id}"); input.value = ${JSON.stringify(value)}; input.dispatchEvent(new Event("input", { bubbles: true })); })()`);
   }
 
-  /** A frame of the page's, as bytes of red, green and blue, by an expression for what draws it. */
+  /** Returns a frame of the page as RGB bytes, by the expression that draws it. */
   async frame(order, frames = "eightfold.frames") {
     return Buffer.from(await this.value(`(async () => {
       const { bytesOf } = await import(new URL("frames.js", location));
@@ -85,16 +85,16 @@ export class Driver {
   }
 }
 
-/** One by WebDriver's commands: `navigate(url)`, and `script(text)` for an asynchronous script. */
+/** A page by WebDriver: `navigate(url)`, and `script(text)` for asynchronous scripts. */
 export class WebDriver extends Driver {
-  /** Loads an address, until the page is at work, or something else is so. */
+  /** Loads an address, and waits for the page or another condition. */
   async go(address, condition = "globalThis.eightfold?.view") {
     await this.navigate("about:blank");
     await this.navigate(address);
     await this.until(`!!(${condition})`);
   }
 
-  /** The value of an expression, which may be a promise. */
+  /** Evaluates an expression or a promise. */
   async value(expression) {
     const value = await this.script(`
       const done = arguments[arguments.length - 1];

@@ -1,6 +1,5 @@
-// Tests of the page in every engine: node engines.mjs chromium|firefox|webkit SITE INTRO [WORD], the folder of the page, the intro's
-// program, and a word of the tests that are wanted, or "silent" where there is no device for sound. It prints a line for each test, and
-// fails if one does.
+// Tests the page in every engine: node engines.mjs chromium|firefox|webkit SITE INTRO [WORD]. SITE is the folder of the page, INTRO the
+// program, and WORD selects tests by name; "silent" those without a sound device.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -16,7 +15,7 @@ const [engine, folder, intro, word = ""] = process.argv.slice(2);
 const site = await serve(folder);
 const page = await { chromium: () => Browser.page(site.address), firefox: Firefox.start, webkit: WebKit.start }[engine]();
 
-/** The soundtrack's first seconds by the module, both sides mixed. */
+/** Returns the first seconds of the module's soundtrack in mono. */
 async function soundtrack(seconds) {
   const { instance: { exports } } = await WebAssembly.instantiate(gunzipSync(readFileSync(join(folder, "eightfold.bin"))));
   const mixed = new Float32Array(seconds * 48000);
@@ -28,9 +27,8 @@ async function soundtrack(seconds) {
 }
 
 /**
- * Seconds by which the picture is late, or early if they are above 0, each time that the page is asked. The sound is known by its samples:
- * it is heard between the time at which they are made and Chromium's latency after it. The others are not asked for theirs, which is 0 in
- * WebKit and may hang Firefox.
+ * Measures `times` times by how many seconds the picture leads the sound. The samples identify the position in the soundtrack; they are
+ * heard up to Chromium's latency later. Other latencies are unknown: 0 in WebKit, and asking can hang Firefox.
  */
 async function leads(mixed, times) {
   await page.value("(globalThis.ear ??= eightfold.clock.node.connect(new AnalyserNode(eightfold.clock.context, { fftSize: 256 })), true)");
@@ -44,7 +42,7 @@ async function leads(mixed, times) {
       return [time, ${engine === "chromium"} ? eightfold.clock.context.outputLatency : 0, ...heard];
     })()`);
     const isThere = (at) => heard.every((sample, i) => Math.abs(sample - mixed[at - 255 + i]) < 1e-5);
-    // The nearest, since the song repeats parts.
+    // The nearest position, since the song repeats parts.
     const guess = Math.round((time + latency) * 48000);
     let away = 0;
     while (away < 480000 && !isThere(guess + away) && !isThere(guess - away)) away++;
@@ -58,7 +56,7 @@ async function leads(mixed, times) {
 const show = (time, quality, width, height) => ({ scene: { kind: "show", time }, quality, isReference: false, width, height });
 const label = "document.getElementById('play').getAttribute('aria-label')";
 
-/** What the page says where something keeps it from its work: how it is served, and the sentence. */
+/** Faults of hosts and browsers, each with the message of the page. */
 const faults = {
   "a host that has a module unpacked": [{ change: (path) => path.endsWith(".bin") && { more: { "content-encoding": "gzip" } } }, null],
   "a host without the fast module": [{ change: (path) => path === "/eightfold.bin" && { status: 404 } }, /eightfold\.bin is missing \(HTTP 404\)/],
@@ -104,11 +102,11 @@ const tests = {
     assert.match(await page.textOf("scene-fault"), new RegExp(`^Line ${line}, column \\d+: `));
   },
 
-  async "the picture keeps to the sound, and the button says what is so, whoever stops it"() {
+  async "picture and button follow the sound, whoever stops it"() {
     const mixed = await soundtrack(110);
     await page.go(site.address);
     const together = async (what) => {
-      // The one in the middle: an audio thread that waits for a processor is late for a moment.
+      // The median: an audio thread without a processor is late for a moment.
       const apart = (await leads(mixed, 7)).sort((a, b) => a - b);
       assert.ok(Math.abs(apart[3]) < 0.05, `${what}: ${apart.map((lead) => lead.toFixed(3))} s`);
     };
@@ -132,7 +130,7 @@ const tests = {
     await page.until(`${label} === "Pause"`);
     await together("after a pause");
 
-    // As by a call.
+    // As a phone call does.
     await page.value("eightfold.clock.context.suspend()");
     await page.until(`${label} === "Play" && !eightfold.clock.isPlaying`);
     assert.match(await page.textOf("notice"), /stopped the sound/);
@@ -146,13 +144,13 @@ const tests = {
     await page.click("#play");
     await page.until(`${label} === "Pause"`);
     await together("after a call that somebody ended");
-    // A browser that goes on with what was paused is stopped.
+    // Paused, the page suspends a context that the browser resumes.
     await page.click("#play");
     await page.until("eightfold.clock.context.state === 'suspended'");
     await page.value("eightfold.clock.context.resume()");
     await page.until("eightfold.clock.context.state === 'suspended'");
     assert.equal(await page.value(label), "Play");
-    // A device that stands still.
+    // A device that stops.
     await page.click("#play");
     await page.until(`${label} === "Pause" && !eightfold.clock.isMoving`);
     await page.value("Object.defineProperty(eightfold.clock.context, 'currentTime', { get: () => 7, configurable: true }), true");
@@ -167,7 +165,7 @@ const tests = {
 };
 
 const silent = {
-  async "the page plays without a device for sound, and says so"() {
+  async "the page plays without a sound device, with a message"() {
     await page.go(site.address);
     await page.click("#start");
     await page.until("eightfold.clock.isPlaying && eightfold.clock.time() > 1");
@@ -179,7 +177,7 @@ const silent = {
 };
 
 for (const [name, [{ headers, change, before }, sentence]] of Object.entries(faults)) {
-  tests[`${name} is told of`] = async () => {
+  tests[`${name} is reported`] = async () => {
     const inject = (path, own) => (path === "/index.html" || path === "/" ? { bytes: String(own).replace("<head>", `<head><script>${before}</script>`) } : {});
     const host = await serve(folder, headers, before ? inject : change);
     try {
@@ -189,7 +187,7 @@ for (const [name, [{ headers, change, before }, sentence]] of Object.entries(fau
       } else {
         await page.go(host.address, "document.getElementById('notice') && !/Loading|^$/.test(document.getElementById('notice').textContent)");
         assert.match(await page.textOf("notice"), sentence);
-        // It does not go away, unless the show plays nevertheless.
+        // The message stays, unless the show plays.
         if (!(await page.value("document.getElementById('machine').textContent"))) {
           await sleep(1000);
           assert.match(await page.textOf("notice"), sentence);

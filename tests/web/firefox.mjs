@@ -1,4 +1,4 @@
-// Firefox without a screen, by its own protocol, Marionette, over a socket.
+// Headless Firefox, by its Marionette protocol over a socket.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -28,7 +28,7 @@ export class Firefox extends WebDriver {
     return firefox;
   }
 
-  /** A message is the length of its text, a colon, and the text: a list of its kind, number, error, and result. */
+  /** A message is the length of its text, a colon, and a JSON list: kind, number, error, result. */
   take(data) {
     this.received = Buffer.concat([this.received, data]);
     for (let colon = this.received.indexOf(":"); colon > 0; colon = this.received.indexOf(":")) {

@@ -1,5 +1,4 @@
-// Draws a frame of the model scene, every pixel traced, and holds it to a picture: node frame.mjs MODULE.bin PICTURE, raw pixels of
-// 3 bytes, 640 by 360 of them.
+// Compares an exhaustive frame of the model scene with a picture of 640x360 RGB pixels: node frame.mjs MODULE.bin PICTURE
 import { readFileSync } from "node:fs";
 import { gunzipSync } from "node:zlib";
 
@@ -21,5 +20,5 @@ pixels.forEach((pixel, i) => {
   largest = Math.max(largest, error);
 });
 console.log(`${differ} of ${pixels.length} pixels differ by more than 1 of 255, at most by ${largest}`);
-// A thousandth of the pixels may lie on silhouettes that rounding moves.
+// Rounding moves silhouettes in up to a thousandth of the pixels.
 process.exit(differ * 1000 > pixels.length ? 1 : 0);

@@ -1,6 +1,5 @@
-// Tests of the page in Chromium: node page.mjs SITE INTRO SAMPLES SCREENSHOTS [WORD], the folder of the page, the intro's program, what
-// that played, as samples of 4 bytes, a folder for screenshots, and a word of the tests that are wanted. It prints a line for each test,
-// and fails if one does.
+// Tests the page in Chromium: node page.mjs SITE INTRO SAMPLES SCREENSHOTS [WORD]. SITE is the folder of the page, INTRO the program,
+// SAMPLES its sound as floats, and WORD selects tests by name.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -17,7 +16,7 @@ const isolated = await serve(folder, { "cross-origin-opener-policy": "same-origi
 const browser = new Browser();
 const page = await browser.open(site.address);
 
-/** A frame by the intro. */
+/** Returns a frame of the intro. */
 function still({ scene: { time }, width, height }, quality) {
   const options = ["--still", time, "--size", `${width}x${height}`, "--isa", "sse2", "--quality", quality];
   const file = execFileSync(intro, options, { maxBuffer: 1e8 });
@@ -26,7 +25,7 @@ function still({ scene: { time }, width, height }, quality) {
 
 const show = (time, quality, width, height) => ({ scene: { kind: "show", time }, quality, isReference: false, width, height });
 const input = (id, value) => page.input(id, value);
-/** The bytes of a picture, in the page. */
+/** Returns the bytes of a picture, in the page. */
 const pixelsOf = `((image) => {
   const context = new OffscreenCanvas(image.width, image.height).getContext("2d", { willReadFrequently: true });
   context.drawImage(image, 0, 0);
@@ -35,8 +34,8 @@ const pixelsOf = `((image) => {
 const textOf = (id) => page.textOf(id);
 
 /**
- * The contrast of each text that is seen with what is behind it, as WCAG has it. What is behind may let a picture through, of which the
- * worst is taken, black or white. It runs in the page.
+ * Returns the WCAG contrast of each visible text. Behind transparent backgrounds, it assumes the worse of black and white. Runs in the
+ * page.
  */
 function contrastsOf() {
   const numbers = (colour) => colour.match(/[\d.]+/g).map(Number);
@@ -70,7 +69,7 @@ const tests = {
     const { qualities } = await page.value("eightfold.about");
     for (const workers of [1, 2, 5]) {
       await page.value(`import("./frames.js").then(({ Frames }) => { globalThis.others = new Frames(eightfold.frames.compiled, ${workers}, (why) => { throw why; }) })`);
-      // With antialiased edges, odd sizes, a caption that counts points, squares of 32, and jagged edges.
+      // Antialiased edges, odd sizes, a caption with counts, squares of 32, jagged edges.
       for (const order of [show(62.3, 4, 641, 363), show(34.5, 4, 640, 360), show(0, 4, 320, 200), show(100, 7, 640, 360), show(47, 0, 320, 240)]) {
         const name = qualities[order.quality];
         assert.ok((await page.frame(order, "others")).equals(still(order, name)), `${workers} workers, ${name}, ${order.scene.time} s`);
@@ -79,7 +78,7 @@ const tests = {
     }
   },
 
-  async "the slider changes the quality and what it takes"() {
+  async "the slider changes the quality and the points"() {
     const at = async (quality) => {
       await input("quality", quality);
       await page.until(`!eightfold.isStale() && eightfold.view.quality === ${quality}`);
@@ -102,12 +101,12 @@ const tests = {
     await page.click("input[value=none] + span");
   },
 
-  async "a split picture has every pixel traced on the left of its handle, and the slider's quality on the right"() {
+  async "a split picture is exhaustive left of its handle, and has the slider's quality on the right"() {
     await page.value("eightfold.seek(20)");
     await input("quality", 6);
     await page.click("input[value=split] + span");
     const { x, y, width } = await page.value("(({ x, y, width }) => ({ x, y, width }))(document.getElementById('screen').getBoundingClientRect())");
-    // Dragged to a quarter of the width, and a step on by a key.
+    // Drag to a quarter of the width, and step by a key.
     await page.mouse("mousePressed", x + width / 2, y + 100);
     await page.mouse("mouseMoved", x + width / 4, y + 100, true);
     await page.mouse("mouseReleased", x + width / 4, y + 100);
@@ -139,7 +138,7 @@ const tests = {
     const places = await page.value("Array.from({ length: 34 }, (_, i) => eightfold.inspect(30 * i + 5, 301))");
     for (const { squares, points } of places) {
       assert.match(squares[0].what, /^(filled|split)/);
-      // Each lies within the one before, and the first corner of the largest was traced.
+      // Each square contains the next, and the first corner of the largest is traced.
       squares.slice(1).forEach(({ x, y, w, h }, i) => assert.ok(x >= squares[i].x && y >= squares[i].y && w <= squares[i].w && h <= squares[i].h));
       const [{ x, y }] = squares;
       assert.ok(points.some((point) => point[0] === x && point[1] === y), `(${x}, ${y})`);
@@ -159,12 +158,12 @@ const tests = {
     const sentences = ({ squares }) => squares.map(({ w, h, what }) => `${w}×${h} ${what}`).join("\n");
     assert.equal(said, sentences(places[split]));
     writeFileSync(join(screenshots, "web-verdict.png"), await page.screenshot());
-    // The loupe shows the pixels of the picture, points in white, and the last square in colour.
+    // The loupe shows pixels, white points, and the last square in colour.
     const colours = await page.value(`(() => {
       return new Set(new Uint32Array(${pixelsOf}(document.getElementById("loupe")).buffer)).size;
     })()`);
     assert.ok(colours > 20, `${colours} colours`);
-    // A key moves it by a square.
+    // A key moves the loupe by a square.
     await page.key("ArrowRight", "ArrowRight", true);
     const beside = await page.value(`eightfold.inspect(30 * ${split} + 13, 301)`);
     assert.equal(await page.value("document.querySelector('#verdict p').textContent"), sentences(beside));
@@ -193,8 +192,8 @@ const tests = {
     assert.deepEqual([wide, differ], [shown, 0]);
   },
 
-  async "a picture that rests is whole, and is measured until its interval is below 0.3 dB"() {
-    // At the start of a scene, where it is a mosaic while it plays, by the name of the scene, and by the scrubber.
+  async "a resting picture is whole, and measured until its interval is below 0.3 dB"() {
+    // At the start of a scene, which is a mosaic while the show plays: by the scene's name, and by the scrubber.
     const ways = [
       ["document.querySelector('#scenes button:nth-child(4)').click()", 7],
       ["eightfold.seek(0)", 4],
@@ -227,7 +226,7 @@ const tests = {
       // A mosaic has 25 dB.
       assert.ok(truth > 38 && Math.abs(told - truth) < 0.6, `${way}: ${text}, but it is ${truth.toFixed(2)} dB; at first ${first} ± ${margin}`);
     }
-    // A change of nothing but the sound leaves the number, and one of the picture does not.
+    // Changes of the sound keep the number, changes of the picture reset it.
     const kept = await page.value("eightfold.probes().probed");
     await page.key("m");
     await page.until("!eightfold.isStale()");
@@ -237,7 +236,7 @@ const tests = {
     await input("quality", 5);
     await page.until("!eightfold.isStale()");
     assert.ok((await page.value("eightfold.probes().probed")) < kept);
-    // Where every pixel is traced there is nothing to measure, nor where the method is shown.
+    // Exhaustive pictures and overlays have no error to measure.
     await input("quality", 0);
     await page.until("!eightfold.isStale() && eightfold.isSettled()");
     assert.equal(await textOf("accuracy"), "no error found");
@@ -247,7 +246,7 @@ const tests = {
     await page.click("input[value=none] + span");
   },
 
-  async "the poster and its file have the name of what they show"() {
+  async "the poster and its file are named after their scene"() {
     await page.go(site.address);
     const { scenes, length } = await page.value("eightfold.about");
     const shown = await page.value("eightfold.shown()");
@@ -260,7 +259,7 @@ const tests = {
     await page.click("#share");
     assert.match(await page.value("location.hash"), new RegExp(`t=${shown.toFixed(2)}`));
     await page.go(site.address);
-    // It plays from the start.
+    // Play from the start.
     await page.click("#start");
     await page.until("eightfold.clock.isPlaying");
     assert.ok((await page.value("eightfold.clock.time()")) < 5);
@@ -268,10 +267,10 @@ const tests = {
     await page.key(" ", "Space");
   },
 
-  async "the governor lowers the quality where frames take long, then the size, and raises them where they do not"() {
+  async "the governor lowers the quality for slow frames, then the size, and raises them for fast ones"() {
     await page.go(site.address);
     const { qualities } = await page.value("eightfold.about");
-    // Frames that take as long as it is told, and are not drawn.
+    // Simulated frames of a given time.
     await page.value(`eightfold.frames.draw = async (order) => {
       await new Promise((resolve) => setTimeout(resolve, globalThis.pause));
       return { order, parts: [], points: 0, rays: 0, probed: 0, squares: 0, milliseconds: globalThis.pause };
@@ -284,7 +283,7 @@ const tests = {
     await page.until(`${sizes} === "528×297"`);
     await page.value("globalThis.pause = 0");
     await page.until(`eightfold.view.quality === 1 && ${sizes} === "1040×585"`);
-    // It leaves a quality that somebody has chosen.
+    // A quality chosen by the user stays.
     await page.value("globalThis.pause = 60");
     await page.key("2");
     await sleep(1500);
@@ -293,7 +292,7 @@ const tests = {
     await page.key(" ", "Space");
   },
 
-  async "a click plays, with and without headers of isolation, and the picture keeps to the sound"() {
+  async "a click plays, with and without isolation headers, and the picture follows the sound"() {
     for (const { address } of [isolated, site]) {
       await page.go(address);
       assert.equal(await page.value("crossOriginIsolated"), address === isolated.address);
@@ -314,7 +313,7 @@ const tests = {
     const { qualities } = await page.value("eightfold.about");
     for (const clicked of ["#scenes button:nth-child(3)", "input[value=points] + span", "#held", "#time", "#quality"]) {
       await page.click(clicked);
-      // Space is a checkbox's own.
+      // Space toggles a focused checkbox.
       const plays = clicked === "#held" ? [] : [true, false];
       for (const isPlaying of plays) {
         await page.key(" ", "Space");
@@ -348,10 +347,10 @@ const tests = {
     await page.until("!document.fullscreenElement");
   },
 
-  async "keys are where they are on layouts of other letters"() {
+  async "keys work by position on layouts of other letters"() {
     await page.go(site.address);
     const { qualities } = await page.value("eightfold.about");
-    // Russian, Greek, French digits, and an input method of Japanese.
+    // Russian, Greek, French digits, and a Japanese input method.
     for (const key of ["щ", "ο", "Process"]) {
       const overlay = await page.value("eightfold.view.overlay");
       await page.key(key, "KeyO");
@@ -365,14 +364,14 @@ const tests = {
     await page.until("!document.fullscreenElement");
     await page.key('"', "Digit3");
     assert.equal(await textOf("quality-name"), qualities[2]);
-    // A Latin letter is what it says, wherever it is.
+    // Latin letters count wherever they are.
     await page.key("m", "Semicolon");
     assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
     await page.key("p", "KeyM");
     assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
   },
 
-  async "a key that is held does once what toggles, and moves on"() {
+  async "a held key toggles once, and repeats moves"() {
     await page.go(site.address);
     const { overlay } = await page.value("eightfold.view");
     await page.key("o", "KeyO", false, 5);
@@ -387,7 +386,7 @@ const tests = {
     await page.until("eightfold.clock.isPlaying");
     await page.key(" ", "Space", false, 4);
     await page.until("!eightfold.clock.isPlaying");
-    // A button that has the focus.
+    // A focused button.
     await page.value("document.getElementById('mute').focus()");
     await page.key("Enter", "Enter", false, 4);
     assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
@@ -434,7 +433,7 @@ const tests = {
     await page.until("document.getElementById('scene-fault').textContent === '' && eightfold.view.source === 'file' && !eightfold.isStale()");
   },
 
-  async "an address brings back what it shared"() {
+  async "an address restores the shared view"() {
     await page.value("eightfold.seek(3)");
     await page.value("document.getElementById('share').click()");
     await page.until("location.hash.length > 100");
@@ -446,14 +445,14 @@ const tests = {
     await page.go(site.address);
   },
 
-  async "a worker that dies is told of and replaced"() {
+  async "a dead worker is reported and replaced"() {
     const before = await page.frame(show(70, 4, 320, 180));
     const deaths = page.workers.map((worker) => page.value("self.postMessage = () => { throw new Error('as if'); }", worker).catch(() => {}));
     await Promise.all(deaths);
     const after = await page.frame(show(70, 4, 320, 180));
     assert.ok(after.equals(before));
     assert.match(await textOf("notice"), /^A worker died \(.*as if.*\)\. Another one/);
-    // One that is gone says nothing.
+    // A lost worker sends no message.
     await page.value("Object.assign(eightfold.frames, { patience: 3000 }).workers[0].terminate()");
     assert.ok((await page.frame(show(70, 4, 320, 180))).equals(before));
     assert.match(await textOf("notice"), /^A worker died \(it does not answer\)\. Another one/);
@@ -470,25 +469,25 @@ const tests = {
     page.messages.length = 0;
     for (let turn = 0; turn < 20; turn++) await page.go(site.address);
     await page.until("document.getElementById('points').textContent.endsWith('%')");
-    // The browser ends them in its own time.
+    // The browser ends them later.
     const wanted = await page.value("eightfold.frames.workers.length + 1");
     const count = async () => (await browser.send("Target.getTargets", { filter: [{ type: "worker" }] })).targetInfos.length;
     for (let turn = 0; turn < 300 && (await count()) !== wanted; turn++) await new Promise((resolve) => setTimeout(resolve, 100));
     assert.equal(await count(), wanted);
     const after = await kept();
     assert.equal(after.documents, before.documents);
-    // A few come and go with what the page does: far fewer than those of one more page.
+    // The page itself adds and removes a few: far fewer than another page has.
     for (const kind of ["nodes", "jsEventListeners"]) assert.ok(after[kind] < 1.5 * before[kind], `${kind}: ${before[kind]}, then ${after[kind]}`);
     assert.deepEqual(page.messages, []);
   },
 
-  async "from a file it says what is to be done"() {
+  async "opened from a file, it names the solution"() {
     await page.go(pathToFileURL(join(folder, "index.html")).href, "document.readyState === 'complete'");
     assert.match(await page.value("document.querySelector('main').innerText"), /^Browsers do not play this page from a file\. Run .* and open http/);
     writeFileSync(join(screenshots, "web-file.png"), await page.screenshot());
   },
 
-  async "without SIMD it is the plain module that draws, the same bits"() {
+  async "without SIMD the plain module draws the same bits"() {
     await page.go(site.address);
     const plain = new Browser(["--js-flags=--no-enable-sse4-1"]);
     const simple = await plain.open(site.address);
@@ -500,7 +499,7 @@ const tests = {
     await plain.end();
   },
 
-  async "texts stand out from what is behind them"() {
+  async "texts have enough contrast"() {
     await page.go(site.address);
     await page.click("input[value=split] + span");
     await page.value("document.getElementById('notice').textContent = 'A notice'");
@@ -522,7 +521,7 @@ const tests = {
     assert.ok(places[0].includes("exhaustive") && places[3].includes("fastest"));
   },
 
-  async "it fits a screen and a phone, and rests where less motion is asked for"() {
+  async "it fits a screen and a phone, and rests for reduced motion"() {
     await page.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
     for (const [width, height, scale] of [[1440, 900, 1], [390, 844, 2]]) {
       await page.resize(width, height, scale);
@@ -537,12 +536,12 @@ const tests = {
     await page.send("Emulation.setEmulatedMedia", { features: [] });
   },
 
-  async "a phone has all in its width, buttons for fingers, and no hints for keys and pointers"() {
+  async "a phone has the full page in its width, large buttons, and no hints for keys and pointers"() {
     await page.send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 5 });
     for (const [width, height] of [[300, 600], [320, 568], [390, 844], [800, 1280]]) {
       await page.resize(width, height, 2);
       await page.go(site.address);
-      // The plot says something before there is anything to plot.
+      // The empty plot has a text.
       assert.ok(await page.value("document.querySelector('#front text').textContent.length > 0"));
       await page.until("document.getElementById('accuracy').textContent.includes('±') && eightfold.steps.front().length === 7");
       writeFileSync(join(screenshots, `web-${width}x${height}-touch.png`), await page.screenshot(true));
