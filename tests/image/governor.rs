@@ -225,7 +225,7 @@ impl Show {
         self.finest - self.losses[..preset].iter().sum::<f64>() - self.target
     }
 
-    /// A fiftieth of the pixels has four fifths of the error, as where edges are missed.
+    /// Returns the probes of a frame: a fiftieth of the pixels has four fifths of the error, as where edges are missed.
     fn probes(&mut self) -> Probes {
         let psnr = self.room(self.governor.preset()) + self.target;
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(psnr / 10.0);

@@ -52,7 +52,7 @@ impl Effect {
     }
 }
 
-/// Of promised effects and of others: all, those that a quality misses, and those missed without the guard.
+/// Counts of promised effects and of others: all, missed by a quality, and missed without the guard.
 #[derive(Debug, Default)]
 struct Tally {
     qualities: Vec<Quality>,
@@ -129,7 +129,7 @@ fn by_colour(pixels: &[u32]) -> BTreeMap<u32, Vec<usize>> {
     colours
 }
 
-/// Gaps between objects are not promised.
+/// Returns the objects of a view. Gaps between objects are not promised.
 fn objects(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let background = (255.0 * view.scene.background.x).round() as u32 * 0x01_0101;
     let mut colours = by_colour(exhaustive);
@@ -203,10 +203,10 @@ fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
             continue;
         }
         let p = ray.at(met.t);
-        let way = Ray::new(p, (light - p).normalize());
+        let to_light = Ray::new(p, (light - p).normalize());
         let numbers = spheres.iter().enumerate();
-        let casters = numbers.filter(|(_, s)| s.meet(way, light.distance(p)).is_some());
-        casters.for_each(|(caster, _)| shadows.entry(caster).or_default().push(i));
+        let occluders = numbers.filter(|(_, s)| s.meet(to_light, light.distance(p)).is_some());
+        occluders.for_each(|(occluder, _)| shadows.entry(occluder).or_default().push(i));
     }
     shadows.into_values().map(Effect::promised).collect()
 }
@@ -226,7 +226,7 @@ fn shadows_on_a_floor_are_shown() {
 /// The pixel of the floor in a single shadow: 0.1 of 0.7.
 const DARK: u32 = 0x12_1212;
 
-/// A difference of 1/255 can be rounding.
+/// Returns the only shadow of a view. A difference of 1/255 can be rounding.
 fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let lit = pixels(isa, &view.without_spheres(), Quality::EXHAUSTIVE);
     let is_shaded = |&i: &usize| exhaustive[i] == DARK && lit[i] != DARK;
@@ -252,7 +252,7 @@ fn thin_and_near_shadows_are_shown() {
     tally.assert_counts(150, 40);
 }
 
-/// All channels of the images are at least half of 255.
+/// Returns a black mirror with images whose channels are at least half of 255.
 fn mirror(random: &mut Random) -> View {
     let mut scene = Hidden::MIRROR.scene(random);
     scene.ambient = Vec3::ONE;

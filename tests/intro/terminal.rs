@@ -103,7 +103,7 @@ impl Terminal {
         run(pkill.args(["--signal", name, "-P", &self.shell, "eightfold"]));
     }
 
-    /// Nobody reads the output while tmux is stopped.
+    /// Sends a signal to tmux. Nobody reads the output while tmux is stopped.
     fn signal_reader(&self, name: &str) {
         sh(&format!("kill -{name} {}", self.reader));
     }

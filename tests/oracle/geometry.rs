@@ -193,7 +193,7 @@ impl Shape {
         met.filter(|met| met.t < limit)
     }
 
-    /// In the object's own axes, from its centre, where patterns are defined.
+    /// Returns a point in the object's own axes, from its centre, where patterns are defined.
     pub fn own_coordinates(&self, p: DVec3) -> DVec3 {
         match *self {
             Self::Sphere { centre, .. } => p - centre,
@@ -202,7 +202,7 @@ impl Shape {
         }
     }
 
-    /// The direction of the grooves around the object's y axis.
+    /// Returns the direction of the grooves around the object's y axis.
     pub fn groove(&self, p: DVec3, n: DVec3) -> DVec3 {
         let (axis, centre) = match *self {
             Self::Sphere { centre, .. } | Self::Plane { centre, .. } => (DVec3::Y, centre),

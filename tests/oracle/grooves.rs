@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// `out` is the point from the object's centre, `n` its normal.
+/// Returns the direction of the grooves; `out` is the point from the object's centre, `n` its normal.
 pub fn direction(axis: DVec3, out: DVec3, n: DVec3) -> DVec3 {
     axis.cross(out).reject_from(n).normalize_or_zero()
 }

@@ -92,7 +92,7 @@ impl<'a> Oracle<'a> {
         self.plane.ray(x, y)
     }
 
-    /// `has_lights` includes visible lights.
+    /// Returns the nearest object and the hit; `has_lights` includes visible lights.
     fn nearest(&self, ray: Ray, has_lights: bool) -> Option<(&Body, Met)> {
         let mut nearest: Option<(&Body, Met)> = None;
         for body in &self.bodies {
@@ -185,14 +185,14 @@ pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) ->
     })
 }
 
-/// The channels in output steps, to be truncated.
+/// Returns the channels in output steps, to be truncated.
 fn steps(colour: DVec3, dither: f32, x: usize, y: usize) -> [f64; 3] {
     let share = (f64::from(ORDER[y % 4][x % 4]) + 0.5) / 16.0;
     let threshold = 0.5 + f64::from(dither) * (share - 0.5);
     (colour.clamp(DVec3::ZERO, DVec3::ONE) * 255.0 + threshold).to_array()
 }
 
-/// The range of bytes by rounding.
+/// Returns the least and the greatest byte by rounding.
 fn bytes(step: f64) -> [u32; 2] {
     [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32)
 }

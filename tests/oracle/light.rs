@@ -5,7 +5,7 @@ use super::{Object, Oracle};
 use eightfold_tracer::scene::{Light, Sphere};
 use glam::DVec3;
 
-/// Parallel lights are far away.
+/// Returns the factor on a light's lengths: parallel lights are far away.
 pub fn reach(light: &Light) -> f64 {
     if light.parallel {
         f64::from(Light::FAR)

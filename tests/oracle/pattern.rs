@@ -3,7 +3,7 @@
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
-/// `p` is in the object's own axes; a pixel covers `footprint` scene units.
+/// Returns the factor of a pattern at `p` in the object's own axes, where a pixel covers `footprint` scene units.
 pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     if pattern.depth == 0.0 {
         return 1.0;
@@ -26,7 +26,7 @@ fn wave(v: f64) -> f64 {
     1.0 - 4.0 * (v - v.round()).abs()
 }
 
-/// In periods; constant along an oblique direction.
+/// Returns the noise in periods, constant along an oblique direction.
 fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     let (u, v) = (p.x + 0.6 * p.z, p.y + 0.8 * p.z);
     let mut grain = f64::from(pattern.grain);

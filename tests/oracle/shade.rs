@@ -95,8 +95,8 @@ impl Oracle<'_> {
         })
     }
 
-    /// `weight` is the product of the coefficients on the path, `path` the node in the ray tree: 1 for the primary ray, 2 p for the
-    /// reflected and 2 p + 1 for the transmitted ray of node p.
+    /// Returns the colour along a ray. `weight` is the product of the coefficients on its path, `path` the node in the ray tree: 1
+    /// for the primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of node p.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let nearest = self.nearest(ray, true);
@@ -125,7 +125,7 @@ impl Oracle<'_> {
         own + transmittance * self.secondary(&hit, weight * transmittance as f32, path, traced)
     }
 
-    /// The integral of the glow around lights, in closed form.
+    /// Returns the integral of the glow around lights, in closed form.
     fn glow(&self, ray: Ray, t: f64) -> DVec3 {
         let mut glow = DVec3::ZERO;
         for light in self.scene.lights.iter() {

@@ -38,7 +38,7 @@ pub struct Squares<'a> {
     points: usize,
     traced: HashMap<(usize, usize), Traced>,
     averaged: HashMap<(usize, usize), Traced>,
-    /// 0 to 1.
+    /// How crowded the current tile is, 0 to 1.
     crowding: f64,
     /// The splits of another drawing, followed where rounding decides: one square changes the tolerance of a whole crowded tile.
     splits: &'a Splits,
@@ -117,7 +117,7 @@ impl<'a> Squares<'a> {
         traced
     }
 
-    /// Small strong mirrors and glass in a crowd cannot be interpolated.
+    /// Whether a point shows a small strong mirror or glass in a crowd, which cannot be interpolated.
     fn glitters(&self, x: usize, y: usize) -> bool {
         let Oracle { scene, quality, .. } = self.oracle;
         let object = self.oracle.object_at(x as isize, y as isize);
@@ -215,7 +215,7 @@ impl<'a> Squares<'a> {
         growth + self.crowding * (growth.min(1.0) - growth)
     }
 
-    /// Negative if none is averaged.
+    /// Returns the tolerance of a side's midpoint; negative if no midpoint is averaged.
     fn allowed_side(&self, side: usize) -> f64 {
         let Film { tolerance, .. } = self.oracle.scene.film;
         let tolerance = f64::from(self.oracle.quality.tolerance_side * tolerance);
@@ -262,7 +262,7 @@ fn flat(corners: &[Traced; 4]) -> [bool; 2] {
     [may_be, is_sure]
 }
 
-/// In 255ths of a channel.
+/// Returns the largest difference of a channel, in 255ths.
 fn spread(corners: &[Traced; 4]) -> f64 {
     let colours = corners.map(shown);
     let most = colours.into_iter().fold(DVec3::ZERO, DVec3::max);

@@ -1,7 +1,7 @@
 use eightfold_tracer::scene::Waves;
 use glam::{DVec2, DVec3};
 
-/// A pixel covers `seen` scene units.
+/// Returns the upward normal, where a pixel covers `seen` scene units.
 pub fn normal(waves: &Waves, p: DVec3, d: DVec3, seen: f64) -> DVec3 {
     let mut slope = DVec2::ZERO;
     let (mut length, mut phase) = (f64::from(waves.length), f64::from(waves.phase));

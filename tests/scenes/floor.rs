@@ -92,7 +92,7 @@ fn empty(random: &mut Random) -> View {
     }
 }
 
-/// A shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden.
+/// Returns a floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden.
 pub fn shadow(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -101,9 +101,9 @@ pub fn shadow(random: &mut Random) -> View {
     let Some((at, size)) = view.place(random, height, pixels) else {
         return view;
     };
-    let way = random.vector(vec3(-1.0, 0.0, -1.0), Vec3::ONE);
+    let direction = random.vector(vec3(-1.0, 0.0, -1.0), Vec3::ONE);
     let steep = side * random.one_of([1.0, 0.1, 0.01]);
-    let way = way.normalize_or(Vec3::Y) * vec3(1.0, steep, 1.0);
+    let direction = direction.normalize_or(Vec3::Y) * vec3(1.0, steep, 1.0);
     let light_at = (view.scene.camera.eye - at).length() * random.power(-1.5, 1.5);
     let share = random.between(0.02, 0.98);
     let (centre, radius) = if random.below(3) == 0 {
@@ -112,13 +112,13 @@ pub fn shadow(random: &mut Random) -> View {
         let above = side * radius * (1.0 - 2.0 * sunk);
         (at + Vec3::Y * above, radius)
     } else {
-        (at + way * (light_at * share), size * (1.0 - share))
+        (at + direction * (light_at * share), size * (1.0 - share))
     };
-    view.light(centre, radius, at + way * light_at);
+    view.light(centre, radius, at + direction * light_at);
     view
 }
 
-/// The image of a sphere or a box above a black mirror, or half in it.
+/// Returns a black mirror with the image of a sphere or a box above it, or half in it.
 pub fn image(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -147,7 +147,7 @@ pub fn image(random: &mut Random) -> View {
     view
 }
 
-/// Objects that rise from a floor or a slab by a tenth of their size down to a rounding error.
+/// Returns objects that rise from a floor or a slab by a tenth of their size down to a rounding error.
 pub fn contact(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();

@@ -164,16 +164,16 @@ fn add_groups(scene: &mut Scene, random: &mut Random) {
     let Some(&last) = scene.spheres.last() else {
         return;
     };
-    let beside = |way: Vec3, radius: f32| Sphere {
-        centre: last.centre + way.normalize_or(Vec3::X) * (last.radius + radius),
+    let beside = |direction: Vec3, radius: f32| Sphere {
+        centre: last.centre + direction.normalize_or(Vec3::X) * (last.radius + radius),
         radius: radius.abs(),
         ..last
     };
-    let way = random.vector(Vec3::NEG_ONE, Vec3::ONE);
+    let direction = random.vector(Vec3::NEG_ONE, Vec3::ONE);
     match random.below(8) {
         0 => add(&mut scene.spheres, last),
-        1 => add(&mut scene.spheres, beside(way, 0.5 * last.radius)),
-        2 => add(&mut scene.spheres, beside(way, -0.5 * last.radius)),
+        1 => add(&mut scene.spheres, beside(direction, 0.5 * last.radius)),
+        2 => add(&mut scene.spheres, beside(direction, -0.5 * last.radius)),
         3 => {
             let half = vec3(random.power(-3.0, -1.0), 1.0, 0.1);
             for i in 0..12 {

@@ -23,7 +23,7 @@ pub fn any(random: &mut Random) -> Light {
     [light, spotlight(light, outer - soft, outer)][random.below(2)]
 }
 
-/// Aims at the origin; angles are in radians.
+/// Returns the light as a spotlight at the origin, with angles in radians.
 pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
     Light {
         spot: Some(Spot {

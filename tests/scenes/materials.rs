@@ -2,7 +2,7 @@ use crate::Random;
 use eightfold_tracer::scene::{Material, Pattern};
 use glam::{Vec3, vec3};
 
-/// `kr + kt` is at most 1.
+/// Returns a material with `kr + kt` of at most 1.
 pub fn plain(random: &mut Random) -> Material {
     let kt = random.zero_or(0.2, 0.9);
     Material {
@@ -31,7 +31,7 @@ pub fn painted(random: &mut Random) -> Material {
     }
 }
 
-/// Numbers up to the ends of their ranges.
+/// Returns a material with numbers up to the ends of their ranges.
 pub fn extreme(random: &mut Random) -> Material {
     let material = painted(random);
     Material {
@@ -72,7 +72,7 @@ pub fn shiny(random: &mut Random) -> Material {
     }
 }
 
-/// The colour is unique to a number: at least `step` of 255 apart in a channel.
+/// Returns an ambient colour unique to a number: at least `step` of 255 apart in a channel.
 pub fn numbered(number: usize, step: usize) -> Material {
     let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
     Material {
@@ -81,7 +81,7 @@ pub fn numbered(number: usize, step: usize) -> Material {
     }
 }
 
-/// The colour is unique to a number below 64; channels are at least half of 255.
+/// Returns a colour unique to a number below 64; channels are at least half of 255.
 pub fn bright(number: usize) -> Material {
     let digit = |unit: usize| (128 + 30 * (number / unit % 4)) as f32 / 255.0;
     Material::matt(vec3(digit(1), digit(4), digit(16)), 0.8)

@@ -14,7 +14,7 @@ fn at(view: &View, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) 
     (camera.eye + d * distance, length)
 }
 
-/// Distance and length are powers of 10.
+/// Returns a visible point and a length there; distance and length are powers of 10.
 fn anywhere(random: &mut Random, view: &View, far: [f32; 2], pixels: [f32; 2]) -> (Vec3, f32) {
     let [x, y] = [view.width, view.height].map(|side| random.between(0.0, side as f32));
     let distance = random.power(far[0], far[1]);
@@ -66,7 +66,7 @@ fn finished(view: View, random: &mut Random) -> View {
     }
 }
 
-/// Spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
+/// Returns spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
 pub fn placed(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(63) {
@@ -89,7 +89,7 @@ pub fn placed(random: &mut Random) -> View {
     finished(view, random)
 }
 
-/// Blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
+/// Returns blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
 pub fn placed_blocks(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(31) {
@@ -102,7 +102,7 @@ pub fn placed_blocks(random: &mut Random) -> View {
     finished(view, random)
 }
 
-/// By the bounding sphere; `thin` scales thin sides.
+/// Adds a block by its bounding sphere; `thin` scales its thin sides.
 fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 2], thin: f32) {
     let (centre, radius) = anywhere(random, view, far, pixels);
     let shares = [0; 3].map(|_| [1.0, random.between(0.02, 1.0)][random.below(2)]);
@@ -116,7 +116,7 @@ fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 
     view.scene.blocks.push(block);
 }
 
-/// Each sphere is between the corners of a square of 8 pixels.
+/// Returns spheres, each between the corners of a square of 8 pixels.
 pub fn between_corners() -> View {
     let mut view = View {
         scene: Scene::default(),

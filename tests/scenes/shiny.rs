@@ -2,7 +2,7 @@ use crate::{Random, materials, solids};
 use eightfold_tracer::scene::{Block, Camera, Light, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// On a floor or in the air, with camera and lights high or grazing, near or far.
+/// Returns shiny objects on a floor or in the air, with camera and lights high or grazing, near or far.
 pub fn shiny(random: &mut Random, are_blocks: bool) -> Scene {
     let [x, z] = [random.between(-6.0, 6.0), random.between(5.0, 12.0)];
     let eye = vec3(x, random.power(-1.5, 1.0), z);

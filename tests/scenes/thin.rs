@@ -112,8 +112,8 @@ impl Seen {
         let from = size * vec2(random.between(0.0, 1.0), random.between(0.0, 1.0));
         let angle = random.between(0.0, 6.3);
         let slope = random.between(-0.1, 0.1);
-        let way = [Vec2::from_angle(angle), vec2(1.0, slope), vec2(slope, 1.0)];
-        let to = from + random.one_of(way) * random.power(0.5, 2.3);
+        let directions = [Vec2::from_angle(angle), vec2(1.0, slope), vec2(slope, 1.0)];
+        let to = from + random.one_of(directions) * random.power(0.5, 2.3);
         let width = 1.0 + 0.3 * random.below(14) as f32;
         let far = random.power(0.0, 1.0);
         let nearer = [1.0, random.power(-0.7, 0.7)][random.below(2)];

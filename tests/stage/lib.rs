@@ -223,12 +223,12 @@ impl Server {
         program
     }
 
-    /// Without its frame; `None` until it is visible.
+    /// Returns position and size without the frame; `None` until the window is visible.
     pub fn window(&self) -> Option<[i32; 4]> {
         self.geometry(&["-name", "Eightfold"])
     }
 
-    /// `which` are arguments of xwininfo.
+    /// Returns position and size of a window; `which` are arguments of xwininfo.
     pub fn geometry(&self, which: &[&str]) -> Option<[i32; 4]> {
         let mut xwininfo = self.tool("xwininfo");
         let (_, text) = run(xwininfo.args(which));
@@ -255,7 +255,7 @@ impl Server {
         screenshot(&self.display, area)
     }
 
-    /// By the window's own colour table.
+    /// Returns the window's contents by its own colour table.
     pub fn window_screenshot(&self) -> Vec<u32> {
         import(&self.display, &["-window", "Eightfold"])
     }

@@ -60,6 +60,8 @@ pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
     packages().filter(|(tool, _)| !is_there(tool))
 }
 
+/// Returns a command that runs a tool of `tools.txt`.
+///
 /// # Panics
 /// If the tool is missing. Tests use [`needs!`] first.
 pub fn tool(name: &str) -> Command {

@@ -27,7 +27,7 @@ fn build(folder: &Path, name: &str, code: &str) -> PathBuf {
     library
 }
 
-/// The background is not black.
+/// Plays until the window shows a frame, which is not black.
 fn play(server: &Server, command: &mut Command) -> Process {
     let command = command.args(["--silent", "--size", "200x150"]);
     let intro = server.open(command, || server.window());
