@@ -87,8 +87,9 @@ pub(crate) const CORNER: f32 = 2e-4;
 /// The largest error of a block's corner seen from a light, which may be a thousand times as far away: two roundings.
 pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
-/// The largest error of a hit towards the eye, relative to the extent of the object.
-pub(crate) const CONTACT: f32 = 1e-6;
+/// The share of the largest coordinate by which a point on an object may be off it where it is computed again from the picture: `u` of
+/// a few operations, as for [`BLOCK_HIT`].
+pub(crate) const SEEN: f32 = 1e-5;
 
 /// Within this many hit errors of a sphere, the eye may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;

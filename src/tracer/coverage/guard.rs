@@ -14,9 +14,9 @@ use crate::grid::{Area, Bits, Pyramid, each};
 use crate::lanes::*;
 use crate::picture::TILE_HEIGHT;
 use crate::prepare::{ObjectId, World};
-use crate::rounding::COLUMN;
+use crate::rounding::{COLUMN, HIT, SEEN, hit_error};
 use crate::scene::camera::pixels;
-use crate::trace::Sample;
+use crate::trace::{Sample, seen_points};
 
 /// The outlines and the highlights that may be seen in a tile although no corner has shown them so far.
 pub(crate) struct Guard {
@@ -122,7 +122,7 @@ impl Search<'_> {
             #[inline(always)]
             |square| {
                 may_be_missed |= match outline {
-                    Outline::Object(id) => self.look_for_object(id, region, square),
+                    Outline::Object(id) => self.look_for_object(id, square),
                     Outline::Image(_) => self.look_on_plane(0, region, square),
                     Outline::Shadow { plane, .. } => self.look_on_plane(plane, region, square),
                 };
@@ -133,10 +133,10 @@ impl Search<'_> {
 
     /// Looks for an object in a square: opens the square unless a corner shows the object (all corners, if it is thin), or all corners
     /// show one occluder. Returns whether it is opened.
-    fn look_for_object(&mut self, id: ObjectId, region: &Region, [x, y]: [usize; 2]) -> bool {
+    fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
         let (labels, shown) = self.squares.corners([x, y], id);
         let is_missed = match shown {
-            0 => !self.are_before(labels, id, region, [x, y]),
+            0 => !self.hide(labels, id, [x, y]),
             ALL => false,
             _ => self.is_thin,
         };
@@ -146,16 +146,13 @@ impl Search<'_> {
         is_missed
     }
 
-    /// Returns whether the corners of a square, which have some labels, all show one occluder of an object.
+    /// Returns whether the corners of a square, which have some labels, all show one occluder that hides an object in the square.
     ///
-    /// They do if all of them would show a plane otherwise: then the occluder's part between them is on the eye's side of the plane.
-    fn are_before(
-        &self,
-        [front, others @ ..]: [usize; 4],
-        back: ObjectId,
-        region: &Region,
-        square: [usize; 2],
-    ) -> bool {
+    /// Objects are convex. So, of an occluder that the eye is outside of, what the square shows is no farther away than the
+    /// corners' points, and the pyramid of these and the eye contains all that is in front of it. A plane separates the pyramid from
+    /// the object.
+    #[inline(never)]
+    fn hide(&self, [front, others @ ..]: [usize; 4], back: ObjectId, square: [usize; 2]) -> bool {
         let &Squares {
             world, coverage, ..
         } = self.squares;
@@ -163,10 +160,14 @@ impl Search<'_> {
             return false;
         }
         let front = ObjectId::new(front - 1);
-        coverage.occludes(world.eye, front, back)
-            || back.index() >= world.first_plane()
-                && coverage.objects[front.index()].is_beside(world.eye.extend(0.0))
-                && self.squares.inside(square, region) == ALL
+        if coverage.has_less_power(front, back) {
+            return true;
+        }
+        let (d, t) = seen_points(world, &world.object(front).0, self.squares.places(square));
+        let [front, back] = [front, back].map(|id| &coverage.objects[id.index()]);
+        let slack = SEEN / HIT * (front.hit_error() + hit_error(world.eye, 0.0));
+        let points = [d.x * t, d.y * t, d.z * t, t];
+        front.is_beside(world.eye.extend(0.0)) && back.is_beyond(world.eye, points, slack)
     }
 
     /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one
@@ -349,13 +350,21 @@ impl<'a> Squares<'a> {
 
     /// Returns a bit for each corner of a square that is sure to be inside of a region. Not inlined, since that takes fewer bytes.
     #[inline(never)]
-    pub(super) fn inside(&self, [x, y]: [usize; 2], region: &Region) -> u64 {
+    pub(super) fn inside(&self, square: [usize; 2], region: &Region) -> u64 {
+        let [x, y] = self.places(square);
+        let points = self.coverage.axes.points::<Baseline>(x, y);
+        region.contains::<Baseline>(points).to_bitmask()
+    }
+
+    /// Returns the corners of a square in pixels.
+    #[inline(always)]
+    fn places(&self, [x, y]: [usize; 2]) -> [F<Baseline>; 2] {
         let [left, right] = [x, x + 1].map(|x| pixels(self.area.left + (x << self.level)));
         let [top, bottom] = [y, y + 1].map(|y| pixels(self.area.top + (y << self.level)));
         let simd = baseline();
-        let x = F::<Baseline>::simd_from(simd, [left, right, left, right]);
-        let y = F::<Baseline>::simd_from(simd, [top, top, bottom, bottom]);
-        let points = self.coverage.axes.points::<Baseline>(x, y);
-        region.contains::<Baseline>(points).to_bitmask()
+        [
+            F::<Baseline>::simd_from(simd, [left, right, left, right]),
+            F::<Baseline>::simd_from(simd, [top, top, bottom, bottom]),
+        ]
     }
 }

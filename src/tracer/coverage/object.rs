@@ -2,9 +2,10 @@
 
 use super::screen::ScreenBounds;
 use super::{Coverage, Outline};
+use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::prepare::{BvhNode, Object, ObjectId, World};
-use crate::rounding::{CONTACT, CORNER, HIT, TOUCHING, hit_error};
+use crate::rounding::{CORNER, HIT, SEEN, TOUCHING, hit_error};
 use crate::scene::Block;
 use glam::{Mat3A, Vec3A, Vec4};
 
@@ -55,20 +56,16 @@ impl ObjectBounds {
         [self.least.y - height, self.most.y - height]
     }
 
-    /// Returns whether a plane across an axis has the eye and this object on one side, and another object on the other: then this one
-    /// is in front wherever both are.
-    ///
-    /// The other has to be beyond by what rounding does to hits, but for a solid seen from outside, which is in front of the plane
-    /// that it stands on by its own height.
-    #[inline(never)]
-    fn is_before(&self, other: &Self, eye: Vec4) -> bool {
-        let is_solid = self.least.y < self.most.y && self.is_beside(eye);
-        let lanes = if is_solid { Vec4::W } else { Vec4::ONE };
-        let [far, near] = [other.least, other.most].map(|end| (end - eye).abs() + end.abs());
-        let slack = (far + near) * lanes * CONTACT;
-        let below = self.most.max(eye).cmple(other.least - slack);
-        let above = self.least.min(eye).cmpge(other.most + slack);
-        (below | above).any()
+    /// Returns whether a plane across an axis separates the object from the eye and from four points, given by their vectors from the
+    /// eye and their distances forward. These are off by `slack` at most.
+    pub fn is_beyond(&self, eye: Vec3A, points: [F<Baseline>; 4], slack: f32) -> bool {
+        let [least, most] = [self.least, self.most].map(|end| end - eye.extend(0.0));
+        let gaps = least.max(-most) - (least.abs() + most.abs()) * SEEN - slack;
+        let axes = points.into_iter().enumerate();
+        axes.fold(false, |is_beyond, (i, along)| {
+            let along = if most[i] < 0.0 { -along } else { along };
+            is_beyond | (gaps[i] >= 0.0) & along.simd_le(splat(along.token(), gaps[i])).all_true()
+        })
     }
 
     /// Returns whether a point is sure to be outside.
@@ -167,15 +164,12 @@ impl Coverage {
         }
     }
 
-    /// Returns whether a patch whose corners all show the object `front` cannot show the object `back` anywhere.
-    ///
-    /// Objects are convex: between the visible points at the corners, `front` is nowhere farther away than these.
-    pub(super) fn occludes(&self, eye: Vec3A, front: ObjectId, back: ObjectId) -> bool {
-        let (f, b) = (&self.objects[front.index()], &self.objects[back.index()]);
-        let has_less_power = match (f.power, b.power) {
+    /// Returns whether two spheres are in front of each other in this order wherever both are seen, see [`ObjectBounds::power`].
+    pub(super) fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
+        let power = |id: ObjectId| self.objects[id.index()].power;
+        match (power(front), power(back)) {
             (Some([_, front]), Some([back, _])) => front < back,
             _ => false,
-        };
-        f.is_before(b, eye.extend(0.0)) || has_less_power
+        }
     }
 }

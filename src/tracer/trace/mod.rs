@@ -37,7 +37,7 @@ mod waves;
 pub(crate) use accumulator::Layers;
 pub(crate) use queue::{BATCH, PARTS};
 pub(crate) use sample::{STEP, Sample};
-pub(crate) use texture::SeenPattern;
+pub(crate) use texture::{SeenPattern, seen_points};
 
 use crate::counts::Counts;
 use crate::lanes::*;

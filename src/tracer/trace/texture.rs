@@ -68,24 +68,39 @@ impl<'a> SeenPattern<'a> {
     /// Returns the pattern's factor on the colour, 0 to 1, at four points (x, y) of the picture, in pixels; undefined at points
     /// that show other objects.
     #[inline(always)]
-    pub fn at(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
+    pub fn at(&self, at: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let (simd, world) = (baseline(), self.world);
-        let o = Vec3x::splat(simd, world.eye);
-        let d = to_picture(simd, world, x, y);
-        let length2 = d.dot(d);
-        let from = o - Vec3x::splat(simd, self.object.centre());
-        let t = match self.object {
-            Object::Sphere(it) => sphere::distance(simd, it.radius, &from, &d, length2),
-            Object::Block(block) => {
-                block::distance(simd, block, &o, &d, M::<Baseline>::splat(simd, false)).0
-            }
-            Object::Plane(_) => plane::distance(&from, &d),
-            Object::Light(_) | Object::Background => return splat(simd, 1.0),
-        };
+        let (d, t) = seen_points(world, &self.object, at);
+        let from = Vec3x::splat(simd, world.eye) - Vec3x::splat(simd, self.object.centre());
         let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
-        let share = point.reflectance(simd, world, self.pattern, &d, t * length2);
+        let share = point.reflectance(simd, world, self.pattern, &d, t * d.dot(d));
         share.abs()
     }
+}
+
+/// Returns the rays from the eye to four points (x, y) of the picture, in pixels, and the distances of their hits on the object, in
+/// lengths of the rays.
+#[inline(never)]
+pub(crate) fn seen_points(
+    world: World<'_>,
+    object: &Object<'_>,
+    [x, y]: [f32x4<Baseline>; 2],
+) -> (Vec3x<Baseline>, f32x4<Baseline>) {
+    let simd = baseline();
+    let o = Vec3x::splat(simd, world.eye);
+    let d = to_picture(simd, world, x, y);
+    let from = o - Vec3x::splat(simd, object.centre());
+    let ball = |radius| sphere::distance(simd, radius, &from, &d, d.dot(d));
+    let t = match object {
+        Object::Sphere(it) => ball(it.radius),
+        Object::Light(it) => ball(it.drawn_radius),
+        Object::Block(block) => {
+            block::distance(simd, block, &o, &d, M::<Baseline>::splat(simd, false)).0
+        }
+        Object::Plane(_) => plane::distance(&from, &d),
+        Object::Background => splat(simd, f32::INFINITY),
+    };
+    (d, t)
 }
 
 /// A pattern is fine where a sharp edge is narrower than this number of pixels: squares evaluate it at each pixel. Coarser patterns
