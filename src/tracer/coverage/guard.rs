@@ -1,10 +1,10 @@
-//! The guard: which squares of a tile may show what none of their corners does.
+//! The guard: finds the squares of a tile that may show something between their corners.
 //!
-//! Of hundreds of outlines few have a rectangle that a tile meets. Each of these covers one range of a row of squares, which its
-//! tangents give, of four rows at once: only squares in that range are looked at.
+//! Few of hundreds of outlines have a bounding rectangle that meets the tile. Tangents give the range of squares that an outline covers in
+//! each row, for four rows at once; only these squares are tested.
 //!
-//! The object that a corner shows is known from tracing it. Whether it shows a shadow or an image on a plane is not, so there the
-//! region is tested: a corner that shows the plane and lies in the region shows the shadow or the image, or an occluder of it.
+//! Tracing gives the object at a corner, but not whether the corner shows a shadow or an image on a plane. So the region is tested: a
+//! corner that shows the plane inside the region shows the shadow or image, or an occluder of it.
 
 use super::highlight::MAX_HIGHLIGHTS;
 use super::screen::Rect;
@@ -18,9 +18,9 @@ use crate::rounding::{COLUMN, HIT, SEEN, hit_error};
 use crate::scene::camera::pixels;
 use crate::trace::{Sample, seen_points};
 
-/// The outlines and the highlights that may be seen in a tile although no corner has shown them so far.
+/// The outlines and highlights of a tile that no corner has shown yet.
 pub(crate) struct Guard {
-    /// The numbers of the outlines.
+    /// Indices into [`Coverage::outlines`].
     outlines: [u16; MAX_OUTLINES],
     count: usize,
     /// A bit for each highlight.
@@ -28,7 +28,7 @@ pub(crate) struct Guard {
 }
 
 impl Guard {
-    /// Returns a guard of nothing, all zeros.
+    /// Returns zeroed memory.
     pub const fn new() -> Self {
         Self {
             outlines: [0; MAX_OUTLINES],
@@ -37,7 +37,7 @@ impl Guard {
         }
     }
 
-    /// Lists the outlines and the highlights that may meet a tile, whose squares cover a rectangle of the picture.
+    /// Lists the outlines and highlights that may meet a tile. `rect` covers its squares.
     pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
         let pixels = rectangle(area.left, area.top, area.right, area.bottom);
         self.highlights = [0; _];
@@ -46,14 +46,14 @@ impl Guard {
         }
         self.count = 0;
         for (number, bounds) in coverage.screen[..coverage.outlined].iter().enumerate() {
-            // No branch, since it could not be predicted.
+            // Branch-free: the outcome is unpredictable.
             self.outlines[self.count] = number as u16;
             self.count += usize::from(bounds.meets(rect));
         }
     }
 
-    /// Removes from `open` the squares of a level whose corners show everything that may be seen in them. `asked` are all squares of the
-    /// level. Only the outlines that may be missed remain listed for the level below.
+    /// Clears in `open` the squares of a level whose corners show everything that may be visible in them. `asked` are all squares of the
+    /// level. Keeps the outlines that the level below has to test.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -78,7 +78,7 @@ impl Guard {
         }
         self.count = kept;
         search.settle();
-        // Look for highlights in covered squares.
+        // Highlights open squares that are otherwise covered.
         for (i, &word) in self.highlights.iter().enumerate() {
             each(word, |bit| {
                 let highlight = &squares.coverage.highlights[64 * i + bit];
@@ -90,21 +90,21 @@ impl Guard {
     }
 }
 
-/// The search of a level's squares for what their corners do not show.
+/// The state of a search through the squares of a level.
 pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
-    /// The squares where something may be missed.
+    /// The squares that may miss something.
     pub open: [Bits; TILE_HEIGHT],
-    /// The light whose shadows are looked for; `None` for images.
+    /// The light of the current shadows; `None` for images.
     light: Option<u8>,
-    /// Whether the outline that is looked for is thin.
+    /// Whether the current outline is thin.
     is_thin: bool,
-    /// The corners that the shadows by this light, or the images, cover, for each row of squares.
+    /// The corners covered by the shadows of this light, or by images, for each row of squares.
     covered: [Covered; SQUARE_ROWS],
 }
 
 impl Search<'_> {
-    /// Looks for an outline in all open squares. Returns whether their parts may show it.
+    /// Tests the open squares against an outline. Returns whether their parts have to be tested again.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
         let light = match outline {
             Outline::Object(_) | Outline::Image(_) => None,
@@ -131,8 +131,8 @@ impl Search<'_> {
         may_be_missed
     }
 
-    /// Looks for an object in a square: opens the square unless a corner shows the object (all corners, if it is thin), or all corners
-    /// show one occluder. Returns whether it is opened.
+    /// Opens a square unless a corner shows the object (all corners, if it is thin), or an occluder hides it there. Returns whether the
+    /// square is opened.
     fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
         let (labels, shown) = self.squares.corners([x, y], id);
         let is_missed = match shown {
@@ -146,11 +146,10 @@ impl Search<'_> {
         is_missed
     }
 
-    /// Returns whether the corners of a square, which have some labels, all show one occluder that hides an object in the square.
+    /// Returns whether all corners of a square show one occluder that hides the object `back` there.
     ///
-    /// Objects are convex. So, of an occluder that the eye is outside of, what the square shows is no farther away than the
-    /// corners' points, and the pyramid of these and the eye contains all that is in front of it. A plane separates the pyramid from
-    /// the object.
+    /// The occluder is convex, so between the corners it is at most as far away as the plane of their points, if the eye is outside it.
+    /// Anything in front of it lies in the pyramid of the eye and these points. `back` is hidden if a plane separates it from this pyramid.
     #[inline(never)]
     fn hide(&self, [front, others @ ..]: [usize; 4], back: ObjectId, square: [usize; 2]) -> bool {
         let &Squares {
@@ -170,13 +169,13 @@ impl Search<'_> {
         front.is_beside(world.eye.extend(0.0)) && back.is_beyond(world.eye, points, slack)
     }
 
-    /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one
-    /// of these (all four, if it is thin) is inside of its region: it may be in front of another image. A shadow does the same, once
-    /// all shadows by its light are known, unless all corners are inside of another one.
+    /// Tests an image or a shadow on a plane in a square whose corners show the plane. An image opens the square unless such a corner (all
+    /// four, if it is thin) is inside the region. So does a shadow, once all shadows of its light are known, unless another one covers all
+    /// corners.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let (_, shown) = self.squares.corners([x, y], plane);
-        // Where no corner shows the plane, it is not visible here, or its own outline has already opened the square.
+        // If no corner shows the plane, it is hidden here, or its own outline has already opened the square.
         if shown != 0 {
             let inside = shown & self.squares.inside([x, y], region);
             let is_open = inside == 0 || self.is_thin;
@@ -194,7 +193,7 @@ impl Search<'_> {
         true
     }
 
-    /// Opens the squares where a shadow by the current light, or light between two shadows, may be missed.
+    /// Opens the squares that may miss a shadow by the current light, or a slit of light between two shadows.
     #[inline(never)]
     fn settle(&mut self) {
         for (covered, open) in self.covered.iter_mut().zip(&mut self.open) {
@@ -204,28 +203,27 @@ impl Search<'_> {
     }
 }
 
-/// The most rows of squares in a tile: each is larger than a pixel.
+/// The maximum number of rows of squares of 2 pixels or more in a tile.
 const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// The width of the widest thin outlines, in halves of a square's side. An outline that is wider than a side covers a corner, in
-/// whichever direction it crosses the square; the other half is for those that others hide in part.
+/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side covers a corner in any direction; the other
+/// half is for outlines that are hidden in part.
 const THIN: usize = 3;
 
-/// All corners of a square.
+/// The bits of all corners.
 pub(super) const ALL: u64 = 0b1111;
 
-/// How shadows by one light, or images, cover the corners of a row of squares, a bit for each square.
+/// How the shadows of one light, or the images, cover the corners of a row of squares: a bit per square.
 ///
-/// Corners that all are in shadow say nothing of light between two shadows, nor do corners that all show images of what is between two
-/// images: a square is left open where two outlines cover some of its corners each. Where one outline covers all of them, which is
-/// convex, no other by the same light matters.
+/// If two outlines each cover some corners, something may lie between them, so the square stays open. If one outline covers all corners, it
+/// covers the whole square, since it is convex.
 #[derive(Clone, Copy)]
 struct Covered {
-    /// One covers all corners.
+    /// One outline covers all corners.
     wholly: Bits,
-    /// One covers some of the corners that show the plane.
+    /// One outline covers some of the corners that show the plane.
     partly: Bits,
-    /// One covers no corner that shows the plane, or two cover some of them.
+    /// An outline covers no corner that shows the plane, or two cover some.
     missed: Bits,
 }
 
@@ -237,22 +235,21 @@ impl Covered {
     };
 }
 
-/// The squares of a level of a tile, and what their corners show.
+/// The squares of a level of a tile, with traced corners.
 pub(crate) struct Squares<'a> {
     pub(super) world: World<'a>,
     pub(super) coverage: &'a Coverage,
     pub(super) area: &'a Area,
     pyramid: &'a Pyramid,
     pub(super) level: usize,
-    /// How many columns and rows of corners are pixels of the picture.
+    /// The number of columns and rows of corners inside the picture.
     pixels: [usize; 2],
 }
 
-/// Rows of squares that a region is narrowed to at once.
+/// The number of rows that a region is clipped to at once.
 const ROWS: usize = 4;
 
 impl<'a> Squares<'a> {
-    /// Returns the squares of a level, whose corners are traced.
     pub fn new(
         world: World<'a>,
         coverage: &'a Coverage,
@@ -278,17 +275,15 @@ impl<'a> Squares<'a> {
         1 << self.level
     }
 
-    /// Returns the number of squares side by side.
     pub(super) fn columns(&self) -> usize {
         self.area.columns(self.level)
     }
 
-    /// Returns the number of squares on top of each other.
     pub(super) fn rows(&self) -> usize {
         self.area.rows(self.level)
     }
 
-    /// Calls with the column and the row of each square in `open` that may meet a region.
+    /// Calls with the column and row of each square in `open` that may meet a region.
     #[inline(always)]
     fn for_each_met(
         &self,
@@ -309,8 +304,7 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Returns the first and the last square, sides included, that may meet a region, of each of [`ROWS`] rows from `top` down; the
-    /// first beyond the last where none may.
+    /// Returns the first and last square that may meet a region in each of [`ROWS`] rows from `top` down; first > last for an empty range.
     #[inline(never)]
     fn ranges(&self, region: &Region, top: usize) -> [[i32; ROWS]; 2] {
         let simd = baseline();
@@ -332,12 +326,12 @@ impl<'a> Squares<'a> {
         [first, last].map(|squares| squares.into())
     }
 
-    /// Returns the labels of a square's corners, and a bit for each corner that is a pixel of the picture and shows an object.
+    /// Returns the labels of a square's corners, and a bit for each corner inside the picture that shows an object.
     pub(super) fn corners(&self, [x, y]: [usize; 2], object: ObjectId) -> ([usize; 4], u64) {
         let labels = self.pyramid.corners(self.level, x, y).map(Sample::label);
         let [upper, right, lower, last] =
             labels.map(|label| u64::from(label == object.index() + 1));
-        // The first one always is a pixel.
+        // The first corner is always inside.
         let mut shown = upper | right << 1 | lower << 2 | last << 3;
         if x + 1 == self.pixels[0] {
             shown &= 0b0101;
@@ -348,7 +342,7 @@ impl<'a> Squares<'a> {
         (labels, shown)
     }
 
-    /// Returns a bit for each corner of a square that is sure to be inside of a region. Not inlined, since that takes fewer bytes.
+    /// Returns a bit for each corner of a square that is certainly inside a region. Inlining would cost bytes.
     #[inline(never)]
     pub(super) fn inside(&self, square: [usize; 2], region: &Region) -> u64 {
         let [x, y] = self.places(square);

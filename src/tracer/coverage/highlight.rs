@@ -1,8 +1,8 @@
-//! The highlights that lights leave on objects in the eye's own sight, as ellipses in the picture.
+//! The highlights of lights on objects in direct view, as ellipses in the picture.
 //!
-//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference of the mirrored ray r and of the
-//! direction l to the light. Where d is 0 the surface mirrors the light. About that place d is linear in the pixels x to the right
-//! and y below, so the lobe is `ks e^-u` with `u = a x^2 + 2 b x y + c y^2`. Grooves, which make a lobe wider, are left out.
+//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference of the mirrored ray r and the direction l to the
+//! light. At d = 0 the surface mirrors the light. Around this point d is linear in the pixels x to the right and y down, so the lobe is `ks
+//! e^-u` with `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
 
 use super::Coverage;
 use super::guard::{ALL, Search};
@@ -18,42 +18,38 @@ use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The most highlights: a light leaves one on a sphere and on a plane, and three on a box or a cylinder.
+/// The maximum number of highlights: a light leaves one on a sphere and on a plane, and three on a box or a cylinder.
 pub(super) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
 /// The side of the largest squares of the named qualities, in pixels.
 const SQUARE: f32 = 8.0;
 
-/// The least strength above its surroundings of a highlight that is looked for, of 255: errors of that size are counted as wrong
-/// pixels.
+/// The least visible brightness above the surroundings, of 255: the error that counts as a wrong pixel.
 const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
 const REACH: f32 = 3.5;
 
-/// The part of [`VISIBLE`] that may be missed, and the part of a lobe's decay that is counted on: away from its middle a lobe is wider
-/// than its Gaussian. With these, none of 5,115 highlights on spheres and planes was missed, where one was
-/// without; rays of the model scene are 0.05 % more.
+/// The share of [`VISIBLE`] that may be missed, and the share of a lobe's decay that is assumed: off its centre a lobe is wider than the
+/// Gaussian. With these, 0 of 5,115 highlights on spheres and planes were missed, 1 without; the model scene has 0.05 % more rays.
 const SPARE: f32 = 0.6;
 const COUNTED_DECAY: f32 = 0.75;
 
-/// A highlight.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Highlight {
     /// The object that shows it.
     pub object: ObjectId,
-    /// Its middle, in pixels.
+    /// Its centre, in pixels.
     middle: Vec2,
-    /// Where it may be seen, in pixels: the least x and y, and the greatest, these two negative.
+    /// Its bounding rectangle in pixels: the least x and y, and the greatest negated.
     bounds: Vec4,
-    /// The decay a, b and c.
+    /// The decay: a, b and c.
     decay: [f32; 3],
-    /// How bright it is, of 255.
+    /// Its peak, of 255.
     strength: f32,
 }
 
 impl Highlight {
-    /// All zeros.
     pub const ZERO: Self = Self {
         object: ObjectId::FIRST,
         middle: Vec2::ZERO,
@@ -62,38 +58,37 @@ impl Highlight {
         strength: 0.0,
     };
 
-    /// Returns whether it may be seen in a rectangle of the picture, in pixels.
+    /// Returns whether its bounds meet a rectangle in pixels.
     pub fn meets(&self, rect: Vec4) -> bool {
         self.bounds
             .cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0))
             .all()
     }
 
-    /// Returns the least and the greatest of its pixels, from a place in the picture.
+    /// Returns its least and greatest pixels, relative to `from`.
     pub fn ends(&self, from: [f32; 2]) -> [Vec2; 2] {
         let from = Vec2::from_array(from);
         [self.bounds.xy() - from, -self.bounds.zw() - from]
     }
 
-    /// Returns whether no square of a side in pixels may be visibly brighter than its corners, if all of these show the object.
+    /// Returns whether squares of a side in pixels are never visibly brighter than their corners, if all corners show the object.
     ///
-    /// The decay is least in the square's middle, on a side or at a corner: at a corner it is greater by as much as the quadratic
-    /// form makes of half a side across and half a side down, at most.
+    /// The decay has its minimum at the square's centre, on a side or at a corner. From there to the nearest corner it grows at most by its
+    /// value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * pixels(side);
         self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.most(pixels(side))
     }
 
-    /// Returns how much brighter a square of some width may be than its corners.
-    ///
-    /// A smaller square has fewer pixels, so it may be more, as for the tolerances of a quality; but never a third of the highlight.
+    /// Returns the brightness that a square may exceed its corners by. It grows as squares get smaller, like the tolerances of a quality,
+    /// up to a third of the highlight.
     fn most(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
 
-    /// Returns whether a square, given by its ends in pixels, may be visibly brighter than the corners that have a bit: upper left,
-    /// upper right, lower left, lower right.
+    /// Returns whether a square, in pixels, may be visibly brighter than the corners whose bits are set: upper left, upper right, lower
+    /// left, lower right.
     #[inline(never)]
     pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
         let [a, b, c] = self.decay;
@@ -102,10 +97,10 @@ impl Highlight {
         let u = |x: Vec4, y: Vec4| a * x * x + y * (2.0 * b * x + c * y);
         let unseen = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
         let seen = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(unseen)).min_element();
-        // It is brightest in its middle, or else somewhere on a side.
+        // The brightest point is the highlight's centre if the square contains it; otherwise it is on a side.
         let mut least = 0.0;
         if rect.xy().max(-rect.zw()).max_element() > 0.0 {
-            // The left and the right side, then the upper and the lower one.
+            // The left and right side, then the upper and lower side.
             let sides = rect.xzyw();
             let along = (-b * sides / Vec4::new(c, c, a, a))
                 .max(rect.yyxx())
@@ -121,8 +116,7 @@ impl Highlight {
 }
 
 impl Coverage {
-    /// Sets the highlights, after the objects. Highlights that are seen from within a sphere or a cylinder are left out, and highlights
-    /// on waves.
+    /// Computes the highlights, after the objects: none on waves, and none seen from inside a sphere or a cylinder.
     pub(super) fn set_highlights(&mut self, world: World<'_>) {
         self.highlights.clear();
         for i in 0..world.background() {
@@ -131,7 +125,7 @@ impl Coverage {
             if i == world.first_plane() && !world.scene.water.are_calm() {
                 continue;
             }
-            // Beyond the object's own bounds no corner shows it.
+            // Outside the object's bounds no corner shows it.
             let bounds = self.objects[i].screen.in_pixels(&self.axes);
             // The highlights of several lights may add up.
             let visible = VISIBLE / pixels(world.lights().len());
@@ -169,8 +163,8 @@ impl Coverage {
 }
 
 impl Highlight {
-    /// Returns whether it is small enough to lie between corners: 4 pixels across and down from a corner u is 64 times the greater of a and
-    /// c at most. However thin it is, it shows in many pixels if it goes through their middles.
+    /// Returns whether it can lie between corners. At 4 pixels across and down from a corner, u is at most 64 times the larger of a and c.
+    /// A long thin highlight shows in many pixels.
     fn is_small(&self, visible: f32) -> bool {
         let [a, _, c] = self.decay;
         self.strength * a.max(c) * SQUARE * SQUARE > visible
@@ -178,8 +172,8 @@ impl Highlight {
 }
 
 impl Mirror {
-    /// Returns the highlight at this place, in a picture with some axes; `eye` and `light` are from the object's centre, too. `None` if
-    /// the eye or the light does not see the place.
+    /// Returns the highlight at this point; `None` if it is hidden from the eye or the light. `eye` and `light` are relative to the
+    /// object's centre.
     fn seen(&self, axes: &Axes, eye: Vec3A, light: Vec3A, half_exponent: f32) -> Option<Highlight> {
         let &Self {
             p,
@@ -196,7 +190,7 @@ impl Mirror {
         if !is_seen {
             return None;
         }
-        // How d - l changes from pixel to pixel, with the place on the surface.
+        // The change of d - l from pixel to pixel, as the surface point moves.
         let [right, down] = [axes.rows[0], axes.rows[1]].map(|step| {
             let step = (step + d * (step.dot(n) / facing)) * (depth * axes.pixel);
             let turned = (step - axis * step.dot(axis)) * curvature;
@@ -220,8 +214,7 @@ impl Mirror {
 }
 
 impl Search<'_> {
-    /// Looks for a highlight in covered squares: leaves a square open if the highlight may be visibly brighter in it than at the
-    /// corners that show the object.
+    /// Opens covered squares in which a highlight may be visibly brighter than at the corners that show the object.
     pub(super) fn look_for_highlight(
         &mut self,
         highlight: &Highlight,

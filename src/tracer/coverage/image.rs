@@ -1,7 +1,4 @@
-//! The images of solids and lights in the first plane.
-//!
-//! An image in a plane is the object as the eye's mirror image behind the plane sees it. So it has the outline that the object has for
-//! a camera mirrored in the plane, in the same place of the picture.
+//! The images of solids and lights in the first plane. An image has the outline of the object for a camera mirrored in the plane.
 
 use super::screen::ScreenBounds;
 use super::view::View;
@@ -9,7 +6,7 @@ use super::{Coverage, Outline};
 use crate::prepare::{MAX_GROUPS, World};
 
 impl Coverage {
-    /// Sets the bounds of all images, after the objects, if the first plane is a mirror without waves.
+    /// Computes the bounds of all images, after the objects, if the first plane is a mirror without waves.
     pub(super) fn set_images(&mut self, world: World<'_>) {
         let Some(plane) = world.scene.planes.first() else {
             return;

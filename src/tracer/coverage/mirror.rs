@@ -1,25 +1,24 @@
-//! The places at which objects mirror a light to the eye.
+//! The surface points that mirror a light to the eye. All positions are relative to the object's centre.
 
 use crate::prepare::Object;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Newton's steps to where a curved surface mirrors a light. Two are enough far from it; the others are for eyes and lights that are
-/// near.
+/// Newton steps towards the mirror point of a curved surface. Two suffice for distant eyes and lights, the others are for near ones.
 const NEWTON_STEPS: usize = 8;
 
-/// A place of a surface that mirrors a light to the eye, from the object's centre.
+/// A surface point that mirrors a light to the eye.
 pub(super) struct Mirror {
     pub p: Vec3A,
-    /// The normal, of length 1.
+    /// The unit normal.
     pub n: Vec3A,
-    /// The curvature across an axis, along which there is none.
+    /// The curvature across `axis`; along it the surface is straight.
     pub curvature: f32,
     pub axis: Vec3A,
 }
 
 impl Mirror {
-    /// Calls `add` with each place of an object that may mirror a light to the eye, both given from the object's centre.
+    /// Calls `add` with each point of an object that may mirror a light to the eye.
     pub fn each(object: &Object<'_>, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         match object {
             Object::Sphere(sphere) => add(Self::round(eye, light, Vec3A::ZERO, sphere.radius)),
@@ -42,8 +41,8 @@ impl Mirror {
         }
     }
 
-    /// Calls `add` with the places of a capsule: on a ball, and where the side is nearest to the place that would, since a highlight
-    /// goes on beyond the joint of two shapes.
+    /// Calls `add` with the points of a capsule: on the end's sphere, and on the side as near as possible to the mirror point of an endless
+    /// cylinder, since a highlight continues across the joint.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);
@@ -60,10 +59,10 @@ impl Mirror {
         add(side);
     }
 
-    /// Returns the place on a sphere, without an axis, or on a cylinder about one, of length 1.
+    /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
-    /// Across the axis the normal halves the angle between the directions to the eye and the light. Unrolled, the way from the one
-    /// to the other is straight, which gives the height.
+    /// Across the axis the normal bisects the directions to the eye and the light. Unrolled, the path between them is straight, which gives
+    /// the height.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));
@@ -76,7 +75,7 @@ impl Mirror {
             height = (heights[0] * a + heights[1] * b) / (a + b);
             let half = near * a + far * b;
             let length = half.length();
-            // As the normal turns by an angle, what halves the directions turns back by that times this.
+            // The derivative of the bisector's angle by the normal's, negated.
             let back = 0.25 * radius * (a + b) * length;
             n = (n + (half / length - n) / (1.0 + back)).normalize();
         }
@@ -88,7 +87,7 @@ impl Mirror {
         }
     }
 
-    /// Returns the place on the side towards the eye of two at the distance `half` from the centre, with the normals `axis` and `-axis`.
+    /// Returns the point on the face towards the eye, of the two at the distance `half` with the normals `axis` and `-axis`.
     fn flat(eye: Vec3A, light: Vec3A, axis: Vec3A, half: f32) -> Self {
         let n = axis * 1.0_f32.copysign(eye.dot(axis));
         let [above, light_above] = [eye, light].map(|point| point.dot(n) - half);

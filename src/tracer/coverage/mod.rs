@@ -1,68 +1,52 @@
-//! What squares may show although none of their corners does: objects, shadows on planes, images in the first plane, and highlights.
+//! The guard's bounds: regions of the picture where an object, a shadow on a plane, an image in the first plane or a highlight may be
+//! visible between the corners of a square.
 //!
-//! Corners do not see what lies between them. Here everything that may be visible has a conservative bound of where in the picture it
-//! is, set once a frame. A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split as long as it meets such a bound
-//! and its corners do not show what the bound is around. What a square is cleared of, its parts are, too. A corner clears a square of an
-//! outline that is wider than the square: such an outline covers a corner of every part that it crosses. An outline that is thinner than
-//! one and a half sides leaves the square open down to pixels, unless all four corners show it.
+//! Each frame, everything that may be visible gets a conservative bound in the picture. A guarded square (see
+//! [`Quality::guarded`](crate::Quality::guarded)) is split while it meets a bound whose object its corners do not show. The parts of a
+//! cleared square stay cleared. An outline wider than the square covers a corner of every part that it crosses, so one such corner clears
+//! the square. An outline thinner than one and a half sides keeps the square open down to pixels, unless all four corners show it.
 //!
 //! | kind | bound | a square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | a corner shows it (all, if it is thin), or all corners show one occluder | `object` |
-//! | image | the same from the eye's mirror image | no corner shows the plane, or one of those that do is inside of the bound (all, if it is thin) | `image` |
-//! | shadow | the cone of rays from the light, as the eye sees it on the plane | the same | `shadow` |
-//! | highlight | the ellipse of a Gaussian | it is not visibly brighter anywhere than at the corners that show the object | `highlight` |
+//! | object | the cone of rays from the eye that meet it | a corner shows it (all, if it is thin), or the corners show an occluder that hides it | `object` |
+//! | image | the same from the eye's mirror image | no corner shows the plane, or a corner that shows the plane is inside the bound (all, if it is thin) | `image` |
+//! | shadow | the cone of rays from the light, projected onto the plane | the same | `shadow` |
+//! | highlight | the ellipse of a Gaussian | its brightness nowhere visibly exceeds the corners that show the object | `highlight` |
 //!
-//! `guard` goes through the bounds that meet a tile, level by level. `view` bounds spheres seen from the eye or a light, `sides` bounds
-//! blocks and planes, and tests points and rectangles of the picture against all these bounds, `screen` has rectangles around them, and
-//! `mirror` finds the places where highlights are.
+//! `guard` tests a tile's squares against the bounds, level by level. `view` bounds spheres as seen from the eye or a light. `sides` bounds
+//! blocks and planes, and tests points and rectangles against all bounds. `screen` has bounding rectangles; `mirror` finds the points where
+//! surfaces mirror a light.
 //!
-//! # What is not missed
+//! # Guarantees
 //!
-//! Every object that tracing every pixel shows is shown in one pixel at least: an object that has a pixel p is in its outline around each
-//! square with p, so a square with p is filled only where one of its corners that are pixels shows the object, or where all corners
-//! show an occluder that covers the square. Averaged points count as showing what both their ends show.
+//! - Objects: every object in an exhaustive frame has at least one pixel. A square with a pixel of the object meets its outline, so it is
+//!   filled only if a corner in the picture shows the object, or if all corners show an occluder that covers the square. An averaged point
+//!   counts as showing the object that both ends show.
+//! - Shadows of spheres on planes by point lights: the same. A square that shows the plane and meets a shadow is filled only if a corner
+//!   that shows the plane lies in this shadow, or if all corners lie in another shadow by the same light ([`rounding`](crate::rounding)
+//!   derives the margins). The corner may be as dark without the shadow, see [`limits`](crate::limits).
+//! - Images in the first plane: the same, for images of 2x2 pixels or more that no other image covers in part. A corner inside an image's
+//!   outline shows this image or another one in front of it.
+//! - Thin things: in a bar 1 to 5 pixels wide, in its shadow on a plane by a point light, and in its image in the first plane, no hole
+//!   reaches 4 connected pixels at a named quality (`tests/image/thin.rs`). An outline's width is the least extent of the object at its
+//!   farthest distance: a lower bound. Antialiasing keeps at least an eighth of such a pixel.
 //!
-//! The same holds for the shadows that spheres throw on planes by the light of lights that are points. A square that shows the plane at a
-//! corner, and may show a shadow, is filled only where one of its corners lies in the shadow on the plane, or where all lie in another
-//! one by the same light ([`rounding`](crate::rounding) derives why errors spoil neither). That corner is dark. It may be as dark
-//! without the shadow: see [`limits`](crate::limits).
+//! # Best effort
 //!
-//! Shadows of blocks on planes, and by all other lights, are looked for in the same way, but not as exactly: a capsule counts as the
-//! cylinder around it, a cylinder that is seen from above as the box, and an area light as its middle. A spotlight counts where it
-//! does not shine, too. So few of them are missed.
+//! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a box, an area light as its centre, and
+//!   a spotlight also where it does not shine. Few are missed.
+//! - Slits of light between two shadows by one light: a square stays open if two shadows each cover some of its corners. Otherwise dark
+//!   corners would fill it, and the slit would flicker.
+//! - Images of cylinders and capsules, whose outlines are boxes. Images in waves (see [`Scene::water`](crate::scene::Scene::water)) have no
+//!   outlines.
+//! - Highlights in direct view: around the point that mirrors the light, Phong's lobe is a Gaussian in the picture. The lobe is only nearly
+//!   Gaussian, and a corner may be in shadow or on another face. Of thousands of highlights of five pixels or more whose centre is visible
+//!   the guard missed 0 (`docs/accuracy.md`).
+//! - Wider things can have holes, of up to 8 pixels in tests: at a corner, and in a narrow visible strip such as the back of a sunken log.
 //!
-//! Slits of light between two shadows by one light are looked for as well: a square is left open if two of the shadows hold some of its
-//! corners each, and none holds all. Corners that are all dark would fill it otherwise, and the slit would come and go from frame to
-//! frame.
-//!
-//! And it holds for the images in the first plane. A corner inside of an image's outline shows the image, or another one in front of it:
-//! an image that is partly hidden by others in the mirror can be missed. So can an image smaller than 2x2 pixels, as corners have to be
-//! well inside of a block's outline, and, if rarely, the image of a cylinder or a capsule, whose outline is the outline of the box around
-//! it. Images in a first plane with waves (see [`Scene::water`](crate::scene::Scene::water)) have no outlines: they can be missed as in
-//! any other mirror.
-//!
-//! Highlights in the eye's own sight are guarded by what they look like. About the place where a light is mirrored, Phong's lobe is a
-//! Gaussian of the picture. A square that shows the object is left open if the lobe is visibly brighter anywhere in it than at the
-//! corners that show the object. That is no proof: the lobe is only nearly a Gaussian, and such a corner may be in shadow or on another
-//! face. Of thousands of highlights of five pixels or more that show their middles none was missed, and few parts of others
-//! (`docs/accuracy.md`).
-//!
-//! # What has no holes
-//!
-//! What an exhaustive frame shows of a thing 1 to 5 pixels wide in the eye's sight, of its shadow on a plane by a point of light, and
-//! of its image in the first plane, at every pixel of it, no named quality leaves out in a hole of 4 connected pixels or more
-//! (`tests/image/thin.rs`). An outline's width is the least extent of the object where it is farthest from the eye: at most the true one.
-//! Of wider things two parts can have holes, of 8 pixels as far as was seen: a corner, and a narrow strip that others leave of a wide
-//! thing, such as the back of a log that is sunk in the ground.
-//!
-//! Antialiasing leaves a pixel an eighth of what it shows at least.
-//!
-//! That is all that is guaranteed. Gaps between objects, shadows on other objects than planes, highlights in mirrors, and what is seen in
-//! other mirrors or through glass can be missed where they fall between corners; `cargo lab missed` counts how many are. A guaranteed
-//! shadow may be smaller than it is, too: of the pixels of small spheres' shadows on a plane up to 0.4 % are lit
-//! (`few_pixels_of_shadows_are_lit`). The lab's bench measures how much of the picture is
-//! wrong, and how many pixels pop.
+//! The guard ignores gaps between objects, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions. `cargo
+//! lab missed` counts these. Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit
+//! (`few_pixels_of_shadows_are_lit`). `cargo lab bench` measures wrong pixels and pops.
 
 mod guard;
 mod highlight;
@@ -88,17 +72,16 @@ use screen::{Axes, ScreenBounds};
 use sides::{Region, Sides};
 use view::View;
 
-/// The most outlines: of each object, of the images of solids and lights, and of the shadow of each solid on each plane by each light.
+/// The maximum number of outlines: one per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
 const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
-/// Something with a convex outline that a square may show although no corner does.
+/// Something with a convex outline in the picture.
 #[derive(Clone, Copy)]
 enum Outline {
-    /// An object in the eye's own sight.
+    /// An object in direct view.
     Object(ObjectId),
-    /// The image of a solid or a light in the first plane.
     Image(ObjectId),
-    /// The shadow of a solid on a plane by a light, by their numbers.
+    /// The shadow of a solid, by the indices of plane and light.
     Shadow {
         object: ObjectId,
         plane: u8,
@@ -106,20 +89,19 @@ enum Outline {
     },
 }
 
-/// Conservative bounds of everything that may be seen in a picture.
+/// Conservative bounds of everything that may be visible in a picture.
 pub(crate) struct Coverage {
     pub axes: Axes,
-    /// For each group of the tree, a rectangle around it in the picture, and one around its image in the first plane.
+    /// For each group of the tree, bounds of its objects, and bounds of their images in the first plane.
     groups: [[ScreenBounds; MAX_GROUPS]; 2],
-    /// By the numbers of the objects.
+    /// Indexed by object.
     objects: [ObjectBounds; MAX_OBJECTS],
     eye: View,
-    /// The eye's mirror image in the first plane.
     image: View,
-    /// The lights, as each plane shows their light.
+    /// The lights' views, by plane and light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     highlights: List<Highlight, MAX_HIGHLIGHTS>,
-    /// All outlines that may meet the picture, and a rectangle around each.
+    /// All outlines that may meet the picture, with their bounding rectangles.
     outlines: [Outline; MAX_OUTLINES],
     screen: [ScreenBounds; MAX_OUTLINES],
     /// The least width of each in pixels, up to 255.
@@ -128,7 +110,7 @@ pub(crate) struct Coverage {
 }
 
 impl Coverage {
-    /// Returns memory for bounds, all zeros.
+    /// Returns zeroed memory.
     pub const fn new() -> Self {
         Self {
             axes: Axes::ZERO,
@@ -145,7 +127,7 @@ impl Coverage {
         }
     }
 
-    /// Sets the bounds for a picture, given by its width and height in pixels, whose samples are `offset` pixels off the pixels' centres.
+    /// Computes the bounds for a picture of `width` by `height` pixels, whose samples are `offset` pixels off the pixels' centres.
     pub fn set(&mut self, world: World<'_>, [width, height]: [usize; 2], offset: Vec2) {
         let raster = world.scene.camera.raster(width, height);
         self.axes = Axes::new(&raster, [width, height], offset);
@@ -158,7 +140,7 @@ impl Coverage {
         self.set_highlights(world);
     }
 
-    /// Adds an outline, with its bounds in the picture and its least width in units of distance 1.
+    /// Adds an outline with its bounds. `width` is its least width at distance 1.
     fn list(&mut self, outline: Outline, screen: ScreenBounds, width: f32) {
         self.outlines[self.outlined] = outline;
         self.screen[self.outlined] = screen;
@@ -166,11 +148,10 @@ impl Coverage {
         self.outlined += usize::from(screen != ScreenBounds::NONE);
     }
 
-    /// Returns an outline, by its number, and its region of the picture.
     #[inline(never)]
     fn outline(&self, world: World<'_>, number: usize) -> (Outline, Region) {
         let outline = self.outlines[number];
-        // The object, the view that shows it, and the plane that shows its image or its shadow to a viewer.
+        // The object, the view, and the plane and viewer of an image or shadow.
         let (id, view, shown) = match outline {
             Outline::Object(id) => (id, &self.eye, None),
             Outline::Image(id) => (id, &self.image, Some((0, world.eye))),
@@ -192,7 +173,7 @@ impl Coverage {
             }
         };
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
-        // Rays to a part beyond the plane meet the plane as well, but it shows neither the image nor the shadow there.
+        // The part beyond the plane has no image or shadow, yet its rays meet the plane.
         if let Some((plane, viewer)) = shown
             && self.heights(id, &world.planes()[plane], viewer)[0] < 0.0
         {
@@ -201,8 +182,8 @@ impl Coverage {
         (outline, region)
     }
 
-    /// Returns how far an object reaches towards the viewer from a plane that may show its shadow or its image, least and most, and a
-    /// bound on rounding more. The viewer is the shadow's light or, of an image, the eye.
+    /// Returns the least and greatest height of an object above a plane, on the viewer's side, with a margin for rounding. The viewer is
+    /// the shadow's light, or the eye for an image.
     fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
         let (error, [least, most]) = (object.hit_error(), object.above(plane.centre.y));
@@ -213,7 +194,7 @@ impl Coverage {
         }
     }
 
-    /// Returns the groups that rays through a rectangle of the picture can meet.
+    /// Returns the groups that rays through a rectangle can meet.
     pub fn visible_groups(&self, rect: Rect) -> VisibleGroups {
         let [directly, mirrored] = self.groups.each_ref().map(|bounds| {
             let meeting = bounds.iter().map(|bounds| bounds.meets(rect));

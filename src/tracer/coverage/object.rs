@@ -1,4 +1,4 @@
-//! Objects in the eye's own sight: their bounds in the picture, and which of two occludes the other.
+//! Objects in direct view: their bounds in the picture, and the order of occluders.
 
 use super::screen::ScreenBounds;
 use super::{Coverage, Outline};
@@ -9,27 +9,22 @@ use crate::rounding::{CORNER, HIT, SEEN, TOUCHING, hit_error};
 use crate::scene::Block;
 use glam::{Mat3A, Vec3A, Vec4};
 
-/// Conservative bounds of an object.
 pub(super) struct ObjectBounds {
-    /// The number of a solid's or a light's node in the tree.
+    /// The index of its node in the tree, for solids and lights.
     pub node: u16,
     pub screen: ScreenBounds,
-    /// Bounds of a sphere's power of the eye, distance squared minus radius squared, infinite around the eye; `None` where the eye may
-    /// be inside or outside, and for other objects. Of two spheres the one with the smaller power is in front wherever both are, since
-    /// the plane of equal powers separates their visible parts (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
+    /// Bounds of the eye's power to a sphere, distance squared minus radius squared; infinite if the eye is inside, `None` if that is
+    /// unsure, and for other objects. The plane of equal powers separates the visible parts of two spheres, so the sphere of smaller power
+    /// is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
     power: Option<[f32; 2]>,
     /// Half of its least extent.
     pub thickness: f32,
-    /// The ends of its extent along the scene's axes, and forward from the eye.
-    ///
-    /// Along the axes these are the scene's own numbers, where they are exact: an object that stands on another one, or rises out of it
-    /// by the last digit of its height, does so here.
+    /// The extent along the scene's axes, and forward from the eye.
     least: Vec4,
     most: Vec4,
 }
 
 impl ObjectBounds {
-    /// All zeros.
     pub const ZERO: Self = Self {
         node: 0,
         screen: ScreenBounds::ZERO,
@@ -39,25 +34,24 @@ impl ObjectBounds {
         most: Vec4::ZERO,
     };
 
-    /// Returns [`hit_error`] of the object.
+    /// Returns the [`hit_error`] of the object.
     #[inline(never)]
     pub fn hit_error(&self) -> f32 {
         let reach = self.least.abs().max(self.most.abs());
         hit_error(Vec3A::from_vec4(reach), 0.0)
     }
 
-    /// Returns whether its extent is finite.
     pub fn is_finite(&self) -> bool {
         self.most.is_finite()
     }
 
-    /// Returns how far it reaches above a height, least and most.
+    /// Returns its least and greatest height above `height`.
     pub fn above(&self, height: f32) -> [f32; 2] {
         [self.least.y - height, self.most.y - height]
     }
 
-    /// Returns whether a plane across an axis separates the object from the eye and from four points, given by their vectors from the
-    /// eye and their distances forward. These are off by `slack` at most.
+    /// Returns whether a plane across an axis separates the object from the eye and four points. `points` has the coordinates of the
+    /// vectors from the eye, and the forward distances; their error is at most `slack`.
     pub fn is_beyond(&self, eye: Vec3A, points: [F<Baseline>; 4], slack: f32) -> bool {
         let [least, most] = [self.least, self.most].map(|end| end - eye.extend(0.0));
         let gaps = least.max(-most) - (least.abs() + most.abs()) * SEEN - slack;
@@ -68,14 +62,14 @@ impl ObjectBounds {
         })
     }
 
-    /// Returns whether a point is sure to be outside.
+    /// Returns whether a point is certainly outside.
     pub fn is_beside(&self, point: Vec4) -> bool {
         let is_beside = self.least.cmpgt(point) | self.most.cmplt(point);
         is_beside.bitmask() & 0b111 != 0
     }
 }
 
-/// Returns the bounds of a sphere's power, see [`ObjectBounds::power`]. `to` is its centre from the eye.
+/// Returns the [`ObjectBounds::power`] of a sphere whose centre is at `to` from the eye.
 fn power(to: Vec3A, node: &BvhNode) -> Option<[f32; 2]> {
     let radius = node.radius;
     let distance2 = to.length_squared();
@@ -89,7 +83,7 @@ fn power(to: Vec3A, node: &BvhNode) -> Option<[f32; 2]> {
     })
 }
 
-/// Returns how far a block reaches from its centre along the scene's axes and forward.
+/// Returns the half extents of a block along the scene's axes and forward.
 fn extent(block: &Block, forward: Vec3A) -> Vec4 {
     let inward = Mat3A::from(block.axes).transpose();
     let half = Vec3A::from(block.half);
@@ -100,14 +94,13 @@ fn extent(block: &Block, forward: Vec3A) -> Vec4 {
         inward * forward,
     ];
     Vec4::from(own.map(|axis| {
-        // Exact along an axis of its own, and larger by what axes may be off elsewhere.
+        // Exact for an aligned axis; otherwise with a margin for the error of the block's axes.
         let tilt = (axis.abs().element_sum() - 1.0).abs();
         axis.abs().dot(half) + CORNER.min(4.0 * tilt) * half.element_sum()
     }))
 }
 
 impl Coverage {
-    /// Sets the bounds of all objects.
     pub(super) fn set_objects(&mut self, world: World<'_>) {
         let forward = self.axes.rows[2];
         let ends = |centre: Vec3A, extent: Vec4| {
@@ -144,7 +137,7 @@ impl Coverage {
         }
         for (i, plane) in world.planes().iter().enumerate() {
             let id = ObjectId::new(world.first_plane() + i);
-            // Forward it is nowhere before or behind anything.
+            // Forward, a plane has no order.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
             let [least, most] = ends(plane.centre.into(), extent);
             self.objects[id.index()] = ObjectBounds {
@@ -156,7 +149,7 @@ impl Coverage {
             let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
             let far = self.eye.reach(centre, half.length());
             let to = (centre - world.eye).abs();
-            // From above it reaches beneath the eye; from beside it is as flat as its far end.
+            // Above the plane, the eye may look straight down; beside it, the far end is the flattest.
             let is_beside = to.x > half.x || to.z > half.z;
             let steep = if is_beside { to.y / far } else { 1.0 };
             let width = 2.0 * half.x.min(half.z) * steep / far;
@@ -164,7 +157,7 @@ impl Coverage {
         }
     }
 
-    /// Returns whether two spheres are in front of each other in this order wherever both are seen, see [`ObjectBounds::power`].
+    /// Returns whether the sphere `front` is in front of the sphere `back` wherever both are visible, see [`ObjectBounds::power`].
     pub(super) fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
         let power = |id: ObjectId| self.objects[id.index()].power;
         match (power(front), power(back)) {

@@ -1,6 +1,4 @@
-//! Conservative bounds in screen space: the camera's axes, and rectangles of the picture.
-//!
-//! In the camera's own axes a ray is (u, v, 1): u to the right, v down.
+//! Conservative bounds in screen space. In the camera's axes a ray is (u, v, 1): u to the right, v down.
 
 use crate::lanes::*;
 use crate::rounding::PIXELS_AROUND;
@@ -10,19 +8,19 @@ use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 /// The camera's axes, and the positions of its pixels in the plane at distance 1.
 #[derive(Clone)]
 pub(crate) struct Axes {
-    /// To the right, down, and forward.
+    /// Right, down, and forward.
     pub rows: [Vec3A; 3],
     pub pixel: f32,
     /// The largest u or v of the picture, at least 1: its rays are at most the root of 3 times as long.
     pub reach: f32,
-    /// The middle of the picture in pixels, x and y, twice.
+    /// The centre of the picture in pixels, x and y, twice.
     middle: Vec4,
 }
 
 /// A rectangle of the picture: the least u and v, and the greatest.
 pub(crate) type Rect = Vec4;
 
-/// Rectangles of the picture, one in each lane: the least u and v, and the greatest.
+/// Rectangles of the picture, one per lane.
 #[derive(Clone, Copy)]
 pub(super) struct Rects<S: Isa> {
     pub left: F<S>,
@@ -31,18 +29,17 @@ pub(super) struct Rects<S: Isa> {
     pub bottom: F<S>,
 }
 
-/// Returns a rectangle in pixels, made in a register: a vector that is put together in memory takes longer to load.
+/// Returns a rectangle in pixels, built in a register: loading a vector right after storing its parts stalls.
 #[inline(always)]
 pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) -> Vec4 {
     Vec4::new(pixels(left), pixels(top), pixels(right), pixels(bottom))
 }
 
-/// A bounding rectangle in the picture: the least u and v, and the greatest, these two negative.
+/// A bounding rectangle: the least u and v, and the greatest negated.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct ScreenBounds(Vec4);
 
 impl Axes {
-    /// All zeros.
     pub const ZERO: Self = Self {
         rows: [Vec3A::ZERO; 3],
         pixel: 0.0,
@@ -50,8 +47,8 @@ impl Axes {
         middle: Vec4::ZERO,
     };
 
-    /// Returns the axes of a picture of `width` by `height` pixels, whose samples are `offset` pixels off the pixels' centres. The
-    /// raster is without this offset.
+    /// Returns the axes of a picture of `width` by `height` pixels, whose samples are `offset` pixels off the pixels' centres; `raster` has
+    /// no offset.
     pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {
         let pixel = raster.dx.length();
         let [x, y] = [width, height].map(|side| 0.5 * (pixels(side) - 1.0));
@@ -64,13 +61,12 @@ impl Axes {
         }
     }
 
-    /// Converts a rectangle in pixels.
+    /// Converts a rectangle from pixels.
     pub fn rect(&self, pixels: Vec4) -> Rect {
         (pixels - self.middle) * self.pixel
     }
 
-    /// Returns a column of rectangles, one for each lane. The upper left corner of the first one, and the width and the height of
-    /// each are in pixels.
+    /// Returns a column of rectangles of `size` pixels, one per lane, from the upper left corner of the first one in pixels.
     #[inline(always)]
     pub(super) fn rects<S: Isa>(
         &self,
@@ -110,39 +106,36 @@ impl Axes {
 }
 
 impl ScreenBounds {
-    /// Nothing of the picture.
+    /// Outside of the picture.
     pub const NONE: Self = Self(Vec4::INFINITY);
 
-    /// All of the picture, and beyond.
+    /// The whole picture, and beyond.
     pub const ALL: Self = Self(Vec4::NEG_INFINITY);
 
-    /// All zeros.
     pub const ZERO: Self = Self(Vec4::ZERO);
 
-    /// Returns the bounds from the least to the greatest u, and from the least to the greatest v. Each pair is `(b + a) / (d + c)` and
-    /// `(b - a) / (d - c)`, of a vector's a, b, c and d.
+    /// Returns the bounds whose ends are `(b + a) / (d + c)` and `(b - a) / (d - c)`, along u and along v, for vectors of a, b, c and d.
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
-        // Greatest slopes are least ones the other way round.
+        // The greatest slope is the least negated one.
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);
         let ahead = Vec4::new(u.w, v.w, u.w, v.w) + ends(u.z, v.z);
         let across = Vec4::new(u.x, v.x, u.x, v.x) + ends(u.y, v.y);
         let slope = across / ahead - PIXELS_AROUND * pixel;
-        // A tangent that points backwards does not bound its side of the picture, nor does NaN.
+        // A tangent that points backwards does not bound its side; nor does NaN.
         let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
         Self(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
     }
 
-    /// Converts the bounds to pixels.
     pub fn in_pixels(&self, axes: &Axes) -> Vec4 {
         self.0 / axes.pixel + axes.middle * Vec4::new(1.0, 1.0, -1.0, -1.0)
     }
 
-    /// Extends the bounds to contain others.
+    /// Extends the bounds to contain `other`.
     pub fn join(&mut self, other: Self) {
         self.0 = self.0.min(other.0);
     }
 
-    /// Narrows rectangles to the range of u that they share with the bounds; to an empty one if they are above or below.
+    /// Clips rectangles to the bounds' range of u; rectangles above or below become empty.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
         let simd = rects.left.token();
@@ -154,7 +147,7 @@ impl ScreenBounds {
         rects.right = is_beside.select(splat(simd, f32::NEG_INFINITY), rects.right);
     }
 
-    /// Returns whether the bounds share a point with a rectangle.
+    /// Returns whether the bounds and a rectangle overlap.
     pub fn meets(&self, rect: Rect) -> bool {
         let far = rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
         self.0.cmple(far).all()

@@ -1,6 +1,4 @@
-//! The shadows of solids on planes, as cones in the picture.
-//!
-//! A area light casts the shadows of its middle here, which lie in the penumbra, somewhere.
+//! The shadows of solids on planes, as cones in the picture. An area light casts the shadow of its centre, which lies in the penumbra.
 
 use super::view::View;
 use super::{Coverage, Outline};
@@ -10,15 +8,14 @@ use crate::scene::Plane;
 use glam::Vec3A;
 
 impl View {
-    /// Returns the view of a light whose light a plane shows to an eye with some axes. The normals are zeros where rounding might turn
-    /// them by more than bounds allow for.
+    /// Returns the view of a light from points on a plane. The normals are zero where rounding exceeds the margins.
     ///
-    /// They are linear in the eye's. With H and L the heights of the eye and the light, and w the light's ray for the eye's ray d
-    /// (see `sides`), `n . d H L = (n L - y (n . (light - eye))) . w`.
+    /// The normals are linear in the eye's axes. With H and L the heights of eye and light, and w the light's ray for the eye's ray d (see
+    /// `sides`), `n . d H L = (n L - y (n . (light - eye))) . w`.
     fn light(light: &PreparedLight, plane: &Plane, eye: Vec3A, axes: &[Vec3A; 3]) -> Self {
         let height = eye.y - plane.centre.y;
         let mut by = (light.position - eye).extend(height);
-        // Scaled so that all terms are below 2, with the sign that makes them point towards the plane.
+        // All terms are below 2, and point towards the plane.
         by *= (1.0 / by.length()).copysign(height);
         let (to, height) = (Vec3A::from_vec4(by), by.w);
         let above = height + to.y;
@@ -39,14 +36,14 @@ impl View {
 }
 
 impl Coverage {
-    /// Sets the bounds of the shadow of each solid on each plane by each light, after the objects.
+    /// Computes the bounds of the shadow of each solid on each plane by each light, after the objects.
     pub(super) fn set_shadows(&mut self, world: World<'_>) {
         for (plane, rectangle) in world.planes().iter().enumerate() {
             for (number, light) in world.lights().iter().enumerate() {
                 let view = View::light(light, rectangle, world.eye, &self.axes.rows);
                 self.shadows[plane][number] = view;
                 for (_, node) in world.tree.solids() {
-                    // A sphere around the light casts no shadow, nor does a solid beyond the plane.
+                    // Neither a sphere around the light nor a solid beyond the plane casts a shadow.
                     let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
                     let [_, most] = self.heights(node.object, rectangle, light.position);
@@ -56,7 +53,7 @@ impl Coverage {
                             plane: plane as u8,
                             light: number as u8,
                         };
-                        // The plane shows it enlarged, and the eye sees that from a height.
+                        // The shadow is magnified by the projection and foreshortened for the eye.
                         let height = light.position.y - rectangle.centre.y;
                         let scale = -height / to.y;
                         let at = light.position + to * scale;

@@ -1,13 +1,11 @@
-//! The rays that meet a sphere, a block or a plane, as a convex part of the picture.
+//! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
-//! A sphere is met by the rays w with `sin (a . w) >= cos |a x w|`, a the axis of its bounding cone. Seen from the eye, w is the
-//! picture's own ray (u, v, 1). A light's ray to the point where the eye's ray d meets a plane, which is H below the eye, is a linear
-//! image of d but for its length, `w = H d - (eye - light) d.y`: so a shadow is a cone as well. A block and a plane are met by the
-//! rays on the inner side of planes through the eye or the light.
+//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with a the axis of its bounding cone. From the eye, w is the picture's ray (u,
+//! v, 1). From a light, to the point where the eye's ray d meets a plane at H below the eye, `w = H d - (eye - light) d.y` up to its
+//! length: linear in d, so a shadow is a cone as well. Rays meet a block or plane on the inner side of planes through the eye or light.
 //!
-//! The difference of both sides of the inequality is a concave function of u and v, nowhere above its tangent plane, which
-//! is greatest at a corner of a square of the picture. So a square is outside if a tangent plane in its middle is below 0 at
-//! all corners.
+//! The difference of both sides of the inequality is concave in u and v. It is nowhere above its tangent plane, whose maximum over a square
+//! is at a corner. So a square is outside if the tangent plane at its centre is negative at all corners.
 
 use super::screen::{Axes, Rects, ScreenBounds};
 use crate::lanes::*;
@@ -18,20 +16,19 @@ use crate::shapes::plane;
 use core::array;
 use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles, Vec4};
 
-/// The least length that is divided by, where there is a direction across.
+/// The least length of a divisor.
 const SHORTEST: f32 = 1e-20;
 
-/// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
-/// rectangle.
+/// Clips per end: the first tangent touches the cone on its own side, later ones inside the rectangle.
 const TANGENTS: usize = 3;
 
-/// Four linear functions of u and v, one in each lane: the change for a step along u, for one along v, and the value at (0, 0).
+/// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
 pub(super) type Terms = [Vec4; 3];
 
 /// The rays from the eye or a light that meet an object.
 #[derive(Clone, Copy)]
 pub(super) enum Sides {
-    /// All rays: their origin is inside of the object, or nearly. None is sure to meet it.
+    /// All rays may meet the object, which contains their origin, or nearly; no ray certainly does.
     All,
     /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
     Round {
@@ -39,18 +36,17 @@ pub(super) enum Sides {
         /// See [`BoundingCone::unsure`](super::view).
         unsure: f32,
     },
-    /// The rays on the inner side of eight planes, by how far inside they are. Unused planes have all rays inside.
+    /// The rays on the inner side of eight planes. Unused planes have all rays inside.
     Flat {
         terms: [Terms; 2],
-        /// Below this depth rays may miss the object.
+        /// At a smaller depth, rays may miss the object.
         unsure: f32,
     },
 }
 
 impl Sides {
-    /// Returns the rays between the planes through the eye or a light and an edge of a block that have all of the block on one side:
-    /// two for each of its axes, at most. They leave room for `corner`, see [`CORNER`](crate::rounding::CORNER). `to` is the block's
-    /// centre.
+    /// Returns the rays between the silhouette planes of a block whose centre is at `to`: at most two per axis, moved outward for `corner`,
+    /// see [`CORNER`](crate::rounding::CORNER).
     #[inline(never)]
     pub fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
@@ -62,16 +58,16 @@ impl Sides {
         let terms = [1.0, -1.0].map(|way| {
             let [x, y] = silhouette.ends(way);
             let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
-            // The root of 3 is for the length of rays, and those of 2 because the scale has a sum for the distance of an edge, and
-            // because a light's rays are longer than the eye's.
+            // 3.5 covers the root of 3 for the length of rays, the root of 2 for the scale's sum of two coordinates, and the root of 2 for
+            // a light's longer rays.
             unsure = unsure.max(3.5 * slack * scale.abs().max_element());
             let mut terms = rays.map(|ray| {
                 let ray = inward * ray;
                 let side = (ray.zxy() * x - ray.yzx() * y) * scale;
-                // NaN within a cylinder.
+                // NaN inside a cylinder.
                 Vec3A::select(has_none, Vec3A::ZERO, side).extend(0.0)
             });
-            // An unused plane has all rays on its inner side.
+            // All rays are on the inner side of an unused plane.
             terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
             terms
         });
@@ -89,10 +85,9 @@ impl Sides {
         }
     }
 
-    /// Narrows rectangles of the picture to the range of u in which rays through them may be inside, by a margin; to an empty one
-    /// where none may.
+    /// Clips rectangles to the range of u whose rays may be inside, by a margin.
     ///
-    /// A round cone is narrowed to by tangent planes from both ends: each is a line in the picture that has the cone on one side.
+    /// A cone is clipped by tangent planes from both ends: each is a line in the picture with the cone on one side.
     #[inline(never)]
     fn narrow<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
         let simd = rects.left.token();
@@ -105,7 +100,7 @@ impl Sides {
                 for _ in 0..TANGENTS {
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
-                        // On the axis any direction across will do, such as none.
+                        // On the axis any direction across is valid, also zero.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         // The tangent's function of the cone's terms, times that length.
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
@@ -128,7 +123,7 @@ impl Sides {
         }
     }
 
-    /// Returns how far inside rays through points of the picture are, at least; below 0 they may be outside.
+    /// Returns a lower bound of the depth of rays inside; negative if they may be outside.
     #[inline(never)]
     fn depth<S: Isa>(&self, u: F<S>, v: F<S>) -> F<S> {
         let at = |terms: &Terms| -> [F<S>; 4] {
@@ -153,12 +148,12 @@ impl Sides {
 }
 
 impl<S: Isa> Rects<S> {
-    /// Narrows rectangles to the range of u for which `right u + down v + terms` is at least 0 for some v.
+    /// Clips rectangles to the range of u where `right u + down v + terms` is at least 0 for some v.
     #[inline(never)]
     fn cut(&mut self, right: F<S>, down: F<S>, terms: F<S>) {
         let zero = splat(right.token(), 0.0);
         let most = (down * self.top).max(down * self.bottom) + terms;
-        // NaN cuts nothing off. Where `right` is 0, which must not be -0, all is cut off or nothing.
+        // NaN clips nothing. If `right` is 0, which must not be -0, the clip is all or nothing.
         let end = -most / (right + zero);
         let least = at_least::<S>(end, self.left);
         let greatest = at_most::<S>(end, self.right);
@@ -171,14 +166,14 @@ impl<S: Isa> Rects<S> {
 pub(super) struct Region {
     pub bounds: ScreenBounds,
     pub sides: Sides,
-    /// The most that rounding may add to a side's inequality.
+    /// The bound on the rounding error of a side's inequality.
     pub rounding: f32,
-    /// The depth inside of all sides from which on a point is sure to show it, or an occluder of it.
+    /// The depth from which a point certainly shows the object or an occluder of it.
     pub margin: f32,
 }
 
 impl Region {
-    /// Returns the region inside of some sides. `rounding` is the part of [`SIDE`] that is allowed for.
+    /// Returns the region inside some sides. `rounding` is the applicable share of [`SIDE`].
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
         let rounding = SIDE * axes.reach * rounding;
         let unsure = match sides {
@@ -193,8 +188,7 @@ impl Region {
         }
     }
 
-    /// Returns the least and the greatest u of the region in rectangles of the picture; the least beyond the greatest where they do
-    /// not meet it.
+    /// Returns the least and greatest u of the region in each rectangle; least > greatest if they do not meet.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
         self.bounds.narrow(&mut rects);
@@ -202,7 +196,7 @@ impl Region {
         [rects.left, rects.right]
     }
 
-    /// Returns which points of the picture are sure to be inside.
+    /// Returns which points are certainly inside.
     #[inline(always)]
     pub fn contains<S: Isa>(&self, [u, v]: [F<S>; 2]) -> M<S> {
         let depth = self.sides.depth::<S>(u, v);
@@ -210,21 +204,21 @@ impl Region {
     }
 }
 
-/// The silhouette of a block from a point. Along each of the block's axes, in a lane, the block is a rectangle across the other two;
-/// an edge at either end of it is a side of the silhouette.
+/// The silhouette of a block from a point. Each lane is an axis of the block: along it the block is a rectangle across the other two axes,
+/// and the silhouette has an edge at either end.
 struct Silhouette {
     shape: Shape,
     half: Vec3A,
-    /// The middles of the rectangles.
+    /// The centres of the rectangles.
     a: Vec3A,
     b: Vec3A,
     is_beside: BVec3A,
-    /// The axes along which the point is between the block's sides: there the silhouette has no side.
+    /// The axes without a silhouette edge: the point is between the block's sides.
     pub has_none: BVec3A,
 }
 
 impl Silhouette {
-    /// Returns the silhouette of a block, by its centre and its half extents along its own axes, from the point.
+    /// Returns the silhouette of a block, given by its centre from the point and its half extents, along its own axes.
     pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
         let (a, b) = (centre.yzx(), centre.zxy());
         let is_beside = a.abs().cmpgt(half.yzx());
@@ -238,7 +232,7 @@ impl Silhouette {
         }
     }
 
-    /// Returns the ends of the rectangles: one way round, or the other if `way` is -1.
+    /// Returns the rectangles' silhouette corners on one side, or on the other if `way` is -1.
     pub fn ends(&self, way: f32) -> [Vec3A; 2] {
         let &Self { a, b, half, .. } = self;
         let (half_a, half_b) = (half.yzx(), half.zxy());
@@ -248,16 +242,16 @@ impl Silhouette {
         let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
         match self.shape {
             Shape::Box => {}
-            // Across its axis a cylinder counts as the box around it, and a capsule as the cylinder.
+            // Across its axis a cylinder counts as its bounding box, and a capsule as its bounding cylinder.
             Shape::Cylinder | Shape::Capsule => [x.y, y.y] = touched(a.y, b.y, half.x, way),
         }
         [x, y]
     }
 }
 
-/// Returns the point where a line through the origin touches a circle about (a, b), on one side of it, or on the other if `way` is -1.
+/// Returns the point of tangency of a line through the origin and a circle about (a, b), on one side, or on the other if `way` is -1.
 fn touched(a: f32, b: f32, radius: f32, way: f32) -> [f32; 2] {
-    // As shares of the way to its middle and across.
+    // As shares of the distance to the centre, along and across.
     let along = 1.0 - radius * radius / (a * a + b * b);
     let apart = sqrt(along - along * along);
     [a * along + b * apart * way, b * along - a * apart * way]

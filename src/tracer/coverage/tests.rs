@@ -1,4 +1,4 @@
-//! Outlines contain all of the objects and the shadows that they are around, and little else.
+//! Outlines contain their objects and shadows, and little else.
 
 extern crate std;
 
@@ -13,12 +13,12 @@ use std::prelude::v1::*;
 
 const SIZE: [usize; 2] = [320, 240];
 
-/// A vector with coordinates in a range, and heights in another one.
+/// Draws vectors with coordinates in -across..across, and heights in their own range.
 fn vector(across: f32, height: core::ops::Range<f32>) -> impl Strategy<Value = Vec3> {
     (-across..across, height, -across..across).prop_map(|(x, y, z)| Vec3::new(x, y, z))
 }
 
-/// A box, a cylinder or a capsule, turned in any way.
+/// Draws boxes, cylinders and capsules of any orientation.
 fn block() -> impl Strategy<Value = Block> {
     (
         vector(4.0, 1.0..3.0),
@@ -42,7 +42,7 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// A sphere and a block above a floor, a light higher up, some of them far away, and a camera anywhere above the floor.
+/// Draws scenes of a sphere and a block above a floor, a light above both, near or far, and a camera anywhere above the floor.
 fn scene() -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
@@ -66,7 +66,7 @@ fn scene() -> impl Strategy<Value = Scene> {
         )
 }
 
-/// A point within a block, some of its sides.
+/// Returns a point inside a block; `way` has coordinates of -1 to 1.
 fn within(block: &Block, way: DVec3) -> DVec3 {
     let half = block.half.as_dvec3();
     let across = DVec3::new(way.x, 0.0, way.z).clamp_length_max(1.0);
@@ -78,7 +78,6 @@ fn within(block: &Block, way: DVec3) -> DVec3 {
     block.centre.as_dvec3() + (block.axes.as_dmat3() * own * 0.999)
 }
 
-/// A scene's bounds, and the memory that its world is in.
 struct Bounds {
     prepared: Box<Prepared>,
     coverage: Box<Coverage>,
@@ -92,7 +91,7 @@ impl Bounds {
         Self { prepared, coverage }
     }
 
-    /// Whether an outline is listed and reaches the pixels around a place.
+    /// Returns whether a listed outline reaches the pixels around a place.
     fn have(&self, scene: &Scene, [x, y]: [usize; 2], is_asked: impl Fn(Outline) -> bool) -> bool {
         let (prepared, coverage) = (&*self.prepared, &*self.coverage);
         let listed = coverage.outlines[..coverage.outlined].iter();
@@ -106,7 +105,6 @@ impl Bounds {
         coverage.screen[number].meets(rect) && from.as_slice()[0] <= to.as_slice()[0]
     }
 
-    /// Whether the shadow of a solid reaches the pixels around a place.
     fn have_shadow(&self, scene: &Scene, place: [usize; 2], solid: usize) -> bool {
         self.have(
             scene,
@@ -116,7 +114,7 @@ impl Bounds {
     }
 }
 
-/// The place in the picture, in pixels, where an eye sees a point, if it does.
+/// Returns the pixel that shows a point, if it is in the picture.
 fn seen(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
     let d = point - eye.as_dvec3();
     let [x, y, z] = axes.rows.map(|axis| axis.as_dvec3().dot(d));
@@ -159,7 +157,7 @@ proptest! {
     }
 }
 
-/// Of the places in the picture, the bounds of small spheres' shadows have few.
+/// They meet less than 1 % of the squares.
 #[test]
 fn bounds_of_small_shadows_are_small() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
@@ -191,7 +189,6 @@ fn bounds_of_small_shadows_are_small() {
     assert!(met * 100 < tried, "{met} of {tried}");
 }
 
-/// Planes beyond the first one are looked for as objects, too, and not as images in it.
 #[test]
 fn planes_have_outlines_and_no_images() {
     let scene = Scene {

@@ -1,4 +1,4 @@
-//! Points of view: the eye, its mirror image, and lights; and the bounding cones of spheres seen from there.
+//! Viewpoints: the eye, its mirror image, and lights; and the bounding cones of spheres from there.
 
 use super::screen::ScreenBounds;
 use super::sides::{Sides, Terms};
@@ -7,23 +7,21 @@ use crate::prepare::{BvhNode, Object};
 use crate::rounding::{CORNER, HIT, UNSURE, WIDE, WIDER};
 use glam::{Vec3A, Vec4};
 
-/// A point that objects are seen from, and its rays through the points of the picture where the eye sees the objects, their images, or
-/// their shadows.
+/// A viewpoint, and its rays through the points of the picture that show objects, images or shadows.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
-    /// The linear map from the camera's rays (u, v, 1) to the rays from here, up to a factor: its columns for u, v and 1.
+    /// The linear map from the camera's rays (u, v, 1) to this view's rays, up to a factor: the columns for u, v and 1.
     pub rays: [Vec3A; 3],
-    /// The normals of the planes through this point that the eye sees as the lines u = 0, v = 0, and the line at infinity.
+    /// The normals of the planes through this point that the picture shows as the lines u = 0, v = 0, and the line at infinity.
     pub normals: [Vec3A; 3],
     /// See [`CORNER`].
     pub corner: f32,
-    /// The part of a side's [`SIDE`](crate::rounding::SIDE) that is allowed for.
+    /// The applicable share of [`SIDE`](crate::rounding::SIDE).
     pub rounding: f32,
 }
 
 impl View {
-    /// All zeros.
     pub const ZERO: Self = Self {
         from: Vec3A::ZERO,
         rays: [Vec3A::ZERO; 3],
@@ -32,7 +30,6 @@ impl View {
         rounding: 0.0,
     };
 
-    /// Returns the view of an eye whose camera has some axes.
     pub fn eye(from: Vec3A, axes: [Vec3A; 3]) -> Self {
         Self {
             from,
@@ -48,19 +45,19 @@ impl View {
         (centre - self.from).length() + radius
     }
 
-    /// Returns the cone around the bounding sphere of a solid or a light; `None` if this point is inside.
+    /// Returns the cone around a node's bounding sphere; `None` if this point is inside.
     fn cone(&self, node: &BvhNode) -> Option<BoundingCone> {
         BoundingCone::around(node.centre - self.from, node.radius + node.hit_error)
     }
 
-    /// Returns bounds of a solid or a light in a picture whose pixels are `pixel` wide.
+    /// Returns the bounds of a node in a picture whose pixels are `pixel` wide.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let cone = self.cone(node);
         cone.map_or(ScreenBounds::ALL, |cone| cone.bounds(&self.normals, pixel))
     }
 
-    /// Returns the rays that meet a solid or a light.
+    /// Returns the rays that meet an object.
     pub fn sides(&self, node: &BvhNode, object: &Object<'_>) -> Sides {
         if let Object::Block(block) = object {
             return Sides::of_block(&self.rays, node.centre - self.from, block, self.corner);
@@ -72,7 +69,7 @@ impl View {
     }
 }
 
-/// The cone of rays from a tip that meet a sphere. The tip is outside of the sphere.
+/// The cone of rays from a tip outside a sphere that meet the sphere.
 #[derive(Clone, Copy)]
 struct BoundingCone {
     /// The vector from the tip to the sphere's centre.
@@ -84,20 +81,20 @@ struct BoundingCone {
 }
 
 impl BoundingCone {
-    /// Returns the cone around a sphere whose centre is at `to`; `None` if the tip is inside of the sphere, so that all rays meet it.
+    /// Returns the cone around a sphere whose centre is at `to`; `None` if the tip is inside.
     pub fn around(to: Vec3A, radius: f32) -> Option<Self> {
         let distance2 = to.length_squared();
         let radius = radius * WIDE;
         let cosine2 = (distance2 - radius * radius) / distance2;
         (cosine2 >= 0.0).then(|| Self {
             to,
-            // `to` is as long as the distance, which the sine has once more.
+            // `to` contains one factor of the distance, the sine two.
             cosine_by_length: sqrt(cosine2 / distance2),
             sine_by_length: radius / distance2,
         })
     }
 
-    /// Returns the share of its sine by which rays may be inside and miss the sphere, around which it is wider by `hit_error`.
+    /// Returns the margin, relative to the sine, inside of which a ray certainly meets the sphere. The cone is wider by `hit_error`.
     #[inline(never)]
     pub fn unsure(&self, hit_error: f32) -> f32 {
         let distance2 = self.to.length_squared();
@@ -109,7 +106,7 @@ impl BoundingCone {
         error / (radius * cosine2)
     }
 
-    /// Returns the cone's terms as functions of u and v, where `rays` are the cone's rays for a step along u, along v, and for (0, 0).
+    /// Returns the cone's terms as functions of u and v. `rays` are the rays for a step along u, along v, and for (0, 0).
     #[inline(never)]
     pub fn terms(&self, rays: &[Vec3A; 3]) -> Terms {
         rays.map(|ray| {
@@ -118,12 +115,12 @@ impl BoundingCone {
         })
     }
 
-    /// Returns its bounds in the picture, if the planes through the tip with three normals are seen as the lines u = 0, v = 0, and
-    /// the line at infinity: the camera's axes, where the tip is the eye.
+    /// Returns its bounds in the picture. The arguments are the normals of the planes that appear as the lines u = 0, v = 0, and the line
+    /// at infinity: the camera's axes, if the tip is the eye.
     ///
-    /// The line u = c is the plane that has the first normal less c times the last. It touches the cone where its angle with the
-    /// axis is the cone's own (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013,
-    /// where normals are at right angles to each other).
+    /// The line u = c is the plane whose normal is the first one minus c times the last. It touches the cone where its angle with the axis
+    /// is the cone's own (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal
+    /// normals).
     #[inline(never)]
     pub fn bounds(&self, [right, down, forward]: &[Vec3A; 3], pixel: f32) -> ScreenBounds {
         let distance = self.to.length();
@@ -133,7 +130,7 @@ impl BoundingCone {
             return ScreenBounds::NONE;
         }
         let [u, v] = [right, down].map(|normal| {
-            // All planes have one direction in common. Across it the cone is as wide as a flat one.
+            // All planes share one direction. Across it the problem is two-dimensional.
             let along = normal.cross(*forward).normalize();
             let shared = axis.dot(along);
             let cosine = sqrt(1.0 - sine * sine - shared * shared);

@@ -1,29 +1,26 @@
-//! Antialiasing: pixels that differ by an edge are mixed with points between them.
+//! Antialiasing: pixels at edges are blended with points between them.
 //!
-//! Once all bands are drawn, each is looked at again. Where two neighbours differ by an edge, the point in the middle between them
-//! is traced, once for both. Each of the two shows the half of the way that is its own, and the edge is sought there by bisection:
-//! where the pixel and the middle differ by [`HALF`], the point between them is traced, and where that differs from one of them by
-//! [`QUARTER`], one more on that side.
+//! This is the second phase, after all bands are drawn. Where two neighbours differ by an edge, the point midway between them is traced,
+//! once for both. Each pixel owns the half up to this point, and bisects it: if the pixel and the midpoint differ by [`HALF`], the point
+//! between them is traced, and if that differs from either end by [`QUARTER`], one more point on that side.
 //!
 //! ```text
-//!     a           middle          b
+//!     a          midpoint         b
 //!   +---------------+---------------+
 //!   |               |     /         |
-//!   |       x       o   o/o x       |        a and the middle are alike. Between the middle and b the edge is found to an eighth.
+//!   |       x       o   o/o x       |        a and the midpoint are alike. Between it and b the edge is found to an eighth.
 //!   |               |   /           |
 //!   +---------------+---------------+
 //!                    an edge
 //! ```
 //!
-//! A pixel's colour along an axis is the mean, by the trapezoid rule, over all points that are known between its borders. The middle of
-//! a side with an edge counts a fourth; the middle of another side is the pixel's own colour. The axis along which the pixel changes
-//! more replaces the pixel: a line that crosses the edge steeply measures the covered share better than a mean of both lines. The marks
-//! compare pixels as they were drawn, also across bands, so that a picture has the same bits for any number of threads, and even
-//! areas keep their bits. A square of 8 that was filled between its corners' colours has no edges inside: only the other blocks are
-//! searched, and the pixels on their borders.
+//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and a side
+//! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the line that crosses the edge steeply
+//! measures coverage better than a mean of both lines. Marks compare pixels as drawn, also across bands, so a picture has the same bits for
+//! any number of threads, and even areas keep their bits. A filled square of 8 has no edges inside, so only rough cells and the pixels on
+//! their borders are searched.
 //!
-//! A thing that is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
-//! more closely only where something can be seen.
+//! Anything thinner than a pixel that falls between samples stays invisible.
 
 use super::worker::{Interval, STRETCH, Worker};
 use crate::MAX_WIDTH;
@@ -39,53 +36,49 @@ use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
 use fearless_simd::{u8x32, u32x8};
 
-/// The least difference of neighbours, in a channel and 255ths, that is an edge.
+/// The least difference of neighbours that is an edge, in a channel, of 255.
 pub(super) const EDGE: u8 = 20;
 
-/// The least difference of a pixel and the middle beside it, in a sample's unit, between which another point is traced.
+/// The least difference of pixel and midpoint that continues the bisection, in units of a sample.
 const HALF: u64 = 40 * STEP as u64;
 
-/// The least difference of that point and one of the two, between which a last point is traced.
+/// The least difference that continues it for the second time.
 const QUARTER: u64 = 128 * STEP as u64;
 
-/// Rows of marks for each row of pixels.
+/// Rows of marks per row of pixels.
 const ROWS: usize = 2;
 
-/// The most points in the middle that are traced together: a batch takes a point on both sides of each.
+/// The maximum number of midpoints in a batch: bisection needs a point on both sides of each.
 const MIDDLES: usize = BATCH / 2;
 
-/// Bits of a channel in a change.
+/// The number of bits of a channel in a change.
 const FIELD: usize = 21;
 
 /// A channel's sign in a change.
 const SIGN: u64 = 1 << (FIELD - 1);
 
-/// What points along an axis change of a pixel is counted in 16ths of a sample's unit: the weights of all points are whole there. It is
-/// a word of the pyramid's scratch memory, pixel by pixel for both axes: blue, green and red from the low bits up, [`FIELD`] bits each,
-/// with a sign, which borrow from the next as the channels of a difference do.
+/// The unit of a change is 1/16 of a sample's, which makes all weights whole. A change is a word of the pyramid's scratch memory, per pixel
+/// and axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
-/// A bit for each pixel of a row, number 0 in the lowest bit of the first word: whether it differs from a certain neighbour.
+/// A bit for each pixel of a row: whether it differs from one of its neighbours.
 type RowMarks = [u64; MAX_STRETCHES];
 
-/// Stretches of the widest row.
+/// The number of stretches in the widest row.
 const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
 
-/// Blocks of a stretch.
 const BLOCKS: usize = STRETCH / CELL;
 
-/// Where a band's last row differs from the row below it, the first of the next band, as both were drawn.
-///
-/// By the time that a band is looked at again, its neighbours may have been already. (Bits: the rows themselves would take 2 MB.)
+/// Marks between each band's last row and the first row of the band below, as drawn: when a band is smoothed, its neighbours may already
+/// have been. (Copies of the rows would take 2 MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
 
 impl Seams {
-    /// Of no frame.
     pub const fn new() -> Self {
         Self([[0; _]; MAX_BANDS])
     }
 
-    /// Takes in a picture that is drawn, of whose columns so many are finished, one at least.
+    /// Computes the marks of a drawn picture, for the first `finished` columns (at least 1).
     pub fn set(&mut self, picture: &Band<'_>, finished: usize) {
         let &Band {
             stride,
@@ -93,7 +86,7 @@ impl Seams {
             ref rough,
             ..
         } = picture;
-        // The last band has none below it.
+        // The last band has no seam below.
         let ends = (TILE_HEIGHT * stride..pixels.len()).step_by(TILE_HEIGHT * stride);
         for (number, end) in ends.enumerate() {
             let (above, below) = (&pixels[end - stride..], &pixels[end..]);
@@ -108,7 +101,7 @@ impl Seams {
         }
     }
 
-    /// The second phase of a frame: smooths the edges of a band.
+    /// Smooths the edges of a band.
     pub fn smooth<O: Observer>(
         &self,
         context: &Context<'_, O>,
@@ -117,7 +110,7 @@ impl Seams {
     ) {
         let number = band.top / TILE_HEIGHT;
         let is_last = band.top + band.height() == context.plan.size[1];
-        // Beyond the picture's edge all is alike.
+        // Pixels on the picture's border have no edge outward.
         let none = &[0; MAX_STRETCHES];
         let above = number.checked_sub(1).map_or(none, |above| &self.0[above]);
         let below = if is_last { none } else { &self.0[number] };
@@ -125,25 +118,22 @@ impl Seams {
     }
 }
 
-/// Where the pixels of a stretch of a band differ from their neighbours.
-///
-/// Each row has two: from the one above, and from the one to the right. The last are those of the row below the band from the one
-/// above it.
+/// Marks of a stretch: for each row, the edges to the row above and to the pixel on the right. The last entry is for the row below the
+/// band.
 type Marks = [u64; ROWS * TILE_HEIGHT + 1];
 
-/// The pixels of a stretch in a row of so many.
+/// Returns the columns of a stretch.
 fn stretch(word: usize, width: usize) -> Range<usize> {
     width.min(word * STRETCH)..width.min((word + 1) * STRETCH)
 }
 
-/// Which of a stretch's blocks are rough.
+/// Returns a bit for each rough cell of a stretch.
 fn blocks(row: &RoughRow, word: usize) -> u64 {
     let tile = row[word / (TILE_WIDTH / STRETCH)];
     tile >> (BLOCKS * word % (TILE_WIDTH / CELL)) & ((1 << BLOCKS) - 1)
 }
 
-/// Marks where a line of pixels of a stretch differs by an edge from another one, as far as this goes, in those of its blocks that
-/// are given.
+/// Marks the edges between two lines of pixels, in the cells whose bits are set.
 #[inline(never)]
 fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
     let mut marks = 0;
@@ -151,7 +141,7 @@ fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
         let (start, end) = (CELL * block, CELL * (block + 1));
         marks |= match (line.get(start..end), other.get(start..end)) {
             (Some(a), Some(b)) => edges(a, b) << start,
-            // The last block, which is cut off.
+            // The last cell, cut off by the picture's border.
             _ => {
                 let pairs = line.iter().zip(other).enumerate().skip(start);
                 pairs.fold(0, |marks, (i, (&a, &b))| {
@@ -163,7 +153,7 @@ fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
     marks
 }
 
-/// Marks where the finished pixels of a stretch differ from their neighbours: marks of the method are no edges.
+/// Marks the edges of a stretch. Overlays of the method, right of the finished columns, are no edges.
 fn mark_stretch(
     band: &Band<'_>,
     finished: usize,
@@ -179,7 +169,7 @@ fn mark_stretch(
     for y in 0..rows {
         let rough = &band.rough[y / CELL];
         let here = blocks(rough, word);
-        // The last pixel of each block lies beside the first of the next.
+        // The last pixel of a cell is adjacent to the next cell.
         let next = if word + 1 < MAX_STRETCHES {
             blocks(rough, word + 1) & 1
         } else {
@@ -200,7 +190,7 @@ fn mark_stretch(
     }
 }
 
-/// Which of a block's pixels in a row differ from as many others by an edge.
+/// Marks the edges between two rows of a cell.
 #[inline(always)]
 fn edges(a: &[u32], b: &[u32]) -> u64 {
     let [a, b]: [u8x32<Baseline>; 2] =
@@ -210,13 +200,13 @@ fn edges(a: &[u32], b: &[u32]) -> u64 {
     (!over.simd_eq(0)).to_bitmask()
 }
 
-/// Whether two pixels differ by an edge.
+/// Returns whether two pixels differ by an edge.
 pub(super) fn is_edge(a: u32, b: u32) -> bool {
     let mut channels = a.to_le_bytes().into_iter().zip(b.to_le_bytes());
     channels.any(|(a, b)| a.abs_diff(b) >= EDGE)
 }
 
-/// Traces the points between a band's pixels that differ, and mixes them.
+/// Traces the points at a band's edges, and blends the pixels.
 fn mix<O: Observer>(
     context: &Context<'_, O>,
     borders: [&RowMarks; 2],
@@ -228,11 +218,10 @@ fn mix<O: Observer>(
     let &Context { plan, coverage, .. } = context;
     let finished = plan.finished;
     let mut marks: Marks = [0; _];
-    // For each row, whether the last pixel of the stretch before differs from the first of this one.
+    // For each row, whether an edge lies between the previous stretch and this one.
     let mut before = [0; TILE_HEIGHT];
     let (top, height) = (band.top, band.height());
     for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
-        // Mark the points between pixels that differ, of a stretch.
         mark_stretch(band, finished, word, borders, &mut marks);
         let any = marks[..=ROWS * height]
             .iter()
@@ -250,7 +239,7 @@ fn mix<O: Observer>(
             add_middles(start, band, worker);
             bisect(context, &plan.quality, seen, worker);
         };
-        // Trace them, batch by batch.
+        // Trace the midpoints, batch by batch.
         for (number, &row) in marks[..=ROWS * height].iter().enumerate() {
             if row == 0 && (number % ROWS == 0 || before[number / ROWS] == 0) {
                 continue;
@@ -264,14 +253,14 @@ fn mix<O: Observer>(
                 (ROWS * top + number).wrapping_sub(1),
             ]
             .map(|at| at.wrapping_mul(PARTS / ROWS));
-            // Between the last pixel of the stretch before and the first of this one.
+            // On the border to the previous stretch.
             if number % ROWS != 0 && before[number / ROWS] != 0 {
                 points.push(x - PARTS, y);
             }
             each(row, |bit| points.push(x + PARTS * bit, y));
         }
         traced(worker, band);
-        // Mix each pixel with the points on its four sides.
+        // Blend each pixel with the points on its four sides.
         for (y, row) in band.rows() {
             let right = marks[ROWS * y + 1];
             let along_x = right | right << 1 | before[y];
@@ -283,8 +272,8 @@ fn mix<O: Observer>(
     }
 }
 
-/// Adds the points of a traced batch to the changes of the pixels on both sides, as far as they are in the stretch of a band that
-/// begins at column `left`, and clears the batch.
+/// Adds the batch's midpoints to the changes of the pixels on both sides, inside the stretch that begins at column `left`. Clears the
+/// batch.
 fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
     for i in 0..2 * worker.batch.points.len() {
         let (point, side) = (i / 2, i % 2);
@@ -302,8 +291,7 @@ fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
     worker.batch.points.clear();
 }
 
-/// Adds a traced point of the batch, the middle between a pixel and the one beside it on a side, to the changes of the pixel. Notes
-/// the interval between the two if an edge lies in it.
+/// Adds a traced midpoint on one side of a pixel to the pixel's changes, and queues the interval between them if it has an edge.
 #[inline(never)]
 pub(super) fn add_middle(
     worker: &mut Worker,
@@ -328,7 +316,7 @@ pub(super) fn add_middle(
     }
 }
 
-/// Traces points in the noted intervals, and adds them to the changes of the pixels. The batch must be empty, and is then.
+/// Bisects the queued intervals, and adds their points to the changes of the pixels. The batch is empty before and after.
 #[inline(never)]
 pub(super) fn bisect<O>(
     context: &Context<'_, O>,
@@ -348,7 +336,7 @@ pub(super) fn bisect<O>(
             let mut interval = worker.intervals[i % BATCH];
             let [start, end] = interval.ends;
             let middle = spread(worker.batch.results.sample(i));
-            // The mean of both ends becomes that of all three by the trapezoid rule.
+            // The mean of two ends becomes the mean of three points by the trapezoid rule.
             let more = (2 * middle).wrapping_sub(start + end);
             let weight = u64::from(interval.half.unsigned_abs());
             let change = &mut worker.pyramid.scratch()[usize::from(interval.word) % SCRATCH];
@@ -370,36 +358,36 @@ pub(super) fn bisect<O>(
     }
 }
 
-/// The largest difference of two colours in a channel.
+/// Returns the largest difference of two colours in a channel.
 #[inline(never)]
 fn contrast([a, b]: [u64; 2]) -> u64 {
     let channels = [0, 1, 2].map(|number| channel(a, number).abs_diff(channel(b, number)));
     channels.into_iter().fold(0, u64::max)
 }
 
-/// A channel of a colour, blue first.
+/// Returns a channel of a colour, blue first.
 fn channel(colour: u64, number: usize) -> u64 {
     colour >> (FIELD * number) & ((1 << FIELD) - 1)
 }
 
-/// A colour by its channels, blue first.
+/// Returns a colour from its channels, blue first.
 fn colour(channel: impl Fn(usize) -> u64) -> u64 {
     channel(0) | channel(1) << FIELD | channel(2) << (2 * FIELD)
 }
 
-/// A point's channels as far apart as a change has them.
+/// Returns a sample with its channels in the fields of a change.
 #[inline(never)]
 fn spread(sample: Sample) -> u64 {
     colour(|number| sample.0 >> (16 * number) & 0xffff)
 }
 
-/// A pixel as a point.
+/// Returns a pixel with its channels in the fields of a change.
 #[inline(never)]
 fn widened(pixel: u32) -> u64 {
     colour(|number| u64::from(pixel >> (8 * number) & 0xff) * STEP as u64)
 }
 
-/// Mixes a pixel with the points beside it, along the axis whose points change a channel of it more, and forgets its changes.
+/// Blends a pixel along the axis with the larger change in a channel, and resets both changes.
 #[inline(never)]
 pub(super) fn mix_pixel(drawn: &mut u32, pixel: usize, worker: &mut Worker) {
     const UNIT: u64 = WEIGHTS * STEP as u64;

@@ -1,4 +1,4 @@
-//! Fills squares with colours between those of their corners.
+//! Fills squares by bilinear interpolation of their corners' colours.
 
 use crate::grid::Bits;
 use crate::lanes::*;
@@ -7,27 +7,27 @@ use crate::prepare::Dither;
 use crate::trace::Sample;
 use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 
-/// The colours of four pixels side by side, a word for each channel, in 256ths of an output step.
+/// The colours of four adjacent pixels, a word per channel, in 256ths of an output step.
 type Four<S> = u16x16<S>;
 
-/// The squares of a row that are filled, in pixels of the band.
+/// The filled squares of a row, in pixels of the band.
 pub(super) struct Run<'a> {
-    /// Where square number 0 begins.
+    /// The position of square 0.
     pub x: usize,
     pub y: usize,
-    /// Their level, at least 1.
+    /// At least 1.
     pub level: usize,
-    /// The samples along their upper and along their lower sides.
+    /// The samples along the upper and lower sides.
     pub above: &'a [u64],
     pub below: &'a [u64],
     pub filled: Bits,
-    /// Those of one colour.
+    /// The squares of uniform colour.
     pub flat: Bits,
-    /// From which fractions on colours are rounded up. The band begins at a multiple of four rows of the picture.
+    /// The rounding thresholds. The band's first row is a multiple of four in the picture.
     pub dither: &'a Dither,
 }
 
-/// Fills squares as far as they are in the picture.
+/// Fills squares, clipped to the picture.
 pub(super) fn fill(isa: Level, band: &mut Band<'_>, run: &Run<'_>) {
     by_isa!(isa, simd => match run.level {
         1 => fill_by::<_, 1>(simd, band, run),
@@ -36,7 +36,7 @@ pub(super) fn fill(isa: Level, band: &mut Band<'_>, run: &Run<'_>) {
     });
 }
 
-/// Fills squares of `1 << LOG` pixels a side, or larger ones by parts of that size.
+/// Fills squares of `1 << LOG` pixels, or larger ones in parts of this size.
 #[inline(always)]
 fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
     let parts = if LOG < 3 {
@@ -66,7 +66,7 @@ fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>)
     );
 }
 
-/// Fills a square of `1 << LOG` pixels, as far as it is in the picture.
+/// Fills a square of `1 << LOG` pixels, clipped to the picture.
 #[inline(always)]
 fn fill_part<S: Simd, const LOG: u32>(
     simd: S,
@@ -85,7 +85,7 @@ fn fill_part<S: Simd, const LOG: u32>(
     } else {
         (&mut aside[..], side)
     };
-    // Larger ones begin at multiples of four pixels.
+    // Larger squares begin at multiples of four pixels.
     let (column, first_row) = if LOG == 1 { (x % 4, y) } else { (0, 0) };
     let thresholds = [0, 1, 2, 3].map(|row| {
         let row = &dither[(first_row + row) % 4];
@@ -101,7 +101,7 @@ fn fill_part<S: Simd, const LOG: u32>(
     }
 }
 
-/// The corners of part (i, j) of a square that has so many along each side.
+/// Returns the corners of part (i, j) of a square divided into `parts` along each side.
 #[inline(always)]
 fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4] {
     if parts == 1 {
@@ -120,15 +120,13 @@ fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4]
     })
 }
 
-/// Pixels of the largest square that is filled at once.
+/// The number of pixels in a part.
 const MAX_PIXELS: usize = 64;
 
-/// Interpolates the corners' colours along both sides of a square of `1 << LOG` pixels, at the start of rows a stride apart, and
-/// rounds them by thresholds that repeat every four pixels along each side.
+/// Interpolates the corners' colours over a square of `1 << LOG` pixels, and rounds them by thresholds of period 4.
 ///
-/// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of an
-/// output step at most, so that the last pixel of a square of 8 is off by 7 of them,
-/// for which the thresholds leave room: they are 8 to 248.
+/// The sums never carry out of 16 bits, whatever the differences. A step is off by at most half a 256th of an output step, so the last
+/// pixel of a square of 8 is off by 7 of them. Thresholds of 8 to 248 leave room for this.
 #[inline(always)]
 fn fill_square<S: Simd, const LOG: u32>(
     simd: S,
@@ -164,17 +162,17 @@ fn fill_square<S: Simd, const LOG: u32>(
     }
 }
 
-/// A sample's colour four times.
+/// Returns a sample's colour four times.
 #[inline(always)]
 fn four<S: Simd>(simd: S, sample: u64) -> Four<S> {
     u64x4::splat(simd, sample & Sample::COLOUR).bitcast()
 }
 
-/// The way from one number of 128ths to another in `2^LOG` steps, in 256ths, rounded.
+/// Returns the increment between two numbers of 128ths over `2^LOG` steps, in 256ths, rounded.
 #[inline(always)]
 fn step<S: Simd, const LOG: u32>(to: Four<S>, from: Four<S>) -> Four<S> {
     let way: i16x16<S> = (to - from).bitcast();
-    // Of two steps each is the way; else half is added to a quarter of the range of words at most.
+    // One of two steps is the difference itself; otherwise the rounding term cannot overflow.
     if LOG == 1 {
         way.bitcast()
     } else {

@@ -1,49 +1,44 @@
-//! Which points of the picture are traced, and what becomes of the rest.
+//! Adaptive refinement: which points of the picture are traced, and how the other pixels are filled.
 //!
-//! Threads share the picture by bands of rows (see [`Band`](crate::Band)). A band is drawn a *tile* after the other, 512 pixels wide or
-//! fewer at the right, and a tile by *levels*: squares of 8 pixels, then of 4, of 2, and single pixels. A level is a grid of points,
-//! the corners of its squares, and a bit for each square and each point. These are its steps, each a pass over rows:
+//! Threads share the picture by bands of rows (see [`Band`](crate::Band)). A band is divided into *tiles*, at most 512 pixels wide, and a
+//! tile is refined by *levels*: squares of 8 pixels, 4, 2, and single pixels. A level is a grid of points, the corners of its squares, with
+//! a bit for each square and point. Each step is a pass over rows:
 //!
 //! ```text
-//!   squares of 8         which points?        verdict                 parts of 4           which points?
+//!   squares of 8         find points         verdict                 parts of 4           find points
 //!   +---+---+---+       o---o---o---o       +---+---+---+       +---+-+-+---+       +---+-o-+---+
 //!   |   |   |   |       |   |   |   |       |###|   |###|       |   | | |   |       |   | | |   |
 //!   |   |   |   |  ->   |   |   |   |  ->   |###|   |###|  ->   |   +-+-+   |  ->   |   o-o-o   |
 //!   |   |   |   |       |   |   |   |       |###|   |###|       |   | | |   |       |   | | |   |
 //!   +---+---+---+       o---o---o---o       +---+---+---+       +---+-+-+---+       +---+-o-+---+
-//!     1   1   1             traced            # = filled         0 0 1 1 0 0         o = asked for
+//!     1   1   1             traced            # = filled         0 0 1 1 0 0          o = traced
 //! ```
 //!
-//! 1. *Points* (`tile::points`): a square's corners are the points at its bit and the next, in the rows above and below, so the points
-//!    that a level needs are shifts and ORs of its squares' bits. Those with two even numbers are known from the level above,
-//!    and a middle of a side is the mean of the side's ends if these are alike; all others are traced, in full packets, in
-//!    clusters of 4x16 points: neighbours meet the same objects.
-//! 2. *Guard* ([`coverage`](crate::coverage)): squares that may show an object, a shadow, an image or a highlight that their corners do
-//!    not are left open.
-//! 3. *Verdict* (`verdict`): the least and the greatest of each channel at the four corners of squares side by side, in vector
-//!    registers; their keys; a bit for each square that is not open and passes the [`Quality`](crate::Quality)'s rules.
-//! 4. *Fill* (`fill`): those squares are painted with colours between their corners', eight pixels at once.
-//! 5. *Split*: the bits of all others, each twice in two rows, are the squares of the level below.
+//! 1. *Points* (`tile::points`): a level's points are shifts and ORs of its squares' bits. Points with two even coordinates come from the
+//!    level above, and a midpoint of a side averages its ends if they agree. The others are traced in full packets, in clusters of 4x16
+//!    points, since neighbours hit the same objects.
+//! 2. *Guard* ([`coverage`](crate::coverage)): keeps squares open that may show something between their corners.
+//! 3. *Verdict* (`verdict`): compares keys and channels at the four corners of adjacent squares in vector registers. The result is a bit for
+//!    each square that is closed and passes the [`Quality`](crate::Quality)'s rules.
+//! 4. *Fill* (`fill`): interpolates the corners' colours over these squares, eight pixels at once.
+//! 5. *Split*: the bits of the others, each twice in two rows, are the squares of the level below.
 //!
-//! So no point of a tile is traced twice, by construction. Tiles know nothing of each other: points that two share are traced
-//! by both, with the same bits. Of the model scene at 1024x768 that is 8 % of all points, and with bands half as high it would be
-//! 16 %; for that there is one parallel phase, no memory between bands, and no order among them. By the times of its bands the
-//! default frame at 1920x1080 can be 13.5 times as fast by 16 threads as by one (12.2 times if bands were taken from the top).
+//! No point of a tile is traced twice. Two tiles both trace the points on their common border, with the same bits: 8 % of all points in the
+//! model scene at 1024x768 (16 % with bands half as high). In return there is one parallel phase, without memory or order between bands. By
+//! its bands' times the default frame at 1920x1080 can be 13.5 times as fast on 16 threads as on one (12.2 in order from the top).
 //!
-//! A square whose corners all show one object with a pattern that has edges is not filled by their colours: what the pattern
-//! is on, and what is added to that, are interpolated apart, and the pattern is seen at every pixel (see `tile::patterned`).
+//! If all corners show one object whose pattern has edges, the light on the pattern and the light added to it are interpolated separately,
+//! and the pattern is evaluated at every pixel (`tile::patterned`).
 //!
 //! # Where the time goes
 //!
-//! A default frame of the model scene, jagged, 1024x768, is 6.0 times as fast as an exhaustive one by AVX2 on an AMD EPYC (Zen 5). It
-//! would be 10.9 times as fast if all but tracing took no time: primary rays take 20 % of it, secondary ones 38 %, finding points 15 %,
-//! filling 11 %, the guard 9 %, everything else 7 %.
-//! A ray takes 1.5 times as many instructions as in an exhaustive frame: half of the pixels of that are background, in packets of
-//! nothing else, while the points that squares need are about edges, where the rays of a packet meet several objects. Finding points
-//! is flat in the profile: no line of it has more than 2 % of the frame. Branches that go either way by chance cost more than they
-//! save there. Hits sorted by their objects, so that packets are of one, cost as much time
-//! as they save: batches are too short. To average the middle of a split square from two corners that agree saves 17 % of the
-//! rays, 4 % of the time, and costs 1 dB and more errors that come and go, which looser tolerances give for less.
+//! A default frame of the model scene, jagged, 1024x768, is 6.0 times as fast as an exhaustive one (AVX2, AMD EPYC Zen 5), and would be
+//! 10.9 times as fast if everything but tracing were free. Primary rays take 20 %, secondary rays 38 %, finding points 15 %, filling 11 %,
+//! the guard 9 %, the rest 7 %. A ray takes 1.5 times the instructions of an exhaustive frame's: half of that frame is background, in
+//! uniform packets, while points cluster at edges, where a packet meets several objects. Finding points has a flat profile: no line exceeds
+//! 2 % of the frame. Unpredictable branches cost more there than they save. Sorting hits by object saves no time, as batches are too short.
+//! Averaging the centre of a split square from two agreeing corners saves 17 % of the rays and 4 % of the time, but costs 1 dB and more
+//! pops; looser tolerances are the better trade.
 
 pub(crate) mod antialias;
 mod fill;

@@ -1,7 +1,7 @@
-//! Probes: pixels of a finished band that are traced as an exhaustive frame would have them, and compared with what was drawn.
+//! Probes: pixels of a finished band that are traced as in an exhaustive frame, and compared with the drawn ones.
 //!
-//! An antialiased pixel takes its four neighbours as well, and the points between it and those that it differs from, with the same
-//! arithmetic as [`antialias`](super::antialias): so the probes of an exhaustive frame find no error at all.
+//! An antialiased probe traces its four neighbours as well, and the points on edges to them, with the arithmetic of
+//! [`antialias`](super::antialias): probes of an exhaustive frame find no error.
 
 use super::Worker;
 use super::antialias::{add_middle, bisect, is_edge, mix_pixel};
@@ -12,21 +12,20 @@ use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Batch, PARTS};
 
-/// The golden ratio as a fraction of 2^32, an odd number.
+/// The golden ratio as an odd fraction of 2^32.
 const GOLDEN: u32 = 0x9e37_79b9;
 
-/// A way back by one.
+/// A step of -1.
 const BACK: usize = usize::MAX;
 
-/// The way to the pixel to the left, to the right, above and below.
+/// The steps to the left, right, upper and lower pixel.
 const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 
-/// Points of an antialiased pixel: its own, and for each side the one half-way to the neighbour and the neighbour's own.
+/// The points of an antialiased probe: its own, and per side the midpoint and the neighbour's own.
 const POINTS: usize = 1 + 2 * SIDES.len();
 
 impl Probing {
-    /// Returns the pixels of a picture that are probed. All seeds together visit the pixels in one random order, `count` for each seed,
-    /// and begin anew once all pixels were visited.
+    /// Returns the probed pixels. The seeds visit all pixels in one random order, `count` per seed, and then start again.
     fn places(self, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
         let pixels = (columns * rows) as u32;
         let count = u32::from(self.count);
@@ -38,9 +37,9 @@ impl Probing {
     }
 }
 
-/// Returns the number at an index of a random order of the numbers below `count`.
+/// Returns element `index` of a random permutation of the numbers below `count`.
 fn shuffled(mut index: u32, count: u32) -> u32 {
-    // Each step is one to one among the numbers below a power of two; numbers from `count` on are passed over.
+    // Each step permutes the numbers below a power of two; numbers from `count` on are skipped.
     let mask = count.next_power_of_two() - 1;
     loop {
         for _ in 0..3 {
@@ -53,15 +52,15 @@ fn shuffled(mut index: u32, count: u32) -> u32 {
     }
 }
 
-/// Compares a finished band with what it would be if every pixel were traced. The work is not counted.
+/// Compares a finished band with an exhaustive one at its probes. The work is not counted.
 pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut Band<'_>) {
     let Context { plan, world, .. } = context;
     let size = [plan.finished, plan.size[1]];
-    // A picture that stays coarse is one on purpose.
+    // Intentionally coarse frames are not probed.
     if plan.probing.count == 0 || size[0] == 0 || plan.coarse >= 2 {
         return;
     }
-    // Probes are far from each other, so that hardly a group can be left out.
+    // Probes are far apart, so culling groups would not pay.
     let all = VisibleGroups {
         directly: GroupSet::MAX,
         mirrored: GroupSet::MAX,
@@ -71,7 +70,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     } else {
         &[]
     };
-    // Where a pixel of the picture is in the band: beyond its end where it is in none of its rows, those above it wrapped around.
+    // The index of a pixel in the band; beyond its end if the pixel is in none of its rows, wrapped around if it is above.
     let (top, stride) = (band.top, band.stride);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();
@@ -91,7 +90,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         if probes == 0 {
             break;
         }
-        // Antialiasing, which its reference shares with a quality, is no matter of tracing.
+        // `EXHAUSTIVE` only sets how rays are traced; antialiasing is the frame's own.
         let quality = &Quality::EXHAUSTIVE;
         context.trace(quality, all, &mut worker.batch);
         for probe in 0..probes {
@@ -109,13 +108,13 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     worker.batch.counts = Counts::NONE;
 }
 
-/// Adds the points of a pixel to a batch, of a picture of so many columns and rows.
+/// Adds the points of a pixel to a batch.
 #[inline(always)]
 fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize; 2]]) {
     let [x, y] = place;
     batch.points.push_pixel(x, y);
     for way in sides {
-        // Beyond the picture's edge the pixel is its own neighbour, from which it does not differ.
+        // A pixel on the picture's border is its own neighbour, without an edge.
         let beside = [0, 1].map(|i| {
             let beside = place[i].wrapping_add(way[i]);
             if beside < size[i] { beside } else { place[i] }
@@ -126,14 +125,14 @@ fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize;
     }
 }
 
-/// A pixel by its own point alone.
+/// Returns a pixel before antialiasing.
 #[inline(never)]
 fn own(film: &Film, batch: &Batch, point: usize) -> u32 {
     let (x, y) = batch.points.pixel(point);
     batch.results.sample(point).pixel(film.threshold(x, y))
 }
 
-/// Returns the pixel of a probe in a traced batch as it is before antialiasing, and adds the points half-way to its neighbours.
+/// Returns a probe's pixel before antialiasing, and adds the midpoints at its edges.
 fn add_sides(film: &Film, worker: &mut Worker, probe: usize, sides: usize) -> u32 {
     let first = probe * (1 + 2 * sides);
     let pixel = own(film, &worker.batch, first);

@@ -1,4 +1,4 @@
-//! The verdict on squares: what is the same at their corners, and how far their colours are apart.
+//! The verdict on squares: whether their corners' keys agree, and how far their colours differ.
 
 use crate::grid::Bits;
 use crate::grid::GridRow;
@@ -7,25 +7,23 @@ use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
 use fearless_simd::Level;
 
-/// The most that the channels of a square's corners may be apart, in 128ths of an output step.
-///
-/// A [`Sample`] has its channels in 16 bits each, and so has this, as the vector code compares them; what else a sample's word
-/// holds may be anything.
+/// The largest difference of channels at a square's corners, in 128ths of an output step. It has 16 bits per channel, like a [`Sample`],
+/// and ignores the rest of a sample's word.
 #[derive(Clone, Copy)]
 pub(super) struct Limit(u64);
 
 impl Limit {
-    /// By a tolerance in output steps.
+    /// Converts a tolerance in output steps.
     pub fn new(tolerance: f32) -> Self {
         let limit = tolerance * STEP as f32;
-        // What is too large for 15 bits is as good as no limit, and what is no number is 0.
+        // 15 bits exceed any difference; NaN becomes 0.
         let limit = limit.clamp(0.0, 32_767.0) as u64;
         Self((limit * 0x0001_0001_0001) | (0x7fff << 48))
     }
 
-    /// Whether two samples are within it, give or take a 128th of a step.
+    /// Returns whether two samples are within the limit, to 128th of a step.
     ///
-    /// All channels at once: halves of two channels add up below a word's highest bit, which then tells the greater one.
+    /// All channels at once: sums of halved channels stay below a word's highest bit, which receives the comparison.
     pub fn has(self, a: Sample, b: Sample) -> bool {
         const HALF: u64 = 0x3fff_3fff_3fff;
         const GREATER: u64 = 0x8000_8000_8000;
@@ -36,30 +34,30 @@ impl Limit {
     }
 }
 
-/// The factor on a tolerance for squares of 8, for squares of a side: an error in one of 4 covers a quarter of the pixels,
-/// so it may be twice as large. Where tiles are crowded, smaller squares are filled all over, and errors in them add up: the more
-/// crowded a tile is, from 0 to 1, the less its tolerances grow.
+/// Returns the factor on the tolerance for squares of a side; it is 1 for 8 pixels. An error in a square of 4 covers a quarter of the
+/// pixels, so it may be twice as large. In crowded tiles small squares are everywhere and their errors add up: `crowding`, 0 to 1, reduces
+/// the factor.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     let growth = 8.0 / side as f32;
     growth + crowding * (growth.min(1.0) - growth)
 }
 
-/// Returns a quality's limits for squares whose tolerances have grown, see [`growth`]: of corners whose keys agree, and whose keys differ.
+/// Returns the limits for corners with equal keys and with different keys, scaled by [`growth`].
 pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
     let tolerances = [quality.tolerance_agreeing, quality.tolerance_differing];
     tolerances.map(|tolerance| Limit::new(tolerance * growth))
 }
 
-/// The verdict on the squares of a row, a bit each.
+/// The verdict on a row of squares, a bit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Verdict {
-    /// The keys of the corners agree.
+    /// The corners' keys are equal.
     pub agreeing: Bits,
     /// The corners are the same pixel.
     pub flat: Bits,
-    /// The corners are within the limit for their keys, or the same pixel.
+    /// The corners are the same pixel, or within the limit.
     pub filled: Bits,
-    /// A corner shows a pattern that is finer than squares.
+    /// A corner shows a pattern finer than squares.
     pub patterned: Bits,
 }
 
@@ -72,7 +70,7 @@ impl Verdict {
         patterned: Bits::NONE,
     };
 
-    /// All squares are filled with one colour each, whatever their corners show.
+    /// Fills all squares with one colour each.
     pub fn coarse(squares: Bits) -> Self {
         Self {
             agreeing: squares,
@@ -83,7 +81,7 @@ impl Verdict {
     }
 }
 
-/// Judges squares of a row, those in `squares`, by the rows of points above and below them.
+/// Judges the squares of a row whose bits are set, by the rows of points above and below.
 pub(super) fn judge(
     isa: Level,
     limits: [Limit; 2],
@@ -107,7 +105,7 @@ fn judge_by<S: Simd>(
     for (word, &squares) in squares.0.iter().enumerate() {
         let mut rest = squares;
         while rest != 0 {
-            // As many squares as there are lanes, one of them to be judged at least.
+            // One group per vector, if a square in it is to be judged.
             let first = rest.trailing_zeros() as usize / n * n;
             let group = ((1 << n) - 1) << first;
             rest &= !group;
@@ -121,7 +119,7 @@ fn judge_by<S: Simd>(
                 let samples = x + half..=x + half + n / 2;
                 let rows = (&above.samples[samples.clone()], &below.samples[samples]);
                 let samples: [S::u64s; 4] = corners(simd, rows);
-                // Channels are below 2^15: SSE2 compares no unsigned words.
+                // Channels are below 2^15; SSE2 cannot compare unsigned words.
                 let [a, b, c, d] = samples.map(|corner| corner.bitcast::<S::i16s>());
                 let (most, least) = (a.max(b).max(c.max(d)), a.min(b).min(c.min(d)));
                 let first = first + half;
@@ -142,7 +140,7 @@ fn judge_by<S: Simd>(
     verdict
 }
 
-/// The numbers at the four corners of squares side by side, by the rows of points above and below them.
+/// Returns the values at the four corners of adjacent squares.
 #[inline(always)]
 fn corners<S: Simd, V: SimdBase<S>>(
     simd: S,
@@ -151,14 +149,14 @@ fn corners<S: Simd, V: SimdBase<S>>(
     [above, &above[1..], below, &below[1..]].map(|row| V::from_slice(simd, &row[..V::LEN]))
 }
 
-/// Whether a corner shows an object with a pattern, a bit for each square.
+/// Returns a bit for each square with a patterned corner.
 #[inline(always)]
 fn any_patterned<S: Simd>(simd: S, [a, b, c, d]: [S::u64s; 4]) -> u64 {
     let pattern = (a | b | c | d) & S::u64s::splat(simd, Sample::PATTERN);
     (!pattern.simd_eq(S::u64s::splat(simd, 0))).to_bitmask()
 }
 
-/// Whether no channel spans more than a limit.
+/// Returns a bit for each square whose channels are within a limit.
 #[inline(always)]
 fn within<S: Simd>(simd: S, most: S::i16s, least: S::i16s, limit: Limit) -> u64 {
     let span: S::u16s = (most - least).bitcast();
@@ -167,7 +165,7 @@ fn within<S: Simd>(simd: S, most: S::i16s, least: S::i16s, limit: Limit) -> u64 
     excess.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
 }
 
-/// Whether each channel is the same output step all over: rounding keeps order, so it is if the ends are.
+/// Returns a bit for each square with one pixel value at its corners. Rounding is monotonic, so comparing the extremes suffices.
 #[inline(always)]
 fn same_pixel<S: Simd>(simd: S, most: S::i16s, least: S::i16s) -> u64 {
     let half = S::i16s::splat(simd, STEP as i16 / 2);

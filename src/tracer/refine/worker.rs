@@ -1,37 +1,34 @@
-//! A thread's working memory.
-
 use crate::counts::Counts;
 use crate::coverage::Guard;
 use crate::grid::{Bits, LEVELS, Pyramid};
 use crate::picture::TILE_HEIGHT;
 use crate::trace::{BATCH, Batch};
 
-/// The memory that one thread works in, of fixed size: [`Worker::BYTES`].
-///
-/// Alone, it renders on the caller's thread: see [`Threads`](crate::Threads).
+/// The working memory of one thread, of fixed size: [`Worker::BYTES`]. A single worker renders on the caller's thread: see
+/// [`Threads`](crate::Threads).
 pub struct Worker {
     pub(super) batch: Batch,
     pub(super) pyramid: Pyramid,
     pub(super) marks: Marks,
     pub(super) guard: Guard,
-    /// Where the batch's points go: in the pyramid, or pixels in the band.
+    /// Where the batch's points are stored: indices in the pyramid, or of pixels in the band.
     pub(super) targets: [u32; BATCH],
-    /// The intervals in which edges lie, and how many there are.
+    /// Queued intervals with edges, and their number.
     pub(super) intervals: [Interval; BATCH],
     pub(super) found: usize,
 }
 
 impl Worker {
-    /// Its size in bytes, at most 460,000: the same for pictures of any size.
+    /// The size in bytes, at most 460,000, for any picture.
     pub const BYTES: usize = size_of::<Self>();
 
-    /// Allocates workers. No part of them is ever on the stack, not even in unoptimised programs.
+    /// Allocates workers, without any part on the stack, even in unoptimised programs.
     #[cfg(feature = "std")]
     #[must_use]
     pub fn several(count: usize) -> std::vec::Vec<Self> {
         let mut workers = std::vec::Vec::with_capacity(count);
         for _ in 0..count {
-            // This macro writes a constant in place; `push` would copy it from the stack.
+            // The macro writes a constant in place; `push` would copy it from the stack.
             workers.append(&mut std::vec![const { Self::new() }]);
         }
         workers
@@ -40,7 +37,7 @@ impl Worker {
     /// Returns empty working memory.
     #[must_use]
     pub const fn new() -> Self {
-        // Put together by the compiler: unoptimised code would make each part on the stack first.
+        // Evaluated at compile time: unoptimised code would build each part on the stack.
         const {
             Self {
                 batch: Batch::new(),
@@ -54,7 +51,7 @@ impl Worker {
         }
     }
 
-    /// Takes the counts since this was last asked.
+    /// Returns the counts since the last call, and resets them.
     pub(crate) fn take_counts(&mut self) -> Counts {
         core::mem::take(&mut self.batch.counts)
     }
@@ -68,21 +65,20 @@ impl Default for Worker {
 
 const _: () = assert!(Worker::BYTES <= 460_000);
 
-/// Points are traced cluster by cluster: rays of neighbours meet the same objects. A cluster is as many points wide.
+/// Points are traced in clusters, since neighbours hit the same objects.
 pub(super) const CLUSTER_WIDTH: usize = 4;
-/// Rows of a cluster: its points are the bits of a word. (Clusters of 8x8 points take the show 6 % longer.)
+/// A cluster's points are the bits of a word. (Clusters of 8x8 points make the show 6 % slower.)
 pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 
-/// The squares and points of a tile that matter, a row of bits for each row of a level's.
+/// A tile's squares and points by level, a row of bits for each row.
 pub(super) struct Marks {
-    /// Squares that are looked at: all of the largest, then the parts of those that were split.
+    /// The squares to judge: all of the top level, then the parts of split ones.
     pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Those of them that may show something which their corners do not; before the guard has looked at them, the parts of
-    /// such ones.
+    /// The squares that may show something between their corners; before the guard runs, the parts of such squares.
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Those that were filled: no pixels, so there are half as many rows at most.
+    /// Filled squares; single pixels are never filled, so half the rows suffice.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],
-    /// Points that were traced; clusters of them end with more rows than there are.
+    /// Traced points; the last cluster may extend beyond the rows.
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
 
@@ -97,19 +93,19 @@ impl Marks {
     }
 }
 
-/// Pixels of a stretch of a band along x, whose rays meet the same groups: as many as a word has marks.
+/// The pixels of a band's row that share a word of marks and a set of visible groups.
 pub(super) const STRETCH: usize = u64::BITS as usize;
 
-/// A part of the way from a pixel's centre to its border in which an edge lies.
+/// A part of the line from a pixel's centre to its border that contains an edge.
 #[derive(Clone, Copy)]
 pub(super) struct Interval {
     /// The colours at both ends.
     pub ends: [u64; 2],
-    /// The end that is nearer to the centre, as the queue has it.
+    /// The end nearer to the centre, as a point of the queue.
     pub start: u32,
-    /// Half of its length, in parts of a pixel along its axis.
+    /// Half of its length along its axis, in parts of a pixel.
     pub half: i16,
-    /// The word of the pixel's changes along this axis.
+    /// The index of the pixel's change along this axis.
     pub word: u16,
 }
 
@@ -121,7 +117,7 @@ impl Interval {
         word: 0,
     };
 
-    /// The place in its middle.
+    /// Returns the midpoint.
     pub fn middle(&self) -> u32 {
         let way = i32::from(self.half) << (16 * (self.word % 2));
         self.start.wrapping_add_signed(way)

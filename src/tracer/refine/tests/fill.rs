@@ -47,7 +47,7 @@ proptest! {
                     let row = |row: usize| at(row, 0) * (1.0 - s) + at(row, 1) * s;
                     let expected = row(0) * (1.0 - t) + row(1) * t;
                     let drawn = f64::from(pixel >> (8 * channel) & 0xff);
-                    // Rounded, and 31 steps along each side that are each off by half a 256th.
+                    // Rounding, and 31 steps along each side, each off by half a 256th.
                     prop_assert!((drawn - expected).abs() <= 0.5 + 62.0 / 512.0);
                 }
             }

@@ -1,4 +1,4 @@
-//! The passes over rows against scalar twins, on every instruction set of the machine.
+//! Compares the passes over rows with scalar code, on every instruction set of the machine.
 
 extern crate std;
 
@@ -13,7 +13,7 @@ use crate::trace::Sample;
 use proptest::prelude::*;
 use std::prelude::v1::*;
 
-/// A sample of any colour, often near to others, that shows one of few objects, with a pattern or without.
+/// Draws samples of few objects, often of similar colours, with or without a pattern.
 fn sample() -> impl Strategy<Value = Sample> {
     let channel = || prop_oneof![3 => 16_000_u64..16_400, 1 => 0_u64..=32_640];
     ([channel(), channel(), channel()], 0_u32..3, any::<bool>()).prop_map(
@@ -28,12 +28,10 @@ fn sample() -> impl Strategy<Value = Sample> {
     )
 }
 
-/// Blue, green and red of a sample.
 fn channels(sample: Sample) -> [i32; 3] {
     [0, 16, 32].map(|shift| (sample.0 >> shift & 0xffff) as i32)
 }
 
-/// The most that samples are apart in a channel.
 fn span(samples: &[Sample]) -> i32 {
     (0..3)
         .map(|channel| {
@@ -44,7 +42,7 @@ fn span(samples: &[Sample]) -> i32 {
         .unwrap()
 }
 
-/// A pyramid with two rows of corners in a level, by their samples and keys.
+/// Returns a pyramid with two rows of corners in a level.
 fn two_rows(level: usize, corners: &[[(Sample, u32); 2]]) -> Box<Pyramid> {
     let mut pyramid = Box::new(Pyramid::new());
     for (x, column) in corners.iter().enumerate() {
@@ -62,9 +60,9 @@ proptest! {
         b in sample(),
         limit in 0_i32..=32_767,
     ) {
-        // A tolerance for squares of 8, in 128ths of a step.
+        // In 128ths of a step.
         let has = Limit::new(limit as f32 / 128.0).has(a, b);
-        // It may take what is one more for what is as much, since it compares halves.
+        // Comparing halves may accept one more.
         prop_assert!(has || span(&[a, b]) > limit - 1);
         prop_assert!(!has || span(&[a, b]) <= limit + 1);
     }

@@ -1,4 +1,4 @@
-//! The points that a level needs against the corners of its squares, one by one.
+//! Compares the points of a level with the corners of its squares, one by one.
 
 use super::super::tile::points::corners;
 use crate::grid::Bits;

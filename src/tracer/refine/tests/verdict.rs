@@ -1,4 +1,4 @@
-//! The verdict on rows of squares against that on one at a time.
+//! Compares the verdict on rows with the verdict on single squares.
 
 use super::super::verdict::{Verdict, growth, judge, limits};
 use super::{sample, span, two_rows};
@@ -8,7 +8,7 @@ use crate::quality::Quality;
 use crate::trace::Sample;
 use proptest::prelude::*;
 
-/// The verdict on one square: whether its keys agree, it is flat, filled, patterned.
+/// Returns whether the keys agree, and whether the square is flat, filled, patterned.
 fn verdict(quality: &Quality, side: usize, corners: [(Sample, u32); 4]) -> [bool; 4] {
     let samples = corners.map(|(sample, _)| sample);
     let agreeing = corners.iter().all(|&(_, key)| key == corners[0].1);

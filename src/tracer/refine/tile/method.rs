@@ -1,23 +1,23 @@
-//! The method made visible: what was traced and filled, on top of the picture.
+//! The method's overlay: traced points and filled squares, drawn over the picture.
 //!
-//! Points on the upper row of a band have a mark where this band traced them, which the band above may have done as well.
-//! Where every pixel is traced there is nothing to show.
+//! Points on a band's first row are marked if this band traced them; the band above may have traced them too. An exhaustive frame has no
+//! marks.
 
 use super::Tile;
 use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
 use crate::plan::Context;
 
-/// A pixel on the upper or the left side of a filled square: the other sides are its neighbours'.
+/// A pixel on the upper or left side of a filled square; the other sides are its neighbours'.
 const SIDE: u8 = 1;
-/// A pixel that is a traced point.
+/// A traced point.
 const POINT: u8 = 2;
 
 /// The width of the front's line in pixels.
 const FRONT: usize = 3;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Draws the points and sides of a tile that is done, as bright as the scene wants them.
+    /// Draws the marks of a finished tile, as bright as the scene specifies.
     pub(super) fn show_method(&mut self) {
         let Context { plan, world, .. } = self.context;
         let start = plan.finished.max(self.area.left);
@@ -27,8 +27,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let method = &world.scene.method;
         let both = method.squares.max(method.points);
         let blends = [0.0, method.squares, method.points, both].map(|mark| {
-            // What is left of the picture, in 256ths, and the white that is added to it; no more than full brightness together,
-            // whatever the numbers are.
+            // The picture's weight in 256ths, and the white to add: at most full brightness in sum, for any numbers.
             let white = byte(mark);
             (byte((1.0 - mark) * method.picture).min(255 - white), white)
         });
@@ -42,7 +41,7 @@ impl<O: Observer> Tile<'_, '_, O> {
                 let green = (((*pixel & 0xff_00) * left) >> 8) & 0xff_00;
                 *pixel = red_blue + green + white * 0x01_01_01;
             }
-            // Where the front is in this tile.
+            // The front is in this tile.
             if start > self.area.left {
                 let line = row.iter_mut().take(FRONT);
                 line.for_each(|pixel| *pixel = 0xff_ff_ff);
@@ -50,7 +49,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// The marks of a row of pixels.
     fn marks(&self, y: usize) -> [u8; TILE_WIDTH] {
         let mut row = [0; TILE_WIDTH];
         for level in 0..=self.context.plan.quality.top_level() {
@@ -75,7 +73,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// A share of 255, rounded.
+/// Returns a share of 255, rounded.
 fn byte(share: f32) -> u32 {
     u32::from((share * 255.0 + 0.5) as u8)
 }

@@ -1,5 +1,4 @@
-//! The first phase of a frame: a band is drawn tile by tile. Level by level a tile's points are traced, and its squares judged, then
-//! filled or split.
+//! Draws a band, the first phase of a frame: traces the points of each tile, level by level, judges its squares, and fills or splits them.
 
 mod method;
 mod patterned;
@@ -19,7 +18,6 @@ use crate::scene::camera::pixels;
 use crate::trace::{BATCH, Sample};
 use core::ops::Range;
 
-/// Draws a band, a tile after the other.
 pub(crate) fn draw<O: Observer>(
     context: &Context<'_, O>,
     worker: &mut Worker,
@@ -36,7 +34,6 @@ pub(crate) fn draw<O: Observer>(
         TILE_WIDTH
     };
     for left in (0..band.width).step_by(width) {
-        // Place the next tile.
         let area = Area {
             left,
             top: band.top,
@@ -63,23 +60,22 @@ pub(crate) fn draw<O: Observer>(
     }
 }
 
-/// A tile that is being drawn.
+/// A tile in progress.
 pub(super) struct Tile<'a, 'b, O: Observer> {
     pub context: &'a Context<'a, O>,
     pub area: Area,
-    /// How much of it the largest squares leave open, from 0, some, to 1, nearly all.
+    /// The share of split top-level squares, mapped to 0..1 by [`CROWDED`].
     pub crowding: f32,
     /// The part of the picture that its squares cover.
     pub rect: Rect,
-    /// The groups that the tile can show.
+    /// The groups that may be visible in the tile.
     pub seen: VisibleGroups,
     pub worker: &'a mut Worker,
-    /// The band that the tile is a part of.
     pub band: &'a mut Band<'b>,
 }
 
-/// The share of its largest squares that a tile splits where it begins to count as crowded, and where it is. The model scene at
-/// 1024x768 has no tile that is; of a field of 256 spheres most are.
+/// The range of the share of split top-level squares from uncrowded to fully crowded. In the model scene at 1024x768 no tile is crowded; in
+/// a field of 256 spheres most are.
 const CROWDED: Range<f32> = 0.7..0.9;
 
 impl<O: Observer> Tile<'_, '_, O> {
@@ -125,7 +121,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// How crowded the tile is, by the share of the largest squares that were not filled.
+    /// Returns [`Self::crowding`].
     fn crowding(&self, top: usize) -> f32 {
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         let words = self.worker.marks.filled[top][..rows]
@@ -136,12 +132,12 @@ impl<O: Observer> Tile<'_, '_, O> {
         ((split - CROWDED.start) / (CROWDED.end - CROWDED.start)).clamp(0.0, 1.0)
     }
 
-    /// The factor on tolerances for squares of 8, for those of a level.
+    /// Returns the factor on tolerances for the squares of a level.
     pub fn growth(&self, level: usize) -> f32 {
         growth(1 << level, self.crowding)
     }
 
-    /// Judges a row of squares, and fills those that pass.
+    /// Judges a row of squares, and fills the squares that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
         let Context { plan, .. } = self.context;
         let side = 1 << level;
@@ -185,10 +181,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Notes which blocks of a row are rough: all but the largest squares that are filled by colours between their corners'.
-    ///
-    /// Between corners within a tolerance each pixel differs from the next by an eighth of it at most, and by 2 more for rounding
-    /// and dither.
+    /// Marks the rough cells of a row: all but the largest squares that were filled by interpolation. There, adjacent pixels differ by at
+    /// most an eighth of the tolerance, plus 2 for rounding and dither.
     fn note_rough(&mut self, level: usize, y: usize, filled: Bits) {
         let plan = self.context.plan;
         let quality = &plan.quality;
@@ -200,7 +194,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Fills the squares of a row that passed the verdict.
     fn fill_squares(&mut self, level: usize, y: usize, verdict: &Verdict) {
         let pyramid = &self.worker.pyramid;
         let run = Run {
@@ -216,13 +209,13 @@ impl<O: Observer> Tile<'_, '_, O> {
         fill(self.context.plan.isa, self.band, &run);
     }
 
-    /// Sets the pixel (x, y), in pixels of the band, to a sample's colour.
+    /// Sets the pixel (x, y) of the band to a sample's colour.
     pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
         let threshold = self.context.world.film.threshold(x, self.area.top + y);
         self.band.put(x, y, sample.pixel(threshold));
     }
 
-    /// Splits a row's squares that were not filled: marks those of their parts that are in the picture.
+    /// Marks the parts of a row's unfilled squares, inside the picture.
     fn split_row(&mut self, level: usize, y: usize) {
         let part = level - 1;
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));
@@ -242,7 +235,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Tells the observer of squares of a row that are split.
+    /// Reports the split squares of a row to the observer.
     fn tell_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
         if O::LISTENS {
             let [left, top] = [self.area.left, self.area.top + (y << level)];
@@ -251,7 +244,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Tells the observer of a square that has been drawn.
+    /// Reports a square to the observer.
     fn tell(&self, level: usize, x: usize, y: usize, fill: Fill) {
         let side = 1 << level;
         let (x, y) = (self.area.left + x * side, self.area.top + y * side);

@@ -1,8 +1,7 @@
-//! Squares of one object with a pattern: the light is interpolated, and the pattern is evaluated at every pixel.
+//! Squares of one patterned object: light is interpolated, and the pattern is evaluated at every pixel.
 //!
-//! A traced point shows `rest + share * untextured` (see [`Layers`]). Both layers are interpolated, and the share is what the pattern
-//! leaves where the pixel's own ray meets the object, which is known. So edges of a pattern stay as sharp as traced, wherever
-//! they run between the corners.
+//! A traced point is `rest + share * untextured` (see [`Layers`]). Both layers are interpolated; the share is the pattern's factor where
+//! the pixel's ray hits the object. So the pattern's edges are as sharp as traced ones.
 
 use super::Tile;
 use crate::grid::{Bits, Pyramid};
@@ -14,8 +13,8 @@ use crate::trace::{Layers, STEP, Sample, SeenPattern};
 use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Fills the squares of a row whose corners all show one object with a pattern, unless their layers are too far apart, and returns
-    /// these squares. All squares of one patterned object are removed from the verdict.
+    /// Fills the squares of a row whose corners all show one patterned object and whose layers are within the tolerance, and returns them.
+    /// Removes all squares of a patterned object from the verdict.
     pub(super) fn fill_patterned(&mut self, level: usize, y: usize, verdict: &mut Verdict) -> Bits {
         let mut filled = Bits::NONE;
         verdict.patterned.for_each(|x| {
@@ -23,7 +22,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let indices = Pyramid::corner_indices(level, x, y);
             let samples = indices.map(|index| pyramid.sample(index));
             let [corner, ..] = samples;
-            // Where some corners see the pattern from so near that it changes slowly, all nearly do.
+            // If the pattern is coarse at some corners, it is nearly coarse at all.
             let is_alike =
                 |other: &Sample| other.object() == corner.object() && other.is_patterned();
             let (Some(object), true) = (corner.object(), samples.iter().all(is_alike)) else {
@@ -42,7 +41,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             }
             let [left, top] = [self.area.left + (x << level), y << level];
             self.interpolate(1 << level, [left, top], layers, object);
-            // The corner as it was traced, to the last bit.
+            // The traced corner keeps its exact bits.
             self.put(left, top, corner);
             filled.set(x);
             self.tell(level, x, y, Fill::Patterned);
@@ -50,8 +49,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         filled
     }
 
-    /// Interpolates the corners' layers along both sides of the square at (left, top) of the band, as far as it is in the picture, and
-    /// evaluates the object's pattern at every pixel.
+    /// Interpolates the corners' layers over the square at (left, top) of the band, and evaluates the pattern at every pixel.
     #[inline(never)]
     fn interpolate(
         &mut self,
@@ -102,14 +100,14 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// The most that a number of the corners' layers spans, in output steps.
+/// Returns the largest difference of the corners' layers, in output steps.
 fn span(corners: &[Layers; 4]) -> f32 {
     let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(baseline(), layers));
     let span: [f32; 8] = (a.max(b).max(c.max(d)) - a.min(b).min(c.min(d))).into();
     span.into_iter().fold(0.0, f32::max)
 }
 
-/// The pixels of four colours in output steps, of which the fraction is cut off after a threshold has been added: words of 128ths.
+/// Converts four colours to pixels, with thresholds for rounding. Words are 128ths of an output step.
 #[inline(always)]
 fn rounded(simd: Baseline, colours: Four, [first, last]: [u16x8<Baseline>; 2]) -> [u32; 4] {
     let most = splat(simd, (255 * STEP) as f32);

@@ -1,4 +1,4 @@
-//! Which points a level needs, and where their samples come from: the level above, the mean of two points, or tracing.
+//! Finds the points that a level needs, and their samples: from the level above, by averaging two points, or by tracing.
 
 use super::Tile;
 use crate::counts::Counts;
@@ -14,7 +14,7 @@ use core::array;
 const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
+    /// Finds the points of a level: the corners of its squares, or pixels at level 0.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
         let quality = &self.context.plan.quality;
         let squares = self.area.rows(level);
@@ -44,13 +44,12 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.trace_marked(level, rows);
     }
 
-    /// Traces the points of a level that are marked, cluster by cluster.
     fn trace_marked(&mut self, level: usize, rows: usize) {
-        // A level has a point more in a row than squares; pixels fill all words.
+        // A level has one point more per row than squares; pixels fill all words.
         let used = (self.area.columns(level) / 64 + 1).min(WORDS);
         for top in (0..rows).step_by(CLUSTER_HEIGHT) {
             for word in 0..used {
-                // Word by word: to map the strip's rows would copy them whole.
+                // By single words: mapping the strip's rows would copy them whole.
                 let rows = &self.worker.marks.traced[level][top..top + CLUSTER_HEIGHT];
                 let words: [u64; CLUSTER_HEIGHT] = array::from_fn(|y| rows[y].0[word]);
                 let mut columns = words.iter().fold(0, |all, word| all | word);
@@ -68,7 +67,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.trace(level);
     }
 
-    /// Adds the points of a cluster to the batch. A full batch is traced first.
+    /// Adds the points of a cluster to the batch; traces a full batch first.
     #[inline(always)]
     fn add_cluster(&mut self, level: usize, [left, top]: [usize; 2], mut cluster: u64) {
         if self.worker.batch.points.len() + CLUSTER_WIDTH * CLUSTER_HEIGHT > BATCH {
@@ -96,7 +95,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Copies points from the level above, where they have half the indices.
+    /// Copies points from the level above, at half their coordinates.
     fn take_over(&mut self, level: usize, y: usize, points: Bits) {
         let has_patterns = self.context.world.has_patterns;
         let row = Pyramid::index(level + 1, 0, y / 2);
@@ -116,10 +115,10 @@ impl<O: Observer> Tile<'_, '_, O> {
         });
     }
 
-    /// Sets the middles of sides to the mean of their ends, and returns those whose ends agree and are near enough.
+    /// Sets midpoints of sides to the mean of their ends, and returns the midpoints whose ends agree within the limit.
     fn average(&mut self, level: usize, y: usize, points: Bits, limit: Limit) -> Bits {
         let mut averaged = Bits::NONE;
-        // In rows that the level above has, middles lie between two of its columns; else between two rows.
+        // In even rows, midpoints lie between two columns of the level above; in odd rows, between two rows.
         let (middles, way) = if y.is_multiple_of(2) {
             (!Bits::EVEN, 1)
         } else {
@@ -131,11 +130,10 @@ impl<O: Observer> Tile<'_, '_, O> {
             let (from, to) = (start + x / 2, start + x / 2 + way);
             let (a, b) = (pyramid.sample(from), pyramid.sample(to));
             let key = pyramid.keys[from];
-            // The ends do not tell what a pattern does in the middle.
+            // The ends do not determine a pattern at the midpoint.
             let is_patterned = a.is_patterned() | b.is_patterned();
             let is_near = (key == pyramid.keys[to]) & limit.has(a, b) & !is_patterned;
-            // No branch, since it could not be predicted. If the ends are not near, the mean is overwritten when the point is
-            // traced.
+            // Branch-free: the outcome is unpredictable. Tracing overwrites a rejected mean.
             averaged.0[x / 64] |= u64::from(is_near) << (x % 64);
             if level == 0 {
                 self.put(self.area.left + x, y, a.mean(b));
@@ -146,7 +144,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         averaged
     }
 
-    /// Traces the points in the batch, and stores their samples in a level.
+    /// Traces the batch, and stores its samples in a level.
     fn trace(&mut self, level: usize) {
         let Context { plan, world, .. } = self.context;
         let batch = &mut self.worker.batch;
@@ -169,7 +167,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let shows = |which: &[bool]| sample.object().is_some_and(|id| which[id.index()]);
             let mut key = batch.results.key(i);
             if plan.glitters && shows(&world.glitters) {
-                // No other point's.
+                // Unique to this point.
                 key = (y << 16 | x) as u32;
             }
             if has_patterns && batch.results.is_fine(i) {
@@ -184,8 +182,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.worker.batch.points.clear();
     }
 
-    /// Tells the observer of the batch's points. Each is traced once more by itself, to count its rays. The batch's own counts stay
-    /// as they were.
+    /// Reports the batch's points to the observer. Traces each point again by itself to count its rays; the batch's counts stay unchanged.
     fn tell_points(&mut self) {
         let batch = &mut self.worker.batch;
         let mut pixels = [(0, 0); BATCH];
@@ -206,7 +203,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// The corners of some rows of squares that lie in row `y` of a level's points; of pixels, the squares of that row.
+/// Returns the corners in row `y` of a level's points, for `rows` rows of squares; at level 0 the squares themselves.
 pub(in crate::refine) fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
     let row = |y: usize| if y < rows { squares[y] } else { Bits::NONE };
     if level == 0 {
