@@ -5,13 +5,11 @@ use eightfold_window::{cpu, line::Writer};
 
 use super::qualities::NAMED;
 
-/// The text of `--version`.
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 
 /// The keys, as `--help` lists them.
 const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
 
-/// The options, in the order of [`FLAGS`].
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
     Size,
@@ -32,10 +30,8 @@ pub enum Switch {
     Version,
 }
 
-/// A flag of the command line.
 pub struct Flag {
     pub switch: Switch,
-    /// The flag with its hyphens.
     pub name: &'static str,
     /// The name of its value in `--help`; empty without a value.
     pub value: &'static str,
@@ -43,7 +39,6 @@ pub struct Flag {
     help: &'static str,
 }
 
-/// All flags. [`Options`](super::options::Options) documents their options.
 #[rustfmt::skip]
 const FLAGS: &[Flag] = &[
     flag(Switch::Size, "--size", "WxH", "size of the window or the frame, 1x1 to 3840x2160 (1024x768)"),
@@ -100,7 +95,6 @@ impl Flag {
         FLAGS.iter().find(|flag| flag.name.as_bytes() == name)
     }
 
-    /// Writes the help, and the names that the value may have.
     fn write_help(&self, output: &mut Writer) {
         output.text(self.help);
         match self.switch {
@@ -110,7 +104,6 @@ impl Flag {
         }
     }
 
-    /// Writes the flag's line of `--help`, for error messages.
     pub fn write(&self, errors: &mut Writer) {
         errors.text(self.name);
         if !self.value.is_empty() {
@@ -120,7 +113,6 @@ impl Flag {
     }
 }
 
-/// Writes the text of `--help`.
 pub fn write_help(output: &mut Writer) {
     output.text(VERSION).text("\n");
     for flag in FLAGS {
@@ -136,7 +128,6 @@ pub fn write_help(output: &mut Writer) {
     output.text("\n").text(KEYS).text("\n");
 }
 
-/// Writes names, each preceded by a space.
 fn write_names(output: &mut Writer, names: impl IntoIterator<Item = &'static str>) {
     for name in names {
         output.text(" ").text(name);

@@ -24,7 +24,6 @@ use eightfold_window::{
 };
 use options::{Options, Task};
 
-/// The length of the show in nanoseconds.
 const SHOW_NANOSECONDS: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
 
 /// The exit code after losing the screen or failing to write the output.
@@ -50,7 +49,6 @@ pub fn run(arguments: Arguments) -> i32 {
     }
 }
 
-/// Writes text to standard output. Returns the exit code.
 fn print(write: impl FnOnce(&mut Writer)) -> i32 {
     let mut output = Writer::new(line::OUTPUT);
     write(&mut output);

@@ -24,7 +24,6 @@ const MAX_PSNR: usize = 99;
 /// The maximum number of seconds, about 30 years: sums of such times in nanoseconds stay far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
-/// The task of the program.
 #[derive(Clone, Copy)]
 pub enum Task {
     /// Plays the show.
@@ -37,7 +36,6 @@ pub enum Task {
     Version,
 }
 
-/// The task, and how to play or draw.
 pub struct Options {
     pub task: Task,
     /// Width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
@@ -63,7 +61,6 @@ pub struct Options {
     pub is_silent: bool,
 }
 
-/// An error in the command line.
 #[derive(Clone, Copy)]
 pub enum Misuse {
     /// An unknown flag.
@@ -72,14 +69,12 @@ pub enum Misuse {
     NoValue(&'static Flag),
     /// An invalid value.
     BadValue(&'static Flag, &'static [u8]),
-    /// An instruction set that this CPU lacks.
     NotInThisCpu(&'static [u8]),
     /// Two different qualities.
     TwoQualities,
 }
 
 impl Misuse {
-    /// Writes the error in one line.
     pub fn write(&self, errors: &mut Writer) {
         match *self {
             Misuse::UnknownFlag(given) => {
@@ -140,7 +135,6 @@ impl Options {
         Ok(options)
     }
 
-    /// Sets a flag's option.
     fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
         let bad_value = Misuse::BadValue(flag, value);
         match flag.switch {
@@ -176,7 +170,6 @@ impl Options {
         Ok(())
     }
 
-    /// Sets the fixed quality to an index in [`qualities::NAMED`].
     fn keep_to(&mut self, quality: usize) -> Result<(), Misuse> {
         match self.quality {
             Some(other) if other != quality => Err(Misuse::TwoQualities),
@@ -188,7 +181,6 @@ impl Options {
     }
 }
 
-/// Splits an argument at its first `=`.
 fn split_at_equals(argument: &[u8]) -> (&[u8], Option<&[u8]>) {
     let mut parts = argument.splitn(2, |&byte| byte == b'=');
     (parts.next().unwrap_or(argument), parts.next())
@@ -200,7 +192,6 @@ fn number(text: &[u8], most: usize) -> Option<usize> {
     (number > 0).then_some(number as usize)
 }
 
-/// Parses a width and a height, separated by `x`, up to the largest frame.
 fn size(text: &[u8]) -> Option<(usize, usize)> {
     let mut sides = text.splitn(2, |&byte| byte == b'x');
     let [width, height] = [sides.next()?, sides.next()?];

@@ -80,7 +80,6 @@ pub fn play(options: &Options) -> i32 {
     if code != 0 { code } else { reported }
 }
 
-/// A run of the show.
 struct Playing<'a> {
     options: &'a Options,
     player: Player,
@@ -92,7 +91,6 @@ impl Playing<'_> {
     /// Plays until the show ends or the viewer ends it. Returns the exit code.
     fn on(&mut self, target: &mut dyn RenderTarget) -> i32 {
         let options = self.options;
-        // Select the governor and the end.
         let by_accuracy = options.psnr.filter(|_| !options.has_fps);
         let is_default = options.is_uncapped && by_accuracy.is_none();
         let kept = options.quality.or(is_default.then_some(qualities::DEFAULT));
@@ -128,7 +126,6 @@ impl Playing<'_> {
                 self.tally.write(&mut frame, counts.points);
             }
             let next = target.show();
-            // Update the governor and the statistics.
             let shown = clock.time();
             match &mut by_accuracy {
                 Some(governor) => governor.frame(counts.probes),

@@ -2,7 +2,6 @@
 
 use eightfold_tracer::Quality;
 
-/// The number of presets of the ladder.
 const PRESETS: usize = Quality::LADDER.len();
 
 /// The named qualities. First comes the ladder, from the finest preset to the fastest, so that a preset's number is its index here;
@@ -21,10 +20,8 @@ pub static NAMED: [(&str, Quality); PRESETS + 2] = {
 /// The index in [`NAMED`] of the quality for stills and for `--uncapped`, unless another is named.
 pub const DEFAULT: usize = Quality::DEFAULT_PRESET;
 
-/// The index in [`NAMED`] of the quality that traces every pixel.
 pub const EXHAUSTIVE: usize = PRESETS + 1;
 
-/// The index in [`NAMED`] of a quality by its name.
 pub fn find(name: &[u8]) -> Option<usize> {
     NAMED
         .iter()

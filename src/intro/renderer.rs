@@ -15,7 +15,6 @@ use super::{
     options::{MAX_THREADS, Options},
 };
 
-/// The working memory for a frame.
 struct Workspace {
     scene: Scene,
     memory: Memory,
@@ -37,7 +36,6 @@ pub struct ShowRenderer {
 }
 
 impl ShowRenderer {
-    /// Starts the threads and takes the working memory.
     pub fn new(options: &Options) -> ShowRenderer {
         let Workspace {
             scene,
@@ -78,7 +76,6 @@ impl ShowRenderer {
     }
 }
 
-/// A thread pool, with working memory for each thread.
 struct PoolThreads {
     pool: Pool,
     workers: &'static mut [Worker],

@@ -17,23 +17,18 @@ pub struct Tally {
     time: u64,
     /// The number of frames in the slowest complete second.
     slowest: Option<u64>,
-    /// The current second, counted from the start.
     second: u64,
-    /// Frames in the current second so far.
     frames_in_second: u64,
     /// Frames in the last complete second.
     rate: u64,
     /// The probes' results in the whole run, and recently: the weight of a second halves with the next.
     probes: Probes,
     recent: Probes,
-    /// Width and height of the last frame in pixels.
     size: (usize, usize),
-    /// The time for which each quality of [`NAMED`] was used.
     used: [u64; NAMED.len()],
 }
 
 impl Tally {
-    /// Returns the number of frames.
     pub fn frames(&self) -> u64 {
         self.frames
     }
@@ -66,14 +61,12 @@ impl Tally {
             line(b" #### FPS $$$$$$$ POINTS", 0.04),
             line(b"  %%.% / &&.& DB TO EXHAUSTIVE", 0.09),
         ];
-        // The accuracy is shown once there is an error.
         let lines = 1 + usize::from(self.recent.squares > 0);
         let [psnr, margin] = accuracy(&self.recent);
         let numbers = [self.rate, points, psnr, margin].map(|number| number as usize);
         frame.write(&hud[..lines], numbers);
     }
 
-    /// Sets the time at which the show ended.
     pub fn end(&mut self, time: u64) {
         self.time = time;
     }
@@ -122,12 +115,10 @@ impl Tally {
     }
 }
 
-/// Converts nanoseconds to hundredths of a second.
 fn hundredths(time: u64) -> u64 {
     time / (SECOND / 100)
 }
 
-/// Returns a line over the picture.
 fn line<const N: usize>(letters: &[u8; N], middle: f32) -> Caption {
     Caption {
         letters: List::of(letters),

@@ -14,9 +14,7 @@ pub fn costs(bytes: &[u8]) -> Vec<f32> {
     costs.collect()
 }
 
-/// A coder that counts bits instead of writing them.
 struct Meter {
-    /// The remaining bits, highest first.
     byte: u8,
     bits: f32,
 }

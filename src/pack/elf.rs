@@ -25,7 +25,6 @@ pub const EXECUTE: u32 = 1;
 pub const WRITE: u32 = 2;
 pub const READ: u32 = 4;
 
-/// A program header: a range of the file and its address in memory.
 #[derive(Clone, Copy, Default)]
 pub struct Segment {
     pub kind: u32,
@@ -77,7 +76,6 @@ impl Segment {
     }
 }
 
-/// Returns an ELF header for x86-64 Linux; `segments` program headers follow it.
 pub fn header(entry: u64, segments: u16) -> Vec<u8> {
     let mut bytes = b"\x7fELF\x02\x01\x01".to_vec();
     bytes.resize(16, 0);

@@ -3,7 +3,6 @@
 use crate::model::Coder;
 
 pub struct Encoder {
-    /// The byte's remaining bits, highest first.
     pub byte: u8,
     /// The lower end of the interval, without the bytes already written.
     low: u64,
@@ -24,7 +23,6 @@ impl Encoder {
         }
     }
 
-    /// Writes the highest byte of `low`, and widens the interval.
     fn shift(&mut self) {
         self.range <<= 8;
         self.written.push((self.low >> 32) as u8);

@@ -54,7 +54,6 @@ use model::Model;
 /// The reason why a program is not packed.
 pub type Error = Box<dyn error::Error>;
 
-/// Returns the arithmetic code of bytes.
 fn encode(bytes: &[u8]) -> Vec<u8> {
     let mut model = new_model();
     let mut encoder = Encoder::new();
@@ -87,7 +86,6 @@ fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Error> {
     is_whole.then_some(bytes).ok_or_else(|| DAMAGED.into())
 }
 
-/// Returns the FNV-1a hash.
 fn checksum(bytes: &[u8]) -> u32 {
     bytes.iter().fold(0x811c_9dc5, |hash, &byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)

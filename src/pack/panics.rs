@@ -18,7 +18,6 @@ use crate::{
     elf::{Section, number},
 };
 
-/// The function that replaces the panicking ones.
 pub const ABORT: &str = "eightfold_abort";
 
 /// The end of the panic handler's mangled name.
@@ -44,7 +43,6 @@ pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Returns whether the panic handler is a single jump to [`ABORT`].
 fn is_redirected(file: &object::File<'_>, program: &[u8], code: &Section) -> bool {
     let address = |is_it: fn(&str) -> bool| {
         let mut symbols = file.symbols();
@@ -103,7 +101,6 @@ mod tests {
     use crate::elf::Section;
 
     const NAMES: &[u8] = b"src/a.rssrc/b.rssrc/c.rsno path.";
-    /// The file's address in memory.
     const BASE: u64 = 0x20_0000;
 
     #[test]

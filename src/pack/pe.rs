@@ -15,9 +15,7 @@ use crate::{
     elf::{PAGE, number},
 };
 
-/// The alignment of an image's base address.
 pub const BASE_ALIGNMENT: u64 = 1 << 16;
-/// The alignment of each part of a file.
 const FILE_ALIGNMENT: usize = 512;
 
 pub const CODE: SectionFlags =
@@ -36,11 +34,9 @@ pub struct Section {
 /// An executable. Addresses are relative to `base`.
 pub struct Executable {
     pub base: u64,
-    /// The image's size in memory.
     pub end: u64,
     pub entry: u64,
     pub sections: Vec<Section>,
-    /// Directory indices and their address ranges.
     pub directories: Vec<(usize, Range<u64>)>,
 }
 
@@ -138,11 +134,9 @@ fn set_checksum(file: &mut [u8]) {
     file[CHECKSUM..CHECKSUM + 4].copy_from_slice(&sum.to_le_bytes());
 }
 
-/// The import table of one library.
 pub struct Imports {
     /// Addresses of the functions' names, which Windows replaces by the functions' addresses.
     pub addresses: Vec<u8>,
-    /// The import directory and the names.
     pub names: Vec<u8>,
 }
 
@@ -150,7 +144,6 @@ impl Imports {
     /// The directory's size: one library, and a zero entry.
     pub const DIRECTORY: u64 = 2 * 20;
 
-    /// Builds the table for the image addresses of its two parts.
     pub fn new(library: &str, functions: &[&str], addresses: u64, names: u64) -> Imports {
         let library_at = (names + Imports::DIRECTORY) as u32;
         let descriptors = [0, 0, 0, library_at, addresses as u32, 0, 0, 0, 0, 0];

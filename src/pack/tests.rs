@@ -2,7 +2,6 @@ use proptest::{collection::vec, prelude::*};
 
 use crate::{LONGEST, System, checksum, costs, decode, encode, model::Model, pack_executable};
 
-/// Bytes like a program's: random ones, runs, calls and other instructions.
 fn bytes() -> impl Strategy<Value = Vec<u8>> {
     let call = any::<i32>().prop_map(|to| [&[0xe8][..], &to.to_le_bytes()].concat());
     let again = (any::<u8>(), 1..300_usize).prop_map(|(byte, count)| vec![byte; count]);

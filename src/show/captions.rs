@@ -3,12 +3,10 @@
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Caption, Scene};
 
-/// A caption and its time.
 pub(super) struct Cue {
     pub text: &'static str,
     /// The beat of its scene, counted from 0, when it begins to fade in.
     pub first: f32,
-    /// The beats until it has faded out.
     pub beats: f32,
     /// See [`Caption::middle`].
     pub middle: f32,
@@ -21,7 +19,6 @@ pub(super) fn apply(lines: &[Cue], beat: f32, scene: &mut Scene) {
     scene.captions.clear();
     for line in lines {
         let since = beat - line.first;
-        // Fade in and out within a beat.
         let brightness = smooth_step(since.min(line.beats - since));
         if brightness > 0.0 {
             scene.captions.push(Caption {

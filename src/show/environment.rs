@@ -44,12 +44,10 @@ const SWELL: f32 = 9.0;
 /// The waves' speed, in wavelengths per beat.
 const PACE: f32 = 0.1;
 
-/// Creates an invisible point light with hard shadows.
 pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
     Light::new(Vec3::from_array(position), Vec3::from_array(colour))
 }
 
-/// Creates an invisible light with parallel rays.
 pub(super) const fn sun(position: [f32; 3], colour: [f32; 3]) -> Light {
     Light::sun(Vec3::from_array(position), Vec3::from_array(colour))
 }

@@ -11,7 +11,6 @@ const SIDE: f32 = 16.0;
 const CELL: f32 = 4.0;
 /// The minimum radius, and the maximum random addition, in scene units. Even 320 of the largest spheres fit.
 const RADIUS: (f32, f32) = (0.2, 0.2);
-/// The seed of the random numbers.
 const SEED: u32 = 2008;
 
 /// Returns the field at `time` seconds with `count` spheres, at most [`MAX_SPHERES`], that do not touch. A sphere is plastic with
@@ -19,7 +18,6 @@ const SEED: u32 = 2008;
 #[must_use]
 pub fn field(count: usize, time: f32) -> Scene {
     let count = count.min(MAX_SPHERES);
-    // Each sphere has its own cell of a square grid.
     let cells = (1..).find(|n| n * n >= count).unwrap_or(1);
     let cell = (SIDE / cells as f32).min(CELL);
     let mut random = Random(SEED);
@@ -41,7 +39,6 @@ pub fn field(count: usize, time: f32) -> Scene {
     scene
 }
 
-/// Returns a random material of a random colour.
 fn material(random: &mut Random) -> Material {
     let kind = random.fraction();
     let mut channel = || 0.12 + 0.8 * random.fraction();
@@ -82,7 +79,6 @@ fn material(random: &mut Random) -> Material {
 struct Random(u32);
 
 impl Random {
-    /// Returns a uniform number from 0 to below 1.
     fn fraction(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9);
         let mut h = self.0;

@@ -24,7 +24,6 @@ pub(super) static PAPER: Material = Material {
     ..MATT
 };
 
-/// The model scene's red plastic.
 pub(super) static RED: Material = Material {
     colour: vec3(0.9, 0.15, 0.12),
     kd: 0.7,
@@ -34,7 +33,6 @@ pub(super) static RED: Material = Material {
     ..MATT
 };
 
-/// The model scene's mirror.
 pub(super) static MIRROR: Material = Material {
     colour: vec3(0.9, 0.9, 0.95),
     kd: 0.2,
@@ -44,7 +42,6 @@ pub(super) static MIRROR: Material = Material {
     ..MATT
 };
 
-/// The model scene's blue plastic.
 pub(super) static BLUE: Material = Material {
     colour: vec3(0.15, 0.35, 0.9),
     kd: 0.7,
@@ -125,7 +122,6 @@ pub(super) static SCARLET: Material = Material {
     ..MATT
 };
 
-/// Yellow plastic with dark horizontal stripes.
 pub(super) static STRIPED: Material = Material {
     colour: vec3(0.9, 0.62, 0.1),
     kd: 0.8,
@@ -176,7 +172,6 @@ pub(super) static WATER: Material = Material {
     ..MATT
 };
 
-/// The swarm's floor, slightly reflective.
 pub(super) static NIGHT: Material = Material {
     colour: vec3(0.22, 0.24, 0.34),
     kd: 0.8,

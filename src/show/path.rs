@@ -18,7 +18,6 @@ pub(super) struct Keyframe {
     front: f32,
 }
 
-/// Creates a keyframe without roll and overlay.
 pub(super) const fn keyframe(
     look_at: [f32; 3],
     angle: f32,
@@ -34,7 +33,6 @@ pub(super) const fn keyframe(
 }
 
 impl Keyframe {
-    /// Adds an overlay, see [`Method`].
     pub const fn overlaid(self, points: f32, squares: f32, picture: f32, coarse: f32) -> Self {
         Self {
             overlay: vec4(points, squares, picture, coarse),
@@ -42,7 +40,6 @@ impl Keyframe {
         }
     }
 
-    /// Adds a front, see [`Method`].
     pub const fn swept(self, front: f32) -> Self {
         Self { front, ..self }
     }

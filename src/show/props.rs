@@ -5,7 +5,6 @@ use eightfold_tracer::maths::{cos, round, sin, smooth_step};
 use eightfold_tracer::scene::{self, Block, Material, Scene, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// One object, or a grid of equal objects.
 pub(super) struct Prop {
     shape: Shape,
     material: &'static Material,
@@ -14,7 +13,6 @@ pub(super) struct Prop {
     centre: Vec3,
     /// The extents along the object's axes in scene units; a sphere's are its diameter.
     size: Vec3,
-    /// The numbers of objects along x and z.
     count: [u8; 2],
     /// The spacing along x and z, in scene units.
     spacing: [f32; 2],
@@ -40,12 +38,10 @@ pub(super) const fn sphere(material: &'static Material, centre: [f32; 3], diamet
     prop(Shape::Sphere, material, centre, size)
 }
 
-/// Creates a box, aligned with the scene's axes.
 pub(super) const fn cuboid(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     prop(Shape::Block(scene::Shape::Box), material, centre, size)
 }
 
-/// Creates an upright cylinder.
 pub(super) const fn cylinder(
     material: &'static Material,
     centre: [f32; 3],
@@ -80,7 +76,6 @@ impl Prop {
         Self { motion, ..self }
     }
 
-    /// Adds the objects to a scene, `beat` beats after the environment was first shown.
     pub fn add_all(&self, beat: f32, scene: &mut Scene) {
         let [columns, rows] = self.count;
         for row in 0..rows {

@@ -22,7 +22,6 @@ pub(super) struct Shot {
 }
 
 impl ShowScene {
-    /// Creates a scene without captions, the first in its environment.
     pub const fn new(environment: &'static Environment, shots: &'static [Shot]) -> ShowScene {
         ShowScene {
             environment,
@@ -32,7 +31,6 @@ impl ShowScene {
         }
     }
 
-    /// Returns the sum of its shots' lengths.
     pub const fn bars(&self) -> u32 {
         let (mut bars, mut i) = (0, 0);
         while i < self.shots.len() {

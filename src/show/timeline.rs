@@ -26,12 +26,10 @@ pub fn at(time: f32, scene: &mut Scene) {
 /// Sets a scene like [`at`], without the coarse squares of a transition between scenes. Returns the transition's number of
 /// halvings.
 pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
-    // Find the scene, and set its environment.
     let (shown, bar) = playing(&ALL, |scene| scene.bars(), time / BAR);
     shown
         .environment
         .apply((bar + shown.environment_since as f32) * BEATS, scene);
-    // Flash lights and copper bars with the kick.
     let kick = shown.environment.kick_response * pulse(time).kick;
     for light in scene.lights.iter_mut() {
         light.colour *= 1.0 + FLASH * kick;

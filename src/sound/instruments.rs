@@ -17,14 +17,11 @@ pub(super) enum Notes {
     Chord(u8),
 }
 
-/// The parameters of an instrument's sound.
 pub(super) struct Instrument {
     pub notes: Notes,
-    /// The amplitude of the sawtooth oscillators, before [`LOUDNESS`].
+    /// The amplitudes of the oscillators and the noise, before [`LOUDNESS`].
     pub saw: f32,
-    /// The amplitude of the sine oscillators, before [`LOUDNESS`].
     pub sine: f32,
-    /// The amplitude of the noise, before [`LOUDNESS`].
     pub noise: f32,
     /// The detuning of the outermost oscillators, as a fraction of the pitch.
     pub detune: f32,
@@ -34,19 +31,16 @@ pub(super) struct Instrument {
     pub index: f32,
     /// The modulating sine's pitch, as a multiple of the note's.
     pub ratio: f32,
-    /// The inverse of the attack's time constant in samples.
+    /// The inverses of the time constants of attack, decay (while the note is held) and release, in samples.
     pub attack: f32,
-    /// The inverse of the decay's time constant, while the note is held.
     pub decay: f32,
-    /// The inverse of the release's time constant.
     pub release: f32,
     /// The duration of a note, in beats.
     pub gate: f32,
     /// The inverse of the time constant of pitch, modulation index and filter, in samples.
     pub sweep: f32,
-    /// The filter's cutoff frequency at the start of a note, as an angle: pi is the sampling rate.
+    /// The filter's initial and final cutoff frequencies, as angles: pi is the sampling rate.
     pub cutoff_start: f32,
-    /// The final cutoff frequency, as an angle.
     pub cutoff_end: f32,
     /// The effect of the bar's brightness on the filter: full brightness multiplies the cutoff by 1 + this.
     pub light: f32,
@@ -56,9 +50,8 @@ pub(super) struct Instrument {
     pub high: f32,
     /// The fraction of the distance to its note that the pitch glides in each [chunk](super::CHUNK).
     pub glide: f32,
-    /// The amplitude of the echo's input.
+    /// The amplitudes of the inputs of echo and reverberation.
     pub echo: f32,
-    /// The amplitude of the reverberation's input.
     pub room: f32,
     /// The fraction by which a kick attenuates it, 0 to 1.
     pub duck: f32,
@@ -103,7 +96,6 @@ const SILENT: Instrument = Instrument {
     duck: 0.0,
 };
 
-/// A pad for two tracks.
 const PAD: Instrument = Instrument {
     notes: Notes::Chord(24),
     saw: 0.1,
@@ -124,7 +116,6 @@ const PAD: Instrument = Instrument {
     ..SILENT
 };
 
-/// The instruments of the song's tracks.
 pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Kick.
     Instrument {

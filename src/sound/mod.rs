@@ -32,7 +32,6 @@ pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid
 /// Samples in a chunk: a millisecond. Slow parameters, such as the filters', are updated once per chunk.
 const CHUNK: usize = 48;
 
-/// Sixteenths in a bar.
 const STEPS_PER_BAR: u32 = 16;
 
 /// The length of the song in bars.

@@ -28,13 +28,11 @@ static CHORDS: [[u8; 4]; 8] = [
     [33, 37, 40, 47], // A: A major add 9
 ];
 
-/// The names of the [`CHORDS`].
 const CHORD_NAMES: &[u8] = b"afcgdEeA";
 
 /// The chord of each bar.
 const HARMONY_TEXT: &[u8] = b"aaffdE aaffdE afcgafdE fgeafgEE aaaafE afcgdE ddaafE fgeafg afgAAA";
 
-/// The index in [`CHORDS`] of each bar's chord.
 static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 
 /// The brightness of each bar, 0 to 15, which opens the filters.
@@ -53,7 +51,6 @@ static SCALE: [u8; 16] = [
 struct Part {
     /// The number of each bar's pattern, counted from 1; 0 is silence.
     bars: [u8; BARS],
-    /// The digits of each pattern.
     patterns: &'static [[u8; STEPS]],
 }
 
@@ -165,7 +162,6 @@ static PARTS: [Part; TRACKS] = [
     },
 ];
 
-/// Hexadecimal digits, for [`LIGHT`].
 const DIGITS: &[u8] = b"0123456789abcdef";
 
 /// Returns the digit of a track at a step of the song; 0 after its end.
@@ -184,12 +180,10 @@ pub(super) fn mood(bar: u32) -> (f32, [u8; 4]) {
     (f32::from(LIGHT[bar]) / 15.0, chord)
 }
 
-/// Returns the MIDI note of a digit of the melody.
 pub(super) fn scale(digit: u8) -> u8 {
     SCALE[usize::from(digit)]
 }
 
-/// Returns the index of a letter in a list that contains it.
 const fn index_of(letter: u8, among: &[u8]) -> u8 {
     let mut i = 0;
     while among[i] != letter {
@@ -208,7 +202,6 @@ const fn pattern(text: &[u8]) -> [u8; STEPS] {
     indices_of(text, b".123456789abcdef")
 }
 
-/// Returns the number of letters, without spaces.
 const fn letters(text: &[u8]) -> usize {
     let (mut i, mut count) = (0, 0);
     while i < text.len() {
@@ -218,7 +211,6 @@ const fn letters(text: &[u8]) -> usize {
     count
 }
 
-/// Returns the indices of a text's letters in a list, without spaces.
 const fn indices_of<const N: usize>(text: &[u8], among: &[u8]) -> [u8; N] {
     let mut indices = [0; N];
     let (mut i, mut count) = (0, 0);

@@ -38,7 +38,6 @@ impl Space {
         walls: [Vec4::ZERO; LENGTHS.len()],
     };
 
-    /// Adds echo and reverberation to the sample at a position of the song.
     pub fn play(&mut self, position: usize, mix: &Mix) -> Vec4 {
         // Echoes alternate between left and right.
         let echo = self.echo[(position + ECHO - DELAY) % ECHO];

@@ -22,11 +22,9 @@ pub struct Synthesizer {
     mean: Vec4,
     /// The position of the next chunk in the song, in samples.
     position: u32,
-    /// The next step of the song.
     step: u32,
     /// The chunks until then.
     wait: u32,
-    /// The state of the noise generator.
     seed: i32,
     /// The number of samples in `chunk` that [`Synthesizer::play`] has returned.
     taken: usize,
@@ -104,9 +102,7 @@ impl Synthesizer {
         &self.chunk
     }
 
-    /// Updates the mood and starts the notes of the next chunk.
     fn follow(&mut self) {
-        /// Chunks in a step.
         const CHUNKS: u32 = STEP / CHUNK as u32;
         /// The factor on the kick's level in each chunk: it halves in 50 ms.
         const FADE: f32 = 0.986;

@@ -29,9 +29,8 @@ impl Mix {
 
 /// Common settings of all voices in a chunk. All four lanes are equal.
 pub(super) struct Mood {
-    /// The kick's level at the start of the chunk, 0 to 1.
+    /// The kick's level at the start of this chunk and the next, 0 to 1.
     pub kick: Vec4,
-    /// The kick's level at the start of the next chunk.
     pub next_kick: Vec4,
     /// The brightness, 0 to 1.
     pub light: Vec4,
@@ -51,7 +50,6 @@ pub(super) struct Voice {
     /// The filter's band-pass and low-pass integrators.
     band: Vec4,
     low: Vec4,
-    /// The amplitude envelope, equal in all lanes.
     level: Vec4,
     /// The level at the end of the attack.
     peak: Vec4,
@@ -108,9 +106,7 @@ impl Voice {
         self.age = 0.0;
     }
 
-    /// Adds a chunk of the voice's sound to the mix.
     pub fn play(&mut self, instrument: &Instrument, mood: &Mood, mixes: &mut [Mix; CHUNK]) {
-        /// Chunks in a beat.
         const BEAT: f32 = (super::STEP * 4) as f32 / CHUNK as f32;
         /// The attack lasts for two time constants: the level rises to 1 - 1/e^2 of its peak.
         const ATTACK: f32 = 2.0 / CHUNK as f32;
@@ -150,7 +146,6 @@ impl Voice {
     }
 }
 
-/// Wraps a phase to -1/2 to 1/2 turns.
 #[inline(always)]
 fn wrap(phase: Vec4) -> Vec4 {
     phase - (phase + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
@@ -180,7 +175,6 @@ struct Filter {
 }
 
 impl Filter {
-    /// Returns a chunk's filter for a sweep and a brightness.
     #[inline(always)]
     fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
         let end = instrument.cutoff_end;
@@ -198,7 +192,6 @@ impl Filter {
         }
     }
 
-    /// Filters a sample; the filter's state is the voice's.
     #[inline(always)]
     fn pass(&self, instrument: &Instrument, sound: Vec4, voice: &mut Voice) -> Vec4 {
         let rest = sound - voice.low;

@@ -10,7 +10,6 @@ pub struct Inspector {
     heard: Mutex<Heard>,
 }
 
-/// Squares and points as JSON.
 #[derive(Default)]
 struct Heard {
     squares: Vec<String>,
@@ -21,7 +20,6 @@ impl Inspector {
     /// The maximum distance of recorded points in pixels.
     const NEAR: usize = 32;
 
-    /// Creates an inspector for the pixel (x, y).
     pub fn new(x: usize, y: usize) -> Self {
         Self {
             pixel: [x, y],
@@ -42,7 +40,6 @@ impl Inspector {
         note(&mut self.heard.lock().unwrap_or_else(PoisonError::into_inner));
     }
 
-    /// Records a square that contains the pixel.
     fn note(&self, [x, y]: [usize; 2], [w, h]: [usize; 2], what: &str) {
         let [px, py] = self.pixel;
         if (x..x + w).contains(&px) && (y..y + h).contains(&py) {

@@ -29,7 +29,6 @@ struct Workspace {
     samples: [[f32; 2]; SAMPLES],
 }
 
-/// The rest of an instance's state.
 struct State {
     quality: Quality,
     width: usize,
@@ -126,7 +125,6 @@ pub extern "C" fn set_show(time: f32, is_resting: bool) {
     }
 }
 
-/// Sets the scene to the model scene at a time in seconds.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_model(time: f32) {
     show::model(time, &mut workspace().scene);
@@ -162,7 +160,6 @@ pub extern "C" fn length() -> f32 {
     state().file.as_ref().map_or(0.0, |file| file.length)
 }
 
-/// Sets the scene to the scene file's at a time in seconds.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_file(time: f32) {
     if let Some(file) = &state().file {
@@ -302,7 +299,6 @@ pub extern "C" fn colour(from: usize, to: usize) {
     }
 }
 
-/// Moves the sound to its start.
 #[unsafe(no_mangle)]
 pub extern "C" fn restart_sound() {
     workspace().synthesizer.seek(0);
@@ -320,7 +316,6 @@ pub extern "C" fn play(count: usize) -> *const f32 {
     samples.as_flattened().as_ptr()
 }
 
-/// Creates a governor for a frame rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn govern(frames_per_second: u32) {
     let budget = Duration::from_secs(1) / frames_per_second.max(1);

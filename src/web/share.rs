@@ -12,20 +12,16 @@ pub struct Share<'a> {
     pub worker: &'a mut Worker,
     /// The rows in which its bands begin.
     pub rows: Range<usize>,
-    /// The pass to draw, counted from 0.
     pub pass: usize,
     /// The previous passes' work of all workers, for the captions.
     pub before: Counts,
-    /// The frame's number of passes.
     pub passes: usize,
     /// The first row of its bands, and the first row after them; reversed if it has none.
     pub drawn: [usize; 2],
-    /// Its own work in this pass.
     pub counts: Counts,
 }
 
 impl<'a> Share<'a> {
-    /// Creates a share of a pass.
     pub fn new(worker: &'a mut Worker, rows: Range<usize>, pass: usize, before: Counts) -> Self {
         Self {
             worker,
@@ -72,7 +68,6 @@ mod tests {
     const WIDTH: usize = 161;
     const HEIGHT: usize = 120;
 
-    /// A worker with its own memory and pixels.
     struct Part {
         renderer: Renderer<Box<Memory>>,
         worker: Box<Worker>,
@@ -123,7 +118,6 @@ mod tests {
             }
             before.points += points;
             pass += 1;
-            // Exchange the rows at the cuts.
             let row = |y: usize| y * WIDTH..(y + 1) * WIDTH;
             for below in 1..parts.len() {
                 let (start, above) = (drawn[below].start, below - 1);

@@ -10,7 +10,6 @@ pub const SECOND: u64 = 1_000_000_000;
 /// The time since its start.
 #[derive(Clone, Copy)]
 pub struct Clock {
-    /// The start, on the system's clock.
     pub(crate) start: u64,
 }
 

@@ -21,7 +21,6 @@ macro_rules! loaded {
             $( pub $name: unsafe extern "C" fn($($argument),*) -> $result, )*
         }
 
-        /// The functions' names, each with its NUL.
         static $names: &str = concat!($( stringify!($name), "\0" ),*);
     };
 }

@@ -30,13 +30,11 @@ pub struct Pool {
     count: usize,
 }
 
-/// The work of a thread in a run, by the thread's number.
 type Work<'a> = &'a (dyn Fn(usize) + Sync);
 
 struct Shared {
     /// The number of runs; idle threads sleep on it.
     run: AtomicU32,
-    /// The number of threads that sleep on `run`, or are about to.
     sleeping: AtomicU32,
     /// The number of threads in the current run, and [`OPEN`] while more may enter.
     inside: AtomicU32,

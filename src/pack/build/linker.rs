@@ -11,48 +11,35 @@ use std::{
 use super::{order, redirect};
 use crate::{Error, System, Version, executable::packed_size, pack_executable};
 
-/// The size limit of a 64 kB intro.
 const LIMIT: usize = 65_536;
 
 pub const STUB: &str = "stub.o";
-const SETTINGS: &str = "settings";
 /// The object file with replacements for functions of std.
 const REDIRECTIONS: &str = "redirections.o";
-/// The file that lists functions in link order.
 const ORDER: &str = "order";
 
-/// The build script's settings, in a file in the linker's folder.
-pub struct Settings {
-    pub linker: String,
-    /// The folder for the unpacked program.
-    pub unpacked: String,
-    pub system: System,
+/// Environment variables for rustc and its linker: the real linker's path or name, and the target system.
+pub const LINKER_VARIABLE: &str = "EIGHTFOLD_LINKER";
+pub const SYSTEM_VARIABLE: &str = "EIGHTFOLD_SYSTEM";
+
+struct Settings {
+    linker: String,
+    system: System,
 }
 
 impl Settings {
-    /// Writes one setting a line; the last two are empty for Linux.
-    pub fn write(&self, directory: &Path) -> Result<(), Error> {
-        let [name, number] = match &self.system {
-            System::Linux => ["", ""],
-            System::Windows(Version { name, number }) => [name.as_str(), number],
+    fn from_environment() -> Result<Settings, Error> {
+        let variable = |name| env::var(name).map_err(|error| format!("{name}: {error}"));
+        let system = match &*variable(SYSTEM_VARIABLE)? {
+            "windows" => System::Windows(Version {
+                name: variable("CARGO_PKG_DESCRIPTION")?,
+                number: variable("CARGO_PKG_VERSION")?,
+            }),
+            _ => System::Linux,
         };
-        let lines = [&*self.linker, &*self.unpacked, name, number];
-        Ok(fs::write(directory.join(SETTINGS), lines.join("\n"))?)
-    }
-
-    fn read(directory: &Path) -> Result<Settings, Error> {
-        let text = fs::read_to_string(directory.join(SETTINGS))?;
-        let lines: Vec<_> = text.split('\n').map(String::from).collect();
-        let [linker, unpacked, name, number] =
-            <[String; 4]>::try_from(lines).map_err(|_| "linker settings are incomplete")?;
         Ok(Settings {
-            linker,
-            unpacked,
-            system: if name.is_empty() {
-                System::Linux
-            } else {
-                System::Windows(Version { name, number })
-            },
+            linker: variable(LINKER_VARIABLE)?,
+            system,
         })
     }
 
@@ -65,7 +52,6 @@ impl Settings {
         version.is_ok_and(|version| String::from_utf8_lossy(&version.stdout).starts_with("LLD"))
     }
 
-    /// Runs the linker with `more` before its own arguments.
     fn run_linker(&self, more: &[OsString], arguments: &[OsString]) -> Result<ExitStatus, Error> {
         let is_wanted = |argument: &&OsString| !self.is_for_windows() || !is_of_linux(argument);
         Command::new(&self.linker)
@@ -86,7 +72,7 @@ pub fn run(arguments: &[OsString]) -> i32 {
 fn link(arguments: &[OsString]) -> Result<i32, Error> {
     let own = env::current_exe()?;
     let directory = own.parent().ok_or("linker has no folder")?;
-    let settings = Settings::read(directory)?;
+    let settings = Settings::from_environment()?;
     let words = expand(arguments)?;
     let output = output(&words);
     let mut more = Vec::new();
@@ -131,7 +117,7 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     // Keep the unpacked program under cargo's name, whose hash depends on the features.
     let mut name = path.file_name().ok_or("output has no name")?.to_owned();
     name.push(".unpacked");
-    fs::copy(&path, Path::new(&settings.unpacked).join(name))?;
+    fs::copy(&path, directory.with_file_name(name))?;
     let program = fs::read(&path)?;
     let stub = fs::read(directory.join(STUB))?;
     let file = match pack_executable(&program, &stub, &settings.system) {
@@ -152,13 +138,11 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     Ok(0)
 }
 
-/// Returns whether an argument is a Linux library or an option for Linux only.
 fn is_of_linux(argument: &OsStr) -> bool {
     let argument = argument.to_string_lossy();
     argument.starts_with("-l") || argument == "--eh-frame-hdr"
 }
 
-/// Returns the name of a Windows program next to cargo's.
 fn name_for_windows(path: &Path) -> Result<PathBuf, Error> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let name = name.rsplit_once('-').map_or(&*name, |(name, _)| name);

@@ -24,13 +24,13 @@ use std::{
     process::Command,
 };
 
-use crate::{Error, System, Version};
+use crate::Error;
+use linker::{LINKER_VARIABLE, STUB, SYSTEM_VARIABLE};
 use toolchain::Toolchain;
 
 /// The linker's file name.
 const LINKER: &str = "ld.bfd";
 
-/// This crate's folder, with the stub's source.
 const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Runs as the build script for `program`, or as its linker.
@@ -58,14 +58,7 @@ fn prepare(program: &str) -> Result<(), Error> {
     let toolchain = Toolchain::find()?;
     let output = PathBuf::from(env::var("OUT_DIR")?);
     let is_for_windows = env::var_os("CARGO_FEATURE_WINDOWS").is_some();
-    let system = if is_for_windows {
-        System::Windows(Version {
-            name: env::var("CARGO_PKG_DESCRIPTION")?,
-            number: env::var("CARGO_PKG_VERSION")?,
-        })
-    } else {
-        System::Linux
-    };
+    let system = if is_for_windows { "windows" } else { "linux" };
     let directory = output.join("linker");
     fs::create_dir_all(&directory)?;
     let own = env::current_exe()?;
@@ -74,18 +67,10 @@ fn prepare(program: &str) -> Result<(), Error> {
         fs::remove_file(&linker)?;
     }
     fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
-    let text = |path: PathBuf| {
-        let path = path.into_os_string().into_string();
-        path.map_err(|path| format!("path {path:?} is not UTF-8"))
-    };
-    linker::Settings {
-        linker: toolchain.linker.clone(),
-        unpacked: text(output.clone())?,
-        system,
-    }
-    .write(&directory)?;
-    compile_stub(&toolchain, is_for_windows, &directory.join(linker::STUB))?;
-    let map = text(output.join(format!("{program}.map")))?;
+    compile_stub(&toolchain, system, &directory.join(STUB))?;
+    println!("cargo::rustc-env={LINKER_VARIABLE}={}", toolchain.linker);
+    println!("cargo::rustc-env={SYSTEM_VARIABLE}={system}");
+    let map = output.join(format!("{program}.map"));
     let for_system: &[&str] = if is_for_windows {
         &[
             // No dynamic linker on Windows.
@@ -107,7 +92,7 @@ fn prepare(program: &str) -> Result<(), Error> {
         "-Wl,--build-id=none",
         // Redirected functions are defined twice; the first definition counts.
         "-Wl,-z,muldefs",
-        &format!("-Wl,-Map={map}"),
+        &format!("-Wl,-Map={}", map.display()),
         &format!("-B{}", directory.display()),
         // The last option selects the linker by its suffix.
         &format!("-fuse-ld={}", &LINKER[3..]),
@@ -118,9 +103,7 @@ fn prepare(program: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Compiles a system's stub, without the user's flags for rustc.
-fn compile_stub(toolchain: &Toolchain, is_for_windows: bool, object: &Path) -> Result<(), Error> {
-    let system = if is_for_windows { "windows" } else { "linux" };
+fn compile_stub(toolchain: &Toolchain, system: &str, object: &Path) -> Result<(), Error> {
     let source = Path::new(SOURCE).join("stub").join(system).join("main.rs");
     let done = Command::new(&toolchain.rustc)
         .args([
@@ -139,7 +122,7 @@ fn compile_stub(toolchain: &Toolchain, is_for_windows: bool, object: &Path) -> R
             "-Ccodegen-units=1",
         ])
         // Windows may overwrite memory below the stack pointer at any time.
-        .args(is_for_windows.then_some("-Cno-redzone=yes"))
+        .args((system == "windows").then_some("-Cno-redzone=yes"))
         .arg("-o")
         .args([object, &source])
         .status()?;

@@ -12,7 +12,6 @@ use object::{Object, ObjectSection, ObjectSymbol, SymbolKind};
 
 use crate::Error;
 
-/// The length of a sequence in bytes.
 const LENGTH: usize = 3;
 
 /// The number of orders to try; packing them all takes three seconds.

@@ -52,7 +52,6 @@ const REPLACED: [&str; 8] = [
     "rust_eh_personality",
 ];
 
-/// Returns an object with the redirections, and the missing functions.
 pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), Error> {
     let names = symbols(&libraries(words))?;
     let mut object =

@@ -14,7 +14,6 @@ pub const TARGET: &str = "x86_64-unknown-linux-gnu";
 
 pub struct Toolchain {
     pub rustc: OsString,
-    /// The program's linker: a path, or a name to look up.
     pub linker: String,
 }
 
@@ -37,7 +36,6 @@ impl Toolchain {
         Ok(Toolchain { rustc, linker })
     }
 
-    /// Returns the linker's option for a program's base address.
     pub fn base(&self) -> &'static str {
         if self.linker.ends_with("lld") || self.linker.ends_with("mold") {
             "--image-base"
@@ -96,7 +94,6 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
 mod tests {
     use super::linker;
 
-    /// Returns the linker for flags separated by spaces, where rustc's own linker is `own`.
     fn chosen(flags: &str) -> Option<String> {
         linker(&flags.replace(' ', "\x1f"), None, Some("own")).ok()
     }

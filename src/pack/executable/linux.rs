@@ -82,7 +82,6 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(file)
 }
 
-/// Returns a packed executable's program, with the loader behind it.
 pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
     let segments = elf::segments(file)?;
     let is_stack = |segment: &&Segment| segment.kind == elf::STACK;

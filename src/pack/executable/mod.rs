@@ -58,7 +58,6 @@ pub fn pack_executable(program: &[u8], stub: &[u8], system: &System) -> Result<V
     }
 }
 
-/// Returns a program's packed size in bytes, without the stub.
 pub fn packed_size(program: &[u8]) -> Result<usize, Error> {
     Ok(encode(&strip(program)?).len())
 }

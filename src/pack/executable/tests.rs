@@ -21,7 +21,6 @@ fn for_windows() -> System {
     })
 }
 
-/// A program with code, constants, data, and 30 MB of memory.
 fn program() -> Vec<u8> {
     let code: Vec<u8> = (0..3000)
         .map(|i| [0xc3, 0x89, 0x8b, i as u8][i % 4])

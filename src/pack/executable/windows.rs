@@ -57,13 +57,11 @@ const HEAD: usize = 512;
 const RECORD: usize = 5;
 const SUM: usize = HEAD - 4;
 
-/// Returns whether a file is a DOS or Windows executable, by its first bytes.
 pub fn is_pe(file: &[u8]) -> bool {
     file.starts_with(b"MZ")
 }
 
 impl Memory {
-    /// Returns the base address of an image with `size` bytes before the program.
     fn base(&self, size: u64) -> Result<u64, Error> {
         let base = self
             .start
@@ -140,7 +138,6 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
     .to_bytes(&record.map(|number| (number as u32).to_le_bytes()).concat())
 }
 
-/// Returns a packed executable's program, with the loader behind it.
 pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
     let field = |i: usize| number(file, HEAD - 4 * (RECORD - i), 4) as usize;
     let [start, length, unpacked, checked, sum] = [0, 1, 2, 3, 4].map(field);

@@ -7,7 +7,6 @@ pub trait Coder {
 
 pub struct Decoder<'a> {
     bytes: &'a [u8],
-    /// The width of the interval.
     range: u64,
     /// The packed number's position in the interval.
     place: u64,
@@ -27,7 +26,6 @@ impl<'a> Decoder<'a> {
         }
     }
 
-    /// Returns whether exactly all bytes were read.
     pub fn is_at_end(&self) -> bool {
         self.bytes.is_empty() && !self.missing
     }

@@ -83,7 +83,6 @@ impl Lanes {
         multiply_high_unsigned: _mm_mulhi_epu16,
     }
 
-    /// Clamps to -`most` to `most`.
     #[inline(always)]
     pub fn limit(self, most: i16) -> Lanes {
         let (least, most) = (Lanes::splat(-most).0, Lanes::splat(most).0);
@@ -111,7 +110,6 @@ impl Lanes {
         Lanes(sse2!(_mm_add_epi32(self.0, _mm_madd_epi16(a.0, b.0))))
     }
 
-    /// Returns the wrapping sum of four 32-bit lanes.
     #[inline(always)]
     pub fn sum(self) -> i32 {
         let mut sum = self.0;
@@ -224,7 +222,6 @@ mod tests {
     use super::{Lanes, plain};
     use proptest::prelude::*;
 
-    /// Compares operations with the plain ones.
     macro_rules! assert_same {
         ($x:ident, $y:ident, $p:ident, $q:ident: $($operation:ident)*) => {
             $(prop_assert_eq!($x.$operation($y).to_pairs(), $p.$operation($q).to_pairs());)*

@@ -8,13 +8,11 @@ use super::operands::operands_by_runs;
 /// newest first.
 pub const FEATURES: usize = 32;
 const LAST: usize = 4;
-/// The next byte's kind; see the kinds below.
 pub const KIND: usize = 4;
 /// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2,
 /// AVX2 and AVX-512. The three previous opcodes follow at distances of [`STEP`], as do the next three features of two.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
-/// All prefixes, 8 bits each.
 pub const PREFIXES: usize = 7;
 /// The destination operand, of previous instructions only.
 pub const DESTINATION: usize = 8;
@@ -27,14 +25,12 @@ pub const PLACE: usize = HISTORY_END;
 pub const PAGE: usize = 19;
 /// The distance to the next target of an earlier jump or call, at most [`FAR`]. An instruction begins there, often after a jump.
 pub const TARGET: usize = 20;
-/// The operand in the ModRM and SIB bytes.
 pub const OPERAND: usize = 21;
 /// The register extension bits of prefixes: 8 for ModRM's register, 2 for its operand.
 pub const EXTENSION: usize = 22;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 23;
 pub const LENGTH: usize = 24;
-/// The register in VEX and EVEX.
 pub const SOURCE: usize = 25;
 /// The match length before [`AFTER_MATCH`], at most [`LONGEST_MATCH`], times 0x100.
 pub const MATCH: usize = 26;
@@ -45,24 +41,20 @@ pub const SAME_OPERAND: usize = 28;
 /// The byte that followed the last occurrence of the last bytes.
 pub const AFTER_MATCH: usize = 29;
 
-/// Returns the number of a feature of a previous instruction.
 pub const fn before(feature: usize, instructions: usize) -> usize {
     feature + instructions * STEP
 }
 
 // Kinds of bytes. In a field of several bytes the kind counts down.
 const START: u32 = 0;
-/// Opcode after a prefix.
 const AFTER_PREFIX: u32 = 1;
 const IS_MODRM: u32 = 2;
 const IS_SIB: u32 = 3;
 /// Up to three bytes after the first one of a VEX or EVEX prefix.
 const VEX: u32 = 4;
 const DISPLACEMENT: u32 = 8;
-/// Displacement from the next instruction.
 const RELATIVE_DISPLACEMENT: u32 = 12;
 const IMMEDIATE: u32 = 16;
-/// Offset of a jump or call.
 const RELATIVE_JUMP: u32 = 20;
 pub const MORE_KINDS: u32 = RELATIVE_JUMP + 4;
 pub const KINDS: usize = 32;
@@ -87,12 +79,10 @@ pub struct Reader {
     place: u32,
     /// The position of the instruction's relative offset; 0 without one.
     offset: u32,
-    /// The kind of the displacement after SIB.
     displacement: u32,
     /// The kind of the immediate after ModRM, SIB and displacement; 0 without one.
     operand: u32,
     next: [u32; FIELD_FEATURES.len()],
-    /// The position of [`AFTER_MATCH`].
     matching: u32,
     features: [u32; FEATURES],
     /// The byte history, by position modulo its size.
@@ -101,7 +91,6 @@ pub struct Reader {
     places: [u32; 1 << PLACES],
     /// 1 for jump targets, by position modulo the size.
     targets: [u8; TARGETS],
-    /// The last two bytes of each field.
     fields: [[u16; FIELDS]; FIELD_FEATURES.len()],
 }
 
@@ -175,7 +164,6 @@ impl Reader {
         if features[FIRST] == 0 {
             features[FIRST] = byte & 0xf8;
         }
-        // Record escapes and prefixes.
         if features[OPCODE] & 0x300 == 0 {
             let escape = match byte {
                 0x0f => AFTER_PREFIX,
@@ -276,7 +264,6 @@ impl Reader {
         if kind == VEX { AFTER_PREFIX } else { kind - 1 }
     }
 
-    /// Finds the previous occurrence of the last bytes.
     #[inline(always)]
     fn find_match(&mut self, byte: u32) {
         let is_expected = self.features[AFTER_MATCH] == byte;

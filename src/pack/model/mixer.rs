@@ -59,7 +59,6 @@ impl Mixer {
         self.inputs.as_flattened_mut()[index] = self.logits[usize::from(probability >> 4)];
     }
 
-    /// Returns the probability of a 1, from the sum of four weight sets.
     #[inline(always)]
     pub fn predict(&mut self, sets: &Sets) -> u32 {
         let pairs = &mut self.inputs[ROWS - 1];
@@ -77,7 +76,6 @@ impl Mixer {
         self.probability as u32
     }
 
-    /// Updates the weights of the last prediction.
     #[inline(always)]
     pub fn learn(&mut self, sets: &Sets, bit: u32) {
         let error = ((bit as i32) << 16) - self.probability;

@@ -160,7 +160,6 @@ impl Model {
         byte as u8
     }
 
-    /// Finds the buckets for the next four bits, after the bits `byte`.
     #[inline(always)]
     fn find_buckets(&mut self, byte: u32) {
         let left = if byte == 1 { 4 } else { 0 };
@@ -184,7 +183,6 @@ impl Model {
         }
     }
 
-    /// Finds the bucket of a hash, or replaces one.
     #[inline(always)]
     fn find_bucket(&mut self, hash: u32) -> u32 {
         let first = hash >> (u32::BITS - SLOTS.ilog2()) & !(BUCKET - 1);

@@ -7,7 +7,6 @@ use super::lanes::Lanes;
 #[derive(Clone, Copy)]
 pub struct Slot(u32);
 
-/// The number of histories, a power of two.
 pub const HISTORIES: usize = 32;
 
 /// The mask that turns a slot into the opposite bit's, after it has learned. Before it has learned, the mask is shifted right by
@@ -27,7 +26,6 @@ impl Slot {
         Slot(self.0 ^ bits)
     }
 
-    /// Returns whether this slot stores that hash.
     pub fn is(self, number: u32) -> bool {
         self.0 == number
     }
@@ -86,7 +84,6 @@ impl Slots {
         Slot(self.slots.as_flattened()[index])
     }
 
-    /// Updates all slots with a bit.
     #[inline(always)]
     pub fn learn(&mut self, bit: u32) {
         // Maps a probability to its distance from the unseen value, 0 or 65,535, and restores the history's encoding.

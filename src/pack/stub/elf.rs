@@ -6,7 +6,6 @@ use core::arch::asm;
 pub struct FileHeader {
     unused: [u8; 24],
     pub entry: usize,
-    /// The file offset of the program headers.
     headers: usize,
     unused_too: [u8; 16],
     pub header_count: u16,

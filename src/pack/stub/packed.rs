@@ -4,7 +4,6 @@ use crate::model::{self, Model};
 use core::{panic::PanicInfo, slice};
 
 unsafe extern "C" {
-    /// The packed bytes, behind the stub in the file.
     static PACKED: u8;
     static PACKED_END: u8;
     /// The unpacked length, as an address.

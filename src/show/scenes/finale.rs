@@ -63,7 +63,6 @@ static CAPTIONS: &[Cue] = &[
     Cue { first: 16.0, beats: 7.0, middle: 0.14, size: 0.040, text: "ON ADAPTIVE RAY TRACING" },
 ];
 
-/// The number of arms, and of each arm's spheres.
 const ARMS: u8 = 8;
 const SPHERES: u8 = 16;
 

@@ -51,7 +51,6 @@ static SHOTS: &[Shot] = &[
 
 /// The radius of the first sphere; each generation has half the radius of the one before.
 const RADIUS: f32 = 1.1;
-/// The number of generations after the first sphere.
 const GENERATIONS: u8 = 3;
 /// The beats between generations, which grow within a beat: on bars.
 const BEATS: f32 = 4.0;

@@ -70,7 +70,6 @@ const HEIGHT: f32 = 2.7;
 /// The radius of arms, in scene units.
 const ROD: f32 = 0.06;
 
-/// A planet, on an arm about the column and a stem.
 struct Planet {
     material: &'static Material,
     /// The orbit's radius, in scene units.
@@ -91,20 +90,17 @@ static PLANETS: [Planet; 6] = [
     Planet { material: &material::GOLD, orbit: 4.0, radius: 0.42, speed: 0.03125 },
 ];
 
-/// The axes of the tilted ring.
 const TILTED: Mat3 = Mat3::from_cols(
     vec3(0.96, 0.28, 0.0),
     vec3(-0.28, 0.96, 0.0),
     vec3(0.0, 0.0, 1.0),
 );
 
-/// Adds planets and wheels, `beat` beats after the scene began.
 fn add(beat: f32, scene: &mut Scene) {
     let ticks = ticks(beat);
     for (number, planet) in (0..).zip(&PLANETS) {
         planet.add(number as f32, ticks, scene);
     }
-    // The ring of the last planet.
     let ringed = scene.spheres[PLANETS.len() - 1].centre;
     let ring = vec3(0.8, 0.02, 0.8);
     add_block(
@@ -142,7 +138,6 @@ impl Planet {
     }
 }
 
-/// Adds a toothed wheel with a vertical axis, rotated by `turns`.
 fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene) {
     let mut add = |shape, centre, half, axes| {
         add_block(shape, centre, half, axes, &material::BRASS, scene);
@@ -160,7 +155,6 @@ fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene
     }
 }
 
-/// Returns the axes of a block whose z axis has a horizontal direction.
 fn axes(z: Vec3) -> Mat3 {
     Mat3::from_cols(Vec3::Y.cross(z), Vec3::Y, z)
 }

@@ -24,7 +24,6 @@ static ENVIRONMENT: Environment = Environment {
     floor_half: FAR,
     swell: 0.0,
     lights: &[
-        // The moving light, see `add`.
         Light {
             drawn_radius: 0.2,
             glow: 0.3,
@@ -64,7 +63,6 @@ static PROPS: &[Prop] = &[
     sphere(&material::RED, [0.0, 1.2, 0.0], 1.6),
     sphere(&material::GOLD, [-1.7, 0.6, 0.9], 0.9).moving(Bouncing { phase: 0.0 }),
     sphere(&material::BLUE, [1.6, 0.6, 1.0], 0.9).moving(Bouncing { phase: 2.0 }),
-    // Two walls along z and two along x.
     cuboid(&WALL, [-HALF, 2.5, 0.0], [0.2, 5.0, 10.4]).repeat([2, 1], [2.0 * HALF, 0.0]),
     cuboid(&WALL, [0.0, 2.5, -HALF], [10.4, 5.0, 0.2]).repeat([1, 2], [0.0, 2.0 * HALF]),
     cylinder(&material::BRASS, [-3.4, 2.0, -3.4], [0.5, 4.0, 0.5]).repeat([2, 2], [6.8, 6.8]),

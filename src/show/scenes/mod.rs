@@ -14,7 +14,6 @@ use super::scene::ShowScene;
 use crate::grid::BAR;
 use crate::sound;
 
-/// The scenes in order, with their names.
 const SCENES: &[(&str, ShowScene)] = &[
     ("title", title::SCENE),
     ("model", model::SCENE),

@@ -23,7 +23,6 @@ static ENVIRONMENT: Environment = Environment {
     swell: 0.0,
     lights: &[
         point([-8.0, 12.0, -6.0], [0.95, 0.86, 0.74]),
-        // The light in the centre.
         Light {
             drawn_radius: 0.3,
             glow: 0.5,

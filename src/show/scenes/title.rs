@@ -26,7 +26,6 @@ static ENVIRONMENT: Environment = Environment {
     floor_half: FAR,
     swell: 0.015,
     lights: &[
-        // The moving light, see `add`.
         Light {
             drawn_radius: 0.12,
             glow: 0.15,
@@ -63,7 +62,6 @@ const WORD: &[u8; 9] = b"EIGHTFOLD";
 
 /// The distance between neighbouring letters, in units of the font's grid.
 const ADVANCE: f32 = 3.0;
-/// The word's width in grid units.
 const WIDTH: f32 = ADVANCE * WORD.len() as f32 - 1.0;
 /// A grid unit in scene units.
 const STEP: f32 = 0.5;
@@ -80,7 +78,6 @@ const RISE: f32 = 3.0;
 /// The height of the rise in grid units, slightly more than a letter's.
 const DEPTH: f32 = 5.0;
 
-/// Adds the letters, and moves the light.
 fn add(beat: f32, scene: &mut Scene) {
     // The light passes half-risen letters; the first one is already rising when the show begins.
     let beat = beat + 1.0;

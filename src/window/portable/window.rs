@@ -20,7 +20,6 @@ pub struct Window {
     frame: &'static mut [u32],
     drawn: (usize, usize),
     keys: KeyQueue,
-    /// The mouse, after [`Window::listen`].
     mouse: Option<Mouse>,
     inputs: Vec<Input>,
 }

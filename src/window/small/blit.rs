@@ -24,7 +24,6 @@ use crate::render_target::MOST_PIXELS;
 /// Two alternating frames and the path to the window.
 pub struct Frames {
     context: xlib::GC,
-    /// Xlib's image header, set for each frame.
     image: *mut xlib::XImage,
     put_image: PutImage,
     /// The first is the next frame.
@@ -32,12 +31,9 @@ pub struct Frames {
     drawn: (usize, usize),
 }
 
-/// The path of pixels to the server.
 #[derive(Clone, Copy)]
 enum PutImage {
-    /// Copies through the connection.
     ThroughSocket,
-    /// Shared memory, by libXext.
     Shared(&'static Xext),
 }
 
@@ -116,7 +112,6 @@ impl Frames {
         }
     }
 
-    /// Sends a frame for some rows of the window.
     fn put(&mut self, window: &Toplevel, frame: usize, width: usize, rows: Range<usize>) {
         let pixels = &mut self.frames[frame];
         let Toplevel {

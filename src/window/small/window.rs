@@ -24,13 +24,10 @@ use crate::{
 /// ends and the display closes it.
 pub struct Window {
     top: Toplevel,
-    /// The message that a window manager sends to close the window.
     delete: xlib::Atom,
     size: (usize, usize),
     frames: Frames,
-    /// The time of the last key release.
     released: xlib::Time,
-    /// The recorder of other events, after [`Window::listen`].
     listener: Option<&'static mut Listener>,
 }
 

@@ -8,7 +8,6 @@ use core::{
 
 use crate::loading::{Table, loaded, why_not_loaded};
 
-/// `snd_pcm_t`, an output device.
 #[repr(C)]
 pub struct Pcm {
     _opaque: [u8; 0],

@@ -21,7 +21,6 @@ const TURN: u64 = SECOND / 500;
 /// The queue between the two threads, for the program's only device.
 struct Queue {
     samples: VecDeque<[f32; 2]>,
-    /// The number of samples that the device has taken.
     taken: i64,
     /// The clock's time of the first sample, extrapolated from the samples that play now; None before the start.
     origin: Option<i64>,
@@ -39,11 +38,9 @@ fn queue() -> MutexGuard<'static, Queue> {
     QUEUE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A stereo device, open as long as the process lasts.
 pub struct Device {
     clock: Clock,
     rate: i64,
-    /// The buffer's length in samples.
     ahead: usize,
     _stream: Stream,
 }

@@ -54,7 +54,6 @@ pub trait Source: Send {
 pub struct Player {
     clock: Clock,
     heard: Heard,
-    /// The clock at the last call of [`Player::time`].
     last: u64,
     stops: u32,
     /// Their duration while no sound was heard, in nanoseconds.
@@ -72,7 +71,6 @@ static OPENED: AtomicU64 = AtomicU64::new(OPENING);
 const OPENING: u64 = u64::MAX;
 const SILENT: u64 = u64::MAX - 1;
 
-/// The sound thread's state, which lives as long as the process.
 struct Work {
     device: &'static CStr,
     source: &'static mut dyn Source,
@@ -91,7 +89,6 @@ impl Player {
         Player::by(Clock::start())
     }
 
-    /// Creates a player whose time starts with a clock.
     fn by(clock: Clock) -> Player {
         system::heed_stops();
         Player {
@@ -140,7 +137,6 @@ fn nanoseconds(samples: i64) -> i64 {
     samples * (SECOND as i64 / 1000) / i64::from(RATE / 1000)
 }
 
-/// Reports why the show continues without sound.
 fn say_silent(why: &str) {
     line::complaint()
         .text(why)
@@ -161,7 +157,6 @@ fn wait_for_device() -> u64 {
     late.err().unwrap_or(SILENT)
 }
 
-/// Opens the device, and plays until it is lost or the process ends.
 extern "C" fn play(work: *mut c_void) -> *mut c_void {
     // SAFETY: `Player::start` passes it, never frees it, and does not use it.
     let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
@@ -194,14 +189,12 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
         let count = chunk.len() as u64;
         written += count;
         WRITTEN.store(nanoseconds(written as i64), Relaxed);
-        // Find the sound's lead over the clock.
         let now = clock.time();
         if let Some(delay) = device.delay() {
             let heard = nanoseconds(written as i64 - delay);
             let most = now / FASTEST;
             AHEAD.store((heard - now as i64).min(most as i64), Relaxed);
         }
-        // Sleep while the device has enough.
         due = u64::max(due + count * PACE, now);
         if due > now + SLACK {
             clock.sleep_until(due - SLACK / 2);

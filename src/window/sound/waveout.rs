@@ -1,12 +1,21 @@
 //! Sound by Windows' waveOut functions.
 
-use core::{ffi::CStr, mem::size_of, ptr::null_mut};
+use core::{
+    ffi::CStr,
+    mem::{size_of, zeroed},
+    ptr::null_mut,
+};
+
+use windows_sys::Win32::{
+    Foundation::HANDLE,
+    Media::{
+        Audio::{WAVE_MAPPER, WAVEFORMATEX, WAVEHDR, WAVERR_BADFORMAT, WHDR_INQUEUE},
+        MMTIME, TIME_SAMPLES,
+    },
+};
 
 use crate::{
-    backend::{
-        functions::{waveOutGetPosition, waveOutOpen, waveOutPrepareHeader, waveOutWrite},
-        types::{Handle, Position, WaveFormat, WaveHeader},
-    },
+    backend::functions::{waveOutGetPosition, waveOutOpen, waveOutPrepareHeader, waveOutWrite},
     clock::{self, SECOND},
     static_cell::StaticCell,
 };
@@ -23,11 +32,8 @@ const TURN: u64 = SECOND / 500;
 /// The number of polls after which the device is lost: 2 s.
 const MOST_TURNS: usize = 1000;
 
-/// The header's flag of queued buffers (`WHDR_INQUEUE`).
-const IN_QUEUE: u32 = 0x10;
-
 struct Buffer {
-    header: WaveHeader,
+    header: WAVEHDR,
     samples: [[f32; 2]; LENGTH],
 }
 
@@ -37,24 +43,15 @@ unsafe impl Send for Buffer {}
 static BUFFERS: StaticCell<[Buffer; COUNT]> = StaticCell::new(
     [const {
         Buffer {
-            header: WaveHeader {
-                samples: null_mut(),
-                length: 0,
-                recorded: 0,
-                pointer: 0,
-                flags: 0,
-                loops: 0,
-                next: null_mut(),
-                reserved: 0,
-            },
+            // SAFETY: zero is valid for all fields.
+            header: unsafe { zeroed() },
             samples: [[0.0; 2]; LENGTH],
         }
     }; COUNT],
 );
 
-/// A stereo device, open as long as the process lasts.
 pub struct Device {
-    device: Handle,
+    device: HANDLE,
     buffers: &'static mut [Buffer; COUNT],
     written: usize,
 }
@@ -65,29 +62,26 @@ impl Device {
         const FLOAT: u16 = 3;
         const SIDES: u16 = 2;
         const SAMPLE: u16 = size_of::<[f32; 2]>() as u16;
-        /// `WAVE_MAPPER`, the default device.
-        const MAPPER: u32 = u32::MAX;
-        const BAD_FORMAT: u32 = 32;
-        let format = WaveFormat {
-            format: FLOAT,
-            channels: SIDES,
-            rate,
-            bytes_a_second: rate * u32::from(SAMPLE),
-            bytes_a_sample: SAMPLE,
-            bits: 32,
-            extra: 0,
+        let format = WAVEFORMATEX {
+            wFormatTag: FLOAT,
+            nChannels: SIDES,
+            nSamplesPerSec: rate,
+            nAvgBytesPerSec: rate * u32::from(SAMPLE),
+            nBlockAlign: SAMPLE,
+            wBitsPerSample: 32,
+            cbSize: 0,
         };
         let mut device = null_mut();
         // SAFETY: pointers outlive the call.
-        match unsafe { waveOutOpen(&mut device, MAPPER, &format, 0, 0, 0) } {
+        match unsafe { waveOutOpen(&mut device, WAVE_MAPPER, &format, 0, 0, 0) } {
             0 => {}
-            BAD_FORMAT => return Err("sound device refuses 48 kHz stereo"),
+            WAVERR_BADFORMAT => return Err("sound device refuses 48 kHz stereo"),
             _ => return Err("no sound device"),
         }
         let buffers = BUFFERS.take();
         for buffer in buffers.iter_mut() {
-            buffer.header.samples = buffer.samples.as_ptr();
-            buffer.header.length = size_of_val(&buffer.samples) as u32;
+            buffer.header.lpData = buffer.samples.as_mut_ptr().cast();
+            buffer.header.dwBufferLength = size_of_val(&buffer.samples) as u32;
             // SAFETY: the header has a fixed address, and describes these samples.
             unsafe { waveOutPrepareHeader(device, &mut buffer.header, HEADER) };
         }
@@ -106,10 +100,10 @@ impl Device {
     fn add(&mut self, sample: [f32; 2]) -> bool {
         let (number, place) = (self.written / LENGTH % COUNT, self.written % LENGTH);
         let buffer = &mut self.buffers[number];
-        let flags = &raw const buffer.header.flags;
+        let flags = &raw const buffer.header.dwFlags;
         let mut turns = 0;
         // SAFETY: the field is valid; volatile, because the device changes it.
-        while unsafe { flags.read_volatile() } & IN_QUEUE != 0 {
+        while unsafe { flags.read_volatile() } & WHDR_INQUEUE != 0 {
             turns += 1;
             if turns == MOST_TURNS {
                 return false;
@@ -123,19 +117,20 @@ impl Device {
     }
 
     pub fn delay(&mut self) -> Option<i64> {
-        const SAMPLES: u32 = 2;
-        let mut position = Position {
-            kind: SAMPLES,
-            samples: 0,
-            unused: 0,
+        let mut position = MMTIME {
+            wType: TIME_SAMPLES,
+            ..MMTIME::default()
         };
-        let size = size_of::<Position>() as u32;
-        // SAFETY: `position` is writable.
-        let known = unsafe { waveOutGetPosition(self.device, &mut position, size) } == 0;
+        let size = size_of::<MMTIME>() as u32;
+        // SAFETY: `position` is writable, and each of its variants is any 32 bits.
+        let (known, played) = unsafe {
+            let result = waveOutGetPosition(self.device, &mut position, size);
+            (result == 0, position.u.sample)
+        };
         // The device counts modulo 2^32.
-        let delay = (self.written as u32).wrapping_sub(position.samples) as i32;
-        (known && position.kind == SAMPLES).then_some(delay.into())
+        let delay = (self.written as u32).wrapping_sub(played) as i32;
+        (known && position.wType == TIME_SAMPLES).then_some(delay.into())
     }
 }
 
-const HEADER: u32 = size_of::<WaveHeader>() as u32;
+const HEADER: u32 = size_of::<WAVEHDR>() as u32;

@@ -127,7 +127,6 @@ impl Terminal {
         text.flush()
     }
 
-    /// Sets a colour for the next cells, if it changes.
     fn set_colour(&self, text: &mut Writer, which: &str, set: &mut u32, colour: u32) {
         if *set == colour {
             return;
@@ -209,7 +208,6 @@ struct KeyParser {
 }
 
 impl KeyParser {
-    /// Reads the keyboard. Returns true if the show should end.
     fn read(&mut self, keyboard: c_int) -> bool {
         let mut typed = [0; 64];
         let mut count = 0;
@@ -231,7 +229,6 @@ impl KeyParser {
         const CONTROL_C_TILDE: u64 = u64::from_be_bytes(*b"27;5;99~");
         let was_open = core::mem::replace(&mut self.open, typed.last() == Some(&ESCAPE));
         let mut is_end = was_open && !matches!(typed.first(), Some(b'[' | b'O'));
-        // The last eight bytes.
         let mut last = 0;
         for &byte in typed {
             self.toggles ^= byte == b'h' && last as u8 != ESCAPE;
@@ -245,7 +242,6 @@ impl KeyParser {
     }
 }
 
-/// The settings to restore.
 struct Saved {
     active: AtomicBool,
     /// One more than the descriptor of the keyboard's terminal, or 0.
@@ -277,7 +273,6 @@ pub(crate) fn signal() -> c_int {
     SIGNAL.load(Relaxed)
 }
 
-/// Handles a signal that ends a process.
 extern "C" fn note(signal: c_int) {
     if MISTAKES >> (signal - 1) & 1 == 0 {
         SIGNAL.store(signal, Relaxed);
@@ -348,13 +343,11 @@ impl Saved {
         self.enter();
     }
 
-    /// Returns the original mode of the keyboard's terminal.
     fn mode(&self) -> Option<libc::termios> {
         // SAFETY: `keyboard` is set after `mode`.
         (self.keyboard() >= 0).then(|| unsafe { (*self.mode.get()).assume_init() })
     }
 
-    /// Sets the terminal's mode and switches to the alternate screen.
     fn enter(&self) {
         if let Some(mut mode) = self.mode() {
             // Keys without delay and echo, including Ctrl-C.

@@ -106,7 +106,6 @@ pub fn open(path: &CStr) -> c_int {
     unsafe { libc::open(path.as_ptr(), libc::O_RDONLY | libc::O_CLOEXEC) }
 }
 
-/// Writes some bytes. Returns their number, or -1.
 fn write_some(file: c_int, bytes: &[u8]) -> isize {
     // SAFETY: pointer and length are from a slice.
     unsafe { libc::write(file, bytes.as_ptr().cast(), bytes.len()) }

@@ -12,7 +12,6 @@ pub const OUTPUT: i32 = -11;
 /// The number of standard error.
 pub const ERROR: i32 = -12;
 
-/// The chunk size for a console in bytes.
 const PART: usize = 1024;
 
 /// Prepares the process: a GUI program has no console, and uses its parent's.
@@ -24,7 +23,6 @@ pub unsafe fn start() {
     const PARENT: u32 = u32::MAX;
     /// Access for reading and writing.
     const READ_WRITE: u32 = 0xc000_0000;
-    /// Shared access for reading and writing.
     const SHARED: u32 = 3;
     const EXISTING: u32 = 3;
     // SAFETY: nothing uses the streams yet, and the name outlives the calls.
@@ -66,7 +64,6 @@ pub fn write(stream: i32, bytes: &[u8]) -> bool {
         // SAFETY: pointers and lengths are from slices, which outlive the calls.
         unsafe {
             let is_written = if is_console {
-                /// The code page of UTF-8.
                 const UTF_8: u32 = 65001;
                 let mut text = [0; PART];
                 let to = text.as_mut_ptr();

@@ -31,7 +31,6 @@ fn run_does_each_item_once() {
                 count(&mut pool, workers, items);
             }
         }
-        // Without workers nothing is done.
         pool.run(&mut [], &mut [()], &|(), ()| unreachable!());
     }
 }

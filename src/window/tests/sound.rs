@@ -29,7 +29,6 @@ const LENGTH: u64 = 96;
 /// The maximum distance between picture and sound, in nanoseconds.
 const DRIFT: u64 = SECOND / 50;
 
-/// The environment variable with the seconds to play.
 const SCENE: &str = "EIGHTFOLD_SOUND_SCENE";
 
 /// Sound whose left samples count from 0, and whose right ones are negative. All are exact: there are fewer than 2^24.
@@ -110,7 +109,6 @@ fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&s
 
 const PLAIN: &str = "exec \"$0\"";
 
-/// Returns the configuration of a device that writes to a file.
 fn to_file(file: &Path) -> String {
     let file = file.display();
     format!("pcm.default {{ type file, slave.pcm {{ type null }}, file \"{file}\", format raw }}")
@@ -170,7 +168,6 @@ fn simulate(
     (times(output, why_silent), played)
 }
 
-/// Returns the time of the sound that is heard at a time.
 fn heard(played: &Played, time: u64) -> u64 {
     let next = played.partition_point(|&(start, _)| start <= time);
     let (start, chunk) = &played[next - 1];

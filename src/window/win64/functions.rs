@@ -4,16 +4,21 @@
 
 use core::{cell::UnsafeCell, ffi::c_void, mem::MaybeUninit};
 
-use super::types::{
-    BitmapInfo, Class, Handle, Message, MonitorInfo, Placement, Position, Rectangle, WaveFormat,
-    WaveHeader,
+use windows_sys::Win32::{
+    Foundation::{HANDLE, RECT},
+    Graphics::Gdi::{BITMAPINFO, MONITORINFO},
+    Media::{
+        Audio::{WAVEFORMATEX, WAVEHDR},
+        MMTIME,
+    },
+    UI::WindowsAndMessaging::{MSG, WINDOWPLACEMENT, WNDCLASSA},
 };
 
 /// Loads a library by its NUL-terminated name.
-pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> Handle;
+pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> HANDLE;
 
 /// Looks up a library's function by its NUL-terminated name.
-pub type GetProcAddress = unsafe extern "win64" fn(Handle, *const u8) -> *const c_void;
+pub type GetProcAddress = unsafe extern "win64" fn(HANDLE, *const u8) -> *const c_void;
 
 /// Defines functions by library: a wrapper for each, a table of pointers, and the names. Names with a dot are libraries.
 macro_rules! functions {
@@ -44,61 +49,61 @@ macro_rules! functions {
 functions! {
     "kernel32.dll":
     fn AttachConsole(process: u32) -> i32;
-    fn CreateFileA(name: *const u8, access: u32, share: u32, security: Handle, how: u32, flags: u32, template: Handle) -> Handle;
-    fn CreateThread(security: Handle, stack: usize, start: *const c_void, pointer: *mut c_void, flags: u32, id: *mut u32) -> Handle;
+    fn CreateFileA(name: *const u8, access: u32, share: u32, security: HANDLE, how: u32, flags: u32, template: HANDLE) -> HANDLE;
+    fn CreateThread(security: HANDLE, stack: usize, start: *const c_void, pointer: *mut c_void, flags: u32, id: *mut u32) -> HANDLE;
     fn ExitProcess(code: u32) -> !;
     fn GetCommandLineW() -> *const u16;
-    fn GetConsoleMode(file: Handle, mode: *mut u32) -> i32;
+    fn GetConsoleMode(file: HANDLE, mode: *mut u32) -> i32;
     fn GetCurrentThreadId() -> u32;
     fn GetLastError() -> u32;
-    fn GetProcessAffinityMask(process: Handle, own: *mut usize, all: *mut usize) -> i32;
-    fn GetStdHandle(stream: i32) -> Handle;
+    fn GetProcessAffinityMask(process: HANDLE, own: *mut usize, all: *mut usize) -> i32;
+    fn GetStdHandle(stream: i32) -> HANDLE;
     fn MultiByteToWideChar(code: u32, flags: u32, from: *const u8, length: i32, to: *mut u16, room: i32) -> i32;
     fn QueryPerformanceCounter(count: *mut u64) -> i32;
     fn QueryPerformanceFrequency(rate: *mut u64) -> i32;
-    fn SetStdHandle(stream: i32, file: Handle) -> i32;
+    fn SetStdHandle(stream: i32, file: HANDLE) -> i32;
     fn SetThreadExecutionState(flags: u32) -> u32;
     fn Sleep(milliseconds: u32);
-    fn WaitForSingleObject(thing: Handle, milliseconds: u32) -> u32;
-    fn WriteConsoleW(file: Handle, text: *const u16, length: u32, written: *mut u32, unused: Handle) -> i32;
-    fn WriteFile(file: Handle, bytes: *const u8, length: u32, written: *mut u32, unused: Handle) -> i32;
+    fn WaitForSingleObject(thing: HANDLE, milliseconds: u32) -> u32;
+    fn WriteConsoleW(file: HANDLE, text: *const u16, length: u32, written: *mut u32, unused: HANDLE) -> i32;
+    fn WriteFile(file: HANDLE, bytes: *const u8, length: u32, written: *mut u32, unused: HANDLE) -> i32;
     "api-ms-win-core-synch-l1-2-0.dll":
     fn WaitOnAddress(word: *const u32, value: *const u32, size: usize, milliseconds: u32) -> i32;
     fn WakeByAddressAll(word: *const u32);
     "shell32.dll":
     fn CommandLineToArgvW(line: *const u16, count: *mut i32) -> *const *mut u16;
     "user32.dll":
-    fn CreateCursor(program: Handle, x: i32, y: i32, width: i32, height: i32, keep: *const u8, invert: *const u8) -> Handle;
-    fn CreateWindowExA(extended: u32, class: *const u8, title: *const u8, style: u32, x: i32, y: i32, width: i32, height: i32, parent: Handle, menu: Handle, program: Handle, pointer: Handle) -> Handle;
+    fn CreateCursor(program: HANDLE, x: i32, y: i32, width: i32, height: i32, keep: *const u8, invert: *const u8) -> HANDLE;
+    fn CreateWindowExA(extended: u32, class: *const u8, title: *const u8, style: u32, x: i32, y: i32, width: i32, height: i32, parent: HANDLE, menu: HANDLE, program: HANDLE, pointer: HANDLE) -> HANDLE;
     #[expect(dead_code, reason = "Windows alone calls it, see `default_procedure`")]
     fn DefWindowProcA() -> isize;
-    fn DispatchMessageA(message: *const Message) -> isize;
-    fn GetClientRect(window: Handle, rectangle: *mut Rectangle) -> i32;
-    fn GetDC(window: Handle) -> Handle;
+    fn DispatchMessageA(message: *const MSG) -> isize;
+    fn GetClientRect(window: HANDLE, rectangle: *mut RECT) -> i32;
+    fn GetDC(window: HANDLE) -> HANDLE;
     fn GetKeyState(key: i32) -> i16;
-    fn GetMessageA(message: *mut Message, window: Handle, first: u32, last: u32) -> i32;
-    fn GetMonitorInfoA(monitor: Handle, info: *mut MonitorInfo) -> i32;
-    fn GetWindowLongPtrA(window: Handle, what: i32) -> isize;
-    fn GetWindowPlacement(window: Handle, place: *mut Placement) -> i32;
-    fn LoadCursorA(program: Handle, name: usize) -> Handle;
-    fn MonitorFromWindow(window: Handle, otherwise: u32) -> Handle;
-    fn PeekMessageA(message: *mut Message, window: Handle, first: u32, last: u32, flags: u32) -> i32;
-    fn PostMessageA(window: Handle, message: u32, first: usize, second: isize) -> i32;
+    fn GetMessageA(message: *mut MSG, window: HANDLE, first: u32, last: u32) -> i32;
+    fn GetMonitorInfoA(monitor: HANDLE, info: *mut MONITORINFO) -> i32;
+    fn GetWindowLongPtrA(window: HANDLE, what: i32) -> isize;
+    fn GetWindowPlacement(window: HANDLE, place: *mut WINDOWPLACEMENT) -> i32;
+    fn LoadCursorA(program: HANDLE, name: *const u16) -> HANDLE;
+    fn MonitorFromWindow(window: HANDLE, otherwise: u32) -> HANDLE;
+    fn PeekMessageA(message: *mut MSG, window: HANDLE, first: u32, last: u32, flags: u32) -> i32;
+    fn PostMessageA(window: HANDLE, message: u32, first: usize, second: isize) -> i32;
     fn PostThreadMessageA(thread: u32, message: u32, first: usize, second: isize) -> i32;
-    fn RegisterClassA(class: *const Class) -> u16;
-    fn SetClassLongPtrA(window: Handle, what: i32, value: Handle) -> Handle;
-    fn SetProcessDpiAwarenessContext(context: isize) -> i32;
-    fn SetWindowLongPtrA(window: Handle, what: i32, value: isize) -> isize;
-    fn SetWindowPlacement(window: Handle, place: *const Placement) -> i32;
-    fn SetWindowPos(window: Handle, after: Handle, x: i32, y: i32, width: i32, height: i32, flags: u32) -> i32;
+    fn RegisterClassA(class: *const WNDCLASSA) -> u16;
+    fn SetClassLongPtrA(window: HANDLE, what: i32, value: HANDLE) -> HANDLE;
+    fn SetProcessDpiAwarenessContext(context: HANDLE) -> i32;
+    fn SetWindowLongPtrA(window: HANDLE, what: i32, value: isize) -> isize;
+    fn SetWindowPlacement(window: HANDLE, place: *const WINDOWPLACEMENT) -> i32;
+    fn SetWindowPos(window: HANDLE, after: HANDLE, x: i32, y: i32, width: i32, height: i32, flags: u32) -> i32;
     "gdi32.dll":
-    fn StretchDIBits(to: Handle, x: i32, y: i32, width: i32, height: i32, from_x: i32, from_y: i32, from_width: i32, from_height: i32, pixels: *const u32, info: *const BitmapInfo, colours: u32, operation: u32) -> i32;
+    fn StretchDIBits(to: HANDLE, x: i32, y: i32, width: i32, height: i32, from_x: i32, from_y: i32, from_width: i32, from_height: i32, pixels: *const u32, info: *const BITMAPINFO, colours: u32, operation: u32) -> i32;
     "winmm.dll":
     fn timeBeginPeriod(milliseconds: u32) -> u32;
-    fn waveOutGetPosition(device: Handle, position: *mut Position, size: u32) -> u32;
-    fn waveOutOpen(device: *mut Handle, number: u32, format: *const WaveFormat, callback: usize, pointer: usize, flags: u32) -> u32;
-    fn waveOutPrepareHeader(device: Handle, header: *mut WaveHeader, size: u32) -> u32;
-    fn waveOutWrite(device: Handle, header: *mut WaveHeader, size: u32) -> u32;
+    fn waveOutGetPosition(device: HANDLE, position: *mut MMTIME, size: u32) -> u32;
+    fn waveOutOpen(device: *mut HANDLE, number: u32, format: *const WAVEFORMATEX, callback: usize, pointer: usize, flags: u32) -> u32;
+    fn waveOutPrepareHeader(device: HANDLE, header: *mut WAVEHDR, size: u32) -> u32;
+    fn waveOutWrite(device: HANDLE, header: *mut WAVEHDR, size: u32) -> u32;
 }
 
 struct Functions(UnsafeCell<MaybeUninit<Table>>);
@@ -118,7 +123,6 @@ unsafe fn table() -> &'static Table {
     unsafe { (*FUNCTIONS.0.get()).assume_init_ref() }
 }
 
-/// Returns the default window procedure, `DefWindowProcA`.
 pub fn default_procedure() -> *const c_void {
     // SAFETY: windows exist only after `load`.
     unsafe { table() }.DefWindowProcA as *const c_void

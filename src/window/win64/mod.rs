@@ -13,5 +13,4 @@ mod heap;
 pub mod memory;
 mod start;
 pub mod threads;
-pub mod types;
 pub mod window;

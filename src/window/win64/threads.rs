@@ -7,16 +7,13 @@ use core::{
     sync::atomic::AtomicU32,
 };
 
-use super::{
-    functions::{
-        CreateThread, GetProcessAffinityMask, WaitForSingleObject, WaitOnAddress, WakeByAddressAll,
-    },
-    types::Handle,
+use windows_sys::Win32::{Foundation::HANDLE, System::Threading::INFINITE};
+
+use super::functions::{
+    CreateThread, GetProcessAffinityMask, WaitForSingleObject, WaitOnAddress, WakeByAddressAll,
 };
 
-const INFINITE: u32 = u32::MAX;
-
-pub struct Thread(Handle);
+pub struct Thread(HANDLE);
 
 // SAFETY: any thread may wait for another.
 unsafe impl Send for Thread {}

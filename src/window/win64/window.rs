@@ -2,11 +2,26 @@
 
 use core::{
     ffi::{CStr, c_char, c_void},
-    mem::{size_of, zeroed},
+    mem::{size_of, transmute, zeroed},
     ptr::null_mut,
     sync::atomic::{
         AtomicPtr, AtomicU32,
         Ordering::{Acquire, Relaxed, Release},
+    },
+};
+
+use windows_sys::Win32::{
+    Foundation::{HANDLE, RECT},
+    Graphics::Gdi::{BITMAPINFO, BITMAPINFOHEADER, MONITOR_DEFAULTTONEAREST, MONITORINFO, SRCCOPY},
+    System::Power::{ES_CONTINUOUS, ES_DISPLAY_REQUIRED, ES_SYSTEM_REQUIRED},
+    UI::{
+        HiDpi::DPI_AWARENESS_CONTEXT_PER_MONITOR_AWARE_V2,
+        Input::KeyboardAndMouse::{VK_CONTROL, VK_ESCAPE},
+        WindowsAndMessaging::{
+            CS_OWNDC, CW_USEDEFAULT, GCLP_HCURSOR, GWL_STYLE, IDC_ARROW, PM_REMOVE,
+            SWP_FRAMECHANGED, SWP_NOMOVE, SWP_NOSIZE, SWP_NOZORDER, SWP_SHOWWINDOW,
+            WINDOWPLACEMENT, WM_KEYDOWN, WNDCLASSA, WNDPROC, WS_OVERLAPPEDWINDOW,
+        },
     },
 };
 
@@ -20,55 +35,24 @@ use super::{
     },
     memory::pixels,
     threads::{spawn, wait, wake},
-    types::{BitmapInfo, Class, Handle, MonitorInfo, Placement, Rectangle},
 };
 use crate::render_target::{Next, RenderTarget};
 
-/// The window class; its DC is permanent.
 const CLASS: &CStr = c"Eightfold";
-const OWN_DC: u32 = 0x20;
 
-/// The arrow cursor.
-const ARROW: usize = 32512;
+/// A window's style: a title and its buttons.
+const FRAME: isize = WS_OVERLAPPEDWINDOW as isize;
 
-/// Disables scaling by Windows on high-resolution monitors.
-const PER_MONITOR_AWARE_V2: isize = -4;
-
-/// `WS_OVERLAPPEDWINDOW`: a title and its buttons.
-const FRAME: isize = 0x00cf_0000;
-
-/// `CW_USEDEFAULT`.
-const ANYWHERE: i32 = i32::MIN;
-
-/// The indices of a window's style and of its class's cursor.
-const STYLE: i32 = -16;
-const POINTER: i32 = -12;
-
-const NEAREST: u32 = 2;
-
-// Flags of `SetWindowPos`.
-const SAME_SIZE: u32 = 1;
-const SAME_PLACE: u32 = 2;
-const SAME_ORDER: u32 = 4;
-const FRAME_CHANGED: u32 = 0x20;
-const SHOW: u32 = 0x40;
-
-const KEY_DOWN: u32 = 0x100;
 /// The key repeats.
 const REPEATED: isize = 1 << 30;
-const CONTROL_KEY: i32 = 0x11;
-const ESCAPE_KEY: usize = 0x1b;
+const ESCAPE_KEY: usize = VK_ESCAPE as usize;
 // Letters have the codes of capitals, with or without Shift.
 const F_KEY: usize = b'F' as usize;
 const H_KEY: usize = b'H' as usize;
 const W_KEY: usize = b'W' as usize;
 
 /// Keeps system and display on, as long as the thread lives.
-const SCREEN_ON: u32 = 0x8000_0003;
-
-const REMOVE: u32 = 1;
-
-const COPY: u32 = 0x00cc_0020;
+const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 
 /// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits.
 ///
@@ -76,19 +60,18 @@ const COPY: u32 = 0x00cc_0020;
 /// changes its size. It forwards the keys, and the default procedure handles all messages. The window exists until the process ends
 /// or it is closed; then it has no size.
 pub struct Window {
-    window: Handle,
-    context: Handle,
+    window: HANDLE,
+    context: HANDLE,
     size: (usize, usize),
     pixels: &'static mut [u32],
     drawn: (usize, usize),
 }
 
-/// A window to be opened.
 struct Opening {
     title: *const c_char,
     size: (i32, i32),
     /// The cursors in the window and in fullscreen.
-    pointers: [Handle; 2],
+    pointers: [HANDLE; 2],
     /// The thread that receives keys.
     thread: u32,
     /// The window, or null if opening failed, once `is_done` is 1.
@@ -108,12 +91,31 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     unsafe {
         SetThreadExecutionState(SCREEN_ON);
         let window = CreateWindowExA(
-            0, class, title, style, ANYWHERE, 0, width, height, none, none, none, none,
+            0,
+            class,
+            title,
+            style,
+            CW_USEDEFAULT,
+            0,
+            width,
+            height,
+            none,
+            none,
+            none,
+            none,
         );
         // Add the frame's size, which is the difference from the inner size, and show the window.
         let inside = inside(window).unwrap_or_default();
         let (width, height) = (2 * width - inside.right, 2 * height - inside.bottom);
-        SetWindowPos(window, none, 0, 0, width, height, SAME_PLACE | SHOW);
+        SetWindowPos(
+            window,
+            none,
+            0,
+            0,
+            width,
+            height,
+            SWP_NOMOVE | SWP_SHOWWINDOW,
+        );
         opening.window.store(window, Relaxed);
         opening.is_done.store(1, Release);
         wake(&opening.is_done);
@@ -125,12 +127,12 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         let mut message = zeroed();
         while GetMessageA(&mut message, none, 0, 0) > 0 {
             // Ctrl makes a key another program's command. (Alt sends other messages.)
-            let is_new = message.message == KEY_DOWN && message.second & REPEATED == 0;
-            if is_new && GetKeyState(CONTROL_KEY) >= 0 {
-                match message.first {
+            let is_new = message.message == WM_KEYDOWN && message.lParam & REPEATED == 0;
+            if is_new && GetKeyState(VK_CONTROL.into()) >= 0 {
+                match message.wParam {
                     F_KEY => cover.set(true),
                     W_KEY => cover.set(false),
-                    key => _ = PostThreadMessageA(opening.thread, KEY_DOWN, key, 0),
+                    key => _ = PostThreadMessageA(opening.thread, WM_KEYDOWN, key, 0),
                 }
             }
             DispatchMessageA(&message);
@@ -144,10 +146,9 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
 /// Only the window's own thread may change it. If another thread changes style and size, Wine may take the window manager's
 /// response to the first change as the response to the second, and keep the old size.
 struct Cover {
-    window: Handle,
-    /// The placement before fullscreen.
-    before: Option<Placement>,
-    pointers: [Handle; 2],
+    window: HANDLE,
+    before: Option<WINDOWPLACEMENT>,
+    pointers: [HANDLE; 2],
 }
 
 impl Cover {
@@ -158,32 +159,35 @@ impl Cover {
         }
         // SAFETY: the functions do nothing if the window does not exist. Pointers outlive the calls.
         unsafe {
-            let style = GetWindowLongPtrA(self.window, STYLE);
+            let style = GetWindowLongPtrA(self.window, GWL_STYLE);
             if let Some(place) = self.before.take() {
-                SetWindowLongPtrA(self.window, STYLE, style | FRAME);
+                SetWindowLongPtrA(self.window, GWL_STYLE, style | FRAME);
                 SetWindowPlacement(self.window, &place);
-                self.place([0; 4], SAME_PLACE | SAME_SIZE | SAME_ORDER | FRAME_CHANGED);
+                self.place(
+                    [0; 4],
+                    SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_FRAMECHANGED,
+                );
             } else {
-                let mut monitor = MonitorInfo {
-                    size: size_of::<MonitorInfo>() as u32,
-                    ..MonitorInfo::default()
+                let mut monitor = MONITORINFO {
+                    cbSize: size_of::<MONITORINFO>() as u32,
+                    ..MONITORINFO::default()
                 };
-                let nearest = MonitorFromWindow(self.window, NEAREST);
+                let nearest = MonitorFromWindow(self.window, MONITOR_DEFAULTTONEAREST);
                 if GetMonitorInfoA(nearest, &mut monitor) == 0 {
                     return;
                 }
-                let mut place = Placement {
-                    length: size_of::<Placement>() as u32,
-                    ..Placement::default()
+                let mut place = WINDOWPLACEMENT {
+                    length: size_of::<WINDOWPLACEMENT>() as u32,
+                    ..WINDOWPLACEMENT::default()
                 };
                 GetWindowPlacement(self.window, &mut place);
                 self.before = Some(place);
-                SetWindowLongPtrA(self.window, STYLE, style & !FRAME);
-                let all = monitor.monitor;
+                SetWindowLongPtrA(self.window, GWL_STYLE, style & !FRAME);
+                let all = monitor.rcMonitor;
                 let size = [all.right - all.left, all.bottom - all.top];
-                self.place([all.left, all.top, size[0], size[1]], FRAME_CHANGED);
+                self.place([all.left, all.top, size[0], size[1]], SWP_FRAMECHANGED);
             }
-            SetClassLongPtrA(self.window, POINTER, self.pointers[usize::from(on)]);
+            SetClassLongPtrA(self.window, GCLP_HCURSOR, self.pointers[usize::from(on)]);
         }
     }
 
@@ -193,9 +197,8 @@ impl Cover {
     }
 }
 
-/// Returns the inner rectangle of a window, unless it has been closed.
-fn inside(window: Handle) -> Option<Rectangle> {
-    let mut inside = Rectangle::default();
+fn inside(window: HANDLE) -> Option<RECT> {
+    let mut inside = RECT::default();
     // SAFETY: any handle is allowed, and `inside` is writable.
     let is_there = unsafe { GetClientRect(window, &mut inside) } != 0;
     is_there.then_some(inside)
@@ -210,14 +213,14 @@ impl Window {
         const NONE: &str = "no window on this desktop";
         // SAFETY: zero is valid for all other fields, and pointers outlive the calls.
         let (pointers, thread) = unsafe {
-            SetProcessDpiAwarenessContext(PER_MONITOR_AWARE_V2);
-            let arrow = LoadCursorA(null_mut(), ARROW);
-            let class = Class {
-                style: OWN_DC,
-                procedure: default_procedure(),
-                cursor: arrow,
-                name: CLASS.as_ptr().cast(),
-                ..zeroed()
+            SetProcessDpiAwarenessContext(DPI_AWARENESS_CONTEXT_PER_MONITOR_AWARE_V2);
+            let arrow = LoadCursorA(null_mut(), IDC_ARROW);
+            let class = WNDCLASSA {
+                style: CS_OWNDC,
+                lpfnWndProc: transmute::<*const c_void, WNDPROC>(default_procedure()),
+                hCursor: arrow,
+                lpszClassName: CLASS.as_ptr().cast(),
+                ..WNDCLASSA::default()
             };
             RegisterClassA(&class);
             // A transparent cursor of the standard size.
@@ -259,7 +262,7 @@ impl Window {
     pub fn set_fullscreen(&mut self, on: bool) {
         let key = if on { F_KEY } else { W_KEY };
         // SAFETY: it may be posted to any window.
-        unsafe { PostMessageA(self.window, KEY_DOWN, key, 0) };
+        unsafe { PostMessageA(self.window, WM_KEYDOWN, key, 0) };
     }
 
     /// Updates the inner size. Returns false if the window has been closed.
@@ -283,29 +286,33 @@ impl RenderTarget for Window {
 
     fn show(&mut self) -> Next {
         let (width, height) = (self.drawn.0 as i32, self.drawn.1 as i32);
-        let info = BitmapInfo {
-            size: size_of::<BitmapInfo>() as u32,
-            width,
-            height: -height,
-            planes: 1,
-            bits: 32,
-            unused: [0; 6],
+        let info = BITMAPINFO {
+            bmiHeader: BITMAPINFOHEADER {
+                biSize: size_of::<BITMAPINFOHEADER>() as u32,
+                biWidth: width,
+                // The first row is the top.
+                biHeight: -height,
+                biPlanes: 1,
+                biBitCount: 32,
+                ..BITMAPINFOHEADER::default()
+            },
+            ..BITMAPINFO::default()
         };
         let (columns, rows) = (self.size.0 as i32, self.size.1 as i32);
         // SAFETY: the pixels have this size, and outlive the call.
         unsafe {
             let (context, pixels) = (self.context, self.pixels.as_ptr());
             StretchDIBits(
-                context, 0, 0, columns, rows, 0, 0, width, height, pixels, &info, 0, COPY,
+                context, 0, 0, columns, rows, 0, 0, width, height, pixels, &info, 0, SRCCOPY,
             );
         }
         let mut next = Next::GoOn;
         // SAFETY: zero is valid for all fields of a message, which outlives the call.
         unsafe {
             let mut message = zeroed();
-            while PeekMessageA(&mut message, null_mut(), 0, 0, REMOVE) != 0 {
-                match message.first {
-                    _ if message.message != KEY_DOWN => {}
+            while PeekMessageA(&mut message, null_mut(), 0, 0, PM_REMOVE) != 0 {
+                match message.wParam {
+                    _ if message.message != WM_KEYDOWN => {}
                     ESCAPE_KEY => return Next::End(0),
                     H_KEY => next = next.toggled(),
                     _ => {}

@@ -21,7 +21,6 @@ struct Loaded {
     interpreter: usize,
 }
 
-/// Reverses the order of a header's permission bits, for `mmap`.
 #[inline(always)]
 fn protection(header: &ProgramHeader) -> usize {
     0x7351_6240 >> (header.flags * 4) & 7

@@ -98,7 +98,6 @@ unsafe extern "C" {
     static PROGRAM_SIZE: u8;
 }
 
-/// Unpacks the program and loads it. Returns the entry point of its dynamic linker.
 unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = packed::length();
     let used = size_of::<Model>() + length;

@@ -90,7 +90,6 @@ unsafe extern "C" {
     static SYSTEM: System;
 }
 
-/// Unpacks the program and loads it. Returns its entry point.
 unsafe extern "C" fn start() -> usize {
     let length = packed::length();
     // SAFETY: the packer has put it there, and Windows has filled it.

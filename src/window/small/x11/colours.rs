@@ -21,7 +21,6 @@ pub fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
     })
 }
 
-/// Returns an image's channel masks.
 pub fn masks(image: &XImage) -> [c_ulong; 3] {
     [image.red_mask, image.green_mask, image.blue_mask]
 }

@@ -22,7 +22,6 @@ pub struct Place {
 }
 
 impl Toplevel {
-    /// Makes the window cover the screen, without a pointer, or restores it.
     pub fn set_fullscreen(&mut self, on: bool) {
         let pointer = if on { self.no_pointer } else { 0 };
         // SAFETY: the window exists, and so does the pointer; 0 is the desktop's own.
@@ -93,7 +92,6 @@ impl Toplevel {
         (place, attributes.all_event_masks)
     }
 
-    /// Asks the window manager to add or remove the fullscreen state.
     fn ask_manager(&self, fullscreen: bool) {
         // SAFETY: zero is valid for all fields, and the event outlives the call.
         unsafe {

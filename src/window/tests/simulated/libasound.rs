@@ -32,7 +32,6 @@ const LATE: u64 = 700_000_000;
 /// The duration of a stop: 1.5 s.
 const STOP: u64 = 1_500_000_000;
 
-/// The errors of an underrun, and of an unsupported format.
 const OUT_OF_SAMPLES: c_int = -32;
 const NO_DEVICE: c_int = -19;
 
@@ -52,7 +51,6 @@ struct World {
     start: Option<u64>,
     /// Samples that were written since the device was ready.
     written: u64,
-    /// Chunks before the start.
     waiting: Vec<(u64, Vec<u8>)>,
     file: BufWriter<File>,
 }
@@ -121,20 +119,17 @@ fn threads() -> usize {
 }
 
 impl World {
-    /// Returns the time when a sample is heard.
     fn time_of(&self, sample: u64) -> Option<u64> {
         let after = u128::from(sample) * 1_000_000_000_000_000;
         Some(self.start? + after.div_ceil(self.rate.into()) as u64)
     }
 
-    /// Returns the number of samples that could have been heard until now.
     fn due(&self) -> u64 {
         self.start.map_or(0, |start| {
             (u128::from(self.now - start) * u128::from(self.rate) / 1_000_000_000_000_000) as u64
         })
     }
 
-    /// Writes the chunks with their times.
     fn note(&mut self) {
         for (sample, chunk) in std::mem::take(&mut self.waiting) {
             let time = self.time_of(sample).expect("it plays");

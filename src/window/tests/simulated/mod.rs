@@ -23,7 +23,6 @@ pub fn build(folder: &Path) -> PathBuf {
     library
 }
 
-/// Runs a program with the library. Returns its output and the sound.
 pub fn run(library: &Path, program: &mut Command) -> (Output, Played) {
     let file = library.with_extension("played");
     let output = program
