@@ -1,12 +1,4 @@
 //! The intro, a program around the library.
-//!
-//! | part | module |
-//! | --- | --- |
-//! | the command line | [`options`], [`flags`] |
-//! | the named qualities | [`qualities`] |
-//! | drawing a frame on all threads | [`renderer`] |
-//! | playing the show, and its statistics | [`playing`], [`tally`] |
-//! | writing one frame as a file | [`still`] |
 
 mod flags;
 mod options;

@@ -38,7 +38,7 @@ pub enum Task {
 
 pub struct Options {
     pub task: Task,
-    /// Width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
+    /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
     pub size: (usize, usize),
     pub is_fullscreen: bool,
     /// The number of threads that draw, 1 to [`MAX_THREADS`]; `None` means one for each processor.
@@ -51,7 +51,7 @@ pub struct Options {
     pub fps: u64,
     /// Whether the user gave a frame rate.
     pub has_fps: bool,
-    /// The accuracy to hold in dB to exhaustive frames, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
+    /// In dB to exhaustive frames, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
     pub psnr: Option<u64>,
     /// The fixed quality, as an index in [`qualities::NAMED`]; with `None` the governor chooses.
     pub quality: Option<usize>,
@@ -114,7 +114,7 @@ impl Options {
         }
     }
 
-    /// Parses the command line. A flag's value is the next argument, or follows after `=`. The last of repeated flags counts.
+    /// Parses the command line. A flag's value is the next argument, or follows after `=`; the last of repeated flags counts.
     /// Parsing stops after `--help` or `--version`.
     pub fn parse(mut arguments: Arguments) -> Result<Options, Misuse> {
         let mut options = Options::new();

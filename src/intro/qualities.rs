@@ -4,8 +4,7 @@ use eightfold_tracer::Quality;
 
 const PRESETS: usize = Quality::LADDER.len();
 
-/// The named qualities. First comes the ladder, from the finest preset to the fastest, so that a preset's number is its index here;
-/// then the two qualities that the ladder is compared with.
+/// The named qualities: the ladder from the finest preset to the fastest, then two for comparison.
 pub static NAMED: [(&str, Quality); PRESETS + 2] = {
     let mut named = [("exhaustive", Quality::EXHAUSTIVE); _];
     named[PRESETS] = ("thesis", Quality::THESIS);

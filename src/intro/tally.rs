@@ -33,7 +33,7 @@ impl Tally {
         self.frames
     }
 
-    /// Counts a frame: the time when it was shown, its size, the index of its quality in [`NAMED`], and its probes.
+    /// Counts a frame that was shown at `time`. `quality` is an index in [`NAMED`].
     pub fn count(&mut self, time: u64, size: (usize, usize), quality: usize, probes: Probes) {
         self.frames += 1;
         self.probes += probes;
@@ -55,7 +55,7 @@ impl Tally {
         self.frames_in_second += 1;
     }
 
-    /// Writes over a frame: the frames of the last second, this frame's points, and the recent accuracy with its 95 % interval.
+    /// Writes frame rate, points, and recent accuracy with its 95 % interval over a frame.
     pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
         let hud = [
             line(b" #### FPS $$$$$$$ POINTS", 0.04),
@@ -71,7 +71,7 @@ impl Tally {
         self.time = time;
     }
 
-    /// Writes the statistics in one line, with the number of threads, the instruction set, and unmet requests.
+    /// Writes the statistics and unmet requests in one line.
     pub fn report(&self, output: &mut Writer, threads: usize, options: &Options) {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);

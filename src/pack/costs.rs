@@ -1,7 +1,6 @@
 use crate::{model::Coder, new_model, with_addresses};
 
-/// Returns the bits that each byte costs in the packed code, which also has a few
-/// bits at its end.
+/// Returns the cost of each byte in bits. The packed code also has a few bits at its end.
 #[must_use]
 pub fn costs(bytes: &[u8]) -> Vec<f32> {
     let mut model = new_model();

@@ -1,13 +1,5 @@
-//! Packs the intro when it is linked, and unpacks it when it starts.
-//!
-//! | part | module |
-//! | --- | --- |
-//! | the model of x86 code that predicts the next bit | `model` |
-//! | packing executables | [`pack_executable`] |
-//! | blanking panic locations | `panics` |
-//! | the packed size of each byte | [`costs`] |
-//! | the program that starts a packed executable | `stub` |
-//! | the intro's build script and linker | [`build`] |
+//! Packs the intro when it is linked, and unpacks it when it starts. [`build`] is the intro's build script and linker, `model`
+//! predicts the next bit of x86 code, and `stub` starts a packed executable.
 //!
 //! # Why a custom packer
 //!
@@ -22,15 +14,15 @@
 //!
 //! # Reproducible output
 //!
-//! The model computes with integers, in a fixed order, by one function for packing and unpacking. So the output depends only on the
-//! input. A test compares SSE2 with the plain loops for other processors.
+//! The model computes with integers, in a fixed order, by one function for packing and unpacking. A test compares SSE2 with the
+//! plain loops for other processors.
 //!
 //! # Time
 //!
 //! `time target/release/eightfold --version` is nearly all unpacking: 1.1 microseconds a byte. Huge pages save 0.03 s, SSE2 for
 //! slots 0.04 s. Rejected: prefetching the buckets, one hash of a context per byte, inputs built in registers, 32 MB of buckets,
 //! four buckets for each hash (-76 bytes, +0.03 s), other sets of weights. `docs/size.md` has more.
-#![deny(missing_docs, unsafe_code)]
+#![deny(unsafe_code)]
 
 pub mod build;
 mod costs;
@@ -51,7 +43,6 @@ use encoder::Encoder;
 pub use executable::{System, Version, pack_executable, strip, unpack_executable};
 use model::Model;
 
-/// The reason why a program is not packed.
 pub type Error = Box<dyn error::Error>;
 
 fn encode(bytes: &[u8]) -> Vec<u8> {

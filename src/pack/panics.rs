@@ -1,13 +1,9 @@
-//! Blanks panic locations.
+//! Blanks panic locations, records of 24 bytes in `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column.
+//! This saves 1,091 of 66,047 bytes.
 //!
-//! A `Location` is a record of 24 bytes in `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column. Zeros
-//! pack to nearly nothing: this saves 1,091 of 66,047 bytes.
-//!
-//! # Why this is safe
-//!
-//! - Only panic messages read a location, and `build::redirect` has replaced their code. Other programs stay unchanged.
-//! - All fields identify a record: an address in `.rodata`, the length of a name there that ends in `.rs`, a line and a column of 1
-//!   or more. The intro has no other such records or names.
+//! Only panic messages read them, and `build::redirect` has replaced their code; other programs stay unchanged. All fields identify
+//! a record: an address in `.rodata`, a name there that ends in `.rs`, a line and a column of 1 or more. The intro has no other
+//! such records or names.
 
 use std::ops::Range;
 
@@ -26,9 +22,6 @@ const HANDLER: &str = "17rust_begin_unwind";
 const RECORD: usize = 24;
 
 /// Blanks the locations and their files' names if panics go to [`ABORT`].
-///
-/// # Errors
-/// If `program` is not an ELF file.
 pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
     let file = object::File::parse(&*program)?;
     let section = |name| Section::find(&file, name);

@@ -2,15 +2,6 @@
 //!
 //! The show is a list of scenes in `scenes`, each in a file with its environment, shots and captions. A new scene needs such a
 //! file, an entry in the list, and bars in the song.
-//!
-//! | part | module |
-//! | --- | --- |
-//! | the show's scenes; their names, cuts and length | `scenes` |
-//! | the structure of a scene and of a shot | `scene` |
-//! | air, floor, lights, props | `environment`, `props`, `material` |
-//! | camera and overlay | `path` |
-//! | captions | `captions` |
-//! | the show at a time | `timeline` |
 
 mod captions;
 mod environment;

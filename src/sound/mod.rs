@@ -1,14 +1,5 @@
 //! The soundtrack: a song and its synthesizer, in stereo at 48 kHz.
 //!
-//! | part | module |
-//! | --- | --- |
-//! | patterns, arrangement and harmony | `song` |
-//! | the parameters of each instrument | `instruments` |
-//! | oscillators, envelopes and filter of one instrument | `voice` |
-//! | echo and reverberation | `space` |
-//! | the mix, chunk by chunk | [`Synthesizer`] |
-//! | the beat, for the picture | [`pulse()`] |
-//!
 //! A sample depends only on its position in the song, and not on the number of samples that are requested at once.
 
 mod instruments;

@@ -8,7 +8,6 @@ use std::ops::Range;
 /// The passes are: drawing; antialiasing, if enabled; captions, if any. Each needs the pixels of the previous pass, and
 /// antialiasing also needs a row of each neighbour.
 pub struct Share<'a> {
-    /// The working memory.
     pub worker: &'a mut Worker,
     /// The rows in which its bands begin.
     pub rows: Range<usize>,

@@ -8,11 +8,10 @@ pub use crate::backend::{
     functions::{GetProcAddress, LoadLibrary},
 };
 
-/// Defines the C `main`, which calls a `fn(Arguments) -> i32` for the exit code.
+/// Defines the C `main`, which calls a `fn(Arguments) -> i32` for the exit code, in a crate with `#![no_main]`.
 ///
-/// Use it in a crate with `#![no_main]`. Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack
-/// overflow; std's arguments add 432. As in std's start, a broken pipe is an error of the write, not a signal, and the standard
-/// streams are open.
+/// Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack overflow; std's arguments add 432. As in
+/// std's start, a broken pipe is an error of the write, and the standard streams are open.
 #[macro_export]
 #[cfg(not(feature = "windows"))]
 macro_rules! main {
@@ -30,9 +29,8 @@ macro_rules! main {
     };
 }
 
-/// Defines the entry point of a Windows program, which calls a `fn(Arguments) -> i32` for the exit code.
-///
-/// Use it in a crate with `#![no_main]`.
+/// Defines the entry point of a Windows program, which calls a `fn(Arguments) -> i32` for the exit code, in a crate with
+/// `#![no_main]`.
 #[macro_export]
 #[cfg(feature = "windows")]
 macro_rules! main {

@@ -4,23 +4,19 @@ use core::sync::atomic::{AtomicU64, Ordering::Acquire};
 
 use crate::backend::clock::{now, sleep_until};
 
-/// Nanoseconds in a second.
 pub const SECOND: u64 = 1_000_000_000;
 
-/// The time since its start.
 #[derive(Clone, Copy)]
 pub struct Clock {
     pub(crate) start: u64,
 }
 
 impl Clock {
-    /// Starts a clock at zero.
     #[must_use]
     pub fn start() -> Clock {
         Clock { start: now() }
     }
 
-    /// Returns the nanoseconds since the start.
     #[must_use]
     pub fn time(&self) -> u64 {
         now() - self.start

@@ -5,9 +5,7 @@ pub use fearless_simd::Level;
 /// An instruction set with kernels in the tracer.
 #[derive(Clone, Copy, Debug)]
 pub struct Isa {
-    /// The name on the command line.
     pub name: &'static str,
-    /// The level that selects kernels.
     pub level: Level,
 }
 
@@ -55,7 +53,6 @@ pub fn named(name: &[u8]) -> Option<Isa> {
     shipped().find(|isa| isa.name.as_bytes() == name)
 }
 
-/// Returns the best instruction set of the intro on this machine.
 #[must_use]
 pub fn best() -> Isa {
     shipped().next().unwrap_or(Isa {

@@ -12,22 +12,17 @@ pub(crate) const RIGHT: c_uint = 0xff53;
 pub(crate) const F1: c_uint = 0xffbe;
 /// Shows or hides the numbers.
 pub(crate) const H: c_uint = b'h' as c_uint;
-/// No key.
 pub(crate) const NONE: c_uint = 0xff_ffff;
 
-/// An event at the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
     /// A key was pressed. [`Press::Left`] and [`Press::Right`] repeat while they are held.
     Key(Press),
-    /// The mouse was used.
     Mouse(Mouse),
 }
 
-/// A mouse event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mouse {
-    /// The action.
     pub action: Action,
     /// Pixels from the window's left edge; may be outside while a button is held.
     pub x: i32,
@@ -35,40 +30,28 @@ pub struct Mouse {
     pub y: i32,
 }
 
-/// A mouse action.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// A button was pressed.
     Down(Button),
-    /// A button was released.
     Up(Button),
-    /// The pointer was moved.
     Move,
     /// The wheel was turned by this number of notches, away from the user if positive.
     Wheel(i32),
 }
 
-/// A mouse button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Button {
-    /// The left button.
     Left,
-    /// The middle button or wheel.
     Middle,
-    /// The right button.
     Right,
 }
 
-/// A key of the lab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Press {
     /// Space, a digit from 1 to 9, or one of the letters c, e, h, p, s and v.
     Character(char),
-    /// The left arrow.
     Left,
-    /// The right arrow.
     Right,
-    /// Home.
     Home,
     /// `?` with or without Shift, or F1, which is on every keyboard.
     Help,

@@ -3,7 +3,7 @@
 //! | purpose | module |
 //! | --- | --- |
 //! | the C `main` and the arguments | [`main!`], [`arguments`] |
-//! | output of frames: window, terminal or none | [`render_target`], [`window`], [`terminal`] |
+//! | output of frames | [`render_target`], [`window`], [`terminal`] |
 //! | keyboard and mouse events | [`input`] |
 //! | sound and its clock | [`sound`] |
 //! | time and sleep | [`clock`] |
@@ -12,16 +12,14 @@
 //! | static memory | [`static_cell`] |
 //! | lines on standard output and error | [`mod@line`] |
 //!
-//! Three backends have the same interface, the modules `window`, `threads`, `clock`, `memory` and `arguments`:
+//! Three backends have the same modules `window`, `threads`, `clock`, `memory` and `arguments`:
 //!
 //! - The small one, by Xlib and libc, for the 64 kB intro on x86-64 Linux.
 //! - The one for the 64 kB intro on Windows (feature `windows`). It is compiled for x86-64 Linux, and calls only functions of
 //!   Windows.
 //! - The portable one, by `minifb` and std, for other systems and processors. The feature `portable` selects it on x86-64 Linux.
 //!
-//! Files and terminals are those of the target, Unix or Windows. Sound is by ALSA on Linux, and by `cpal` on macOS.
-
-#![deny(missing_docs)]
+//! Sound is by ALSA on Linux, and by `cpal` on macOS.
 
 #[cfg(windows)]
 compile_error!("the intro for Windows is compiled on Linux, by `cargo exe`");

@@ -17,7 +17,6 @@ pub struct Writer {
 }
 
 impl Writer {
-    /// Creates a writer to an open file descriptor, which stays open.
     #[must_use]
     pub const fn new(file: i32) -> Writer {
         Writer {
@@ -43,7 +42,6 @@ impl Writer {
         self.length += 1;
     }
 
-    /// Adds a text.
     pub fn text(&mut self, text: &str) -> &mut Writer {
         for byte in text.bytes() {
             self.byte(byte);
@@ -60,7 +58,6 @@ impl Writer {
         self
     }
 
-    /// Adds a decimal integer.
     pub fn decimal(&mut self, number: u64) -> &mut Writer {
         if number >= 10 {
             self.decimal(number / 10);
@@ -97,7 +94,6 @@ pub fn ascii(bytes: &[u8]) -> Option<&str> {
     is_ascii.then(|| unsafe { str::from_utf8_unchecked(bytes) })
 }
 
-/// Returns whether a standard stream is a terminal.
 #[must_use]
 pub fn terminal(file: i32) -> bool {
     system::is_terminal(file)

@@ -89,10 +89,8 @@ impl Pool {
         self.count + 1
     }
 
-    /// Runs a job on every item, each with one of the workers. Returns when all are done.
-    ///
-    /// Each worker belongs to one thread during the run, so at most one thread for each worker takes part; without workers nothing
-    /// is done. Items are taken in order.
+    /// Runs a job on every item, in order, each with one of the workers. Each worker belongs to one thread during the run, so at
+    /// most one thread for each worker takes part.
     ///
     /// # Panics
     /// If the job panics on the caller's thread. A panic on another thread aborts the process.

@@ -31,10 +31,8 @@ impl Next {
     }
 }
 
-/// The next step of the show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Next {
-    /// The show continues.
     GoOn,
     /// The show continues, and H toggles the numbers over the picture.
     Toggle,
@@ -49,7 +47,6 @@ pub struct Headless {
 }
 
 impl Headless {
-    /// Creates a target of this size in pixels.
     #[must_use]
     pub fn new(width: usize, height: usize) -> Headless {
         Headless {

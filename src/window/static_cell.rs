@@ -7,8 +7,8 @@ use core::{
 
 /// A value in a `static` that is borrowed once, for the rest of the program.
 ///
-/// Zeroed values take no space in the executable, and memory only for the pages that are written: of the memory for the largest
-/// frame and the most threads, only the used part. `Box::new` would copy the value from the stack.
+/// Zeroed values take no space in the executable, and memory only for the pages that are written. `Box::new` would copy the value
+/// from the stack.
 pub struct StaticCell<T> {
     taken: AtomicBool,
     value: UnsafeCell<T>,
@@ -18,7 +18,6 @@ pub struct StaticCell<T> {
 unsafe impl<T: Send> Sync for StaticCell<T> {}
 
 impl<T> StaticCell<T> {
-    /// Creates a value that can be taken.
     pub const fn new(value: T) -> StaticCell<T> {
         StaticCell {
             taken: AtomicBool::new(false),

@@ -6,19 +6,16 @@
 //!
 //! Packed bytes that each measure saves, found by leaving it out, of 53,456 bytes unless stated:
 //!
-//! | measure | where | bytes |
-//! | --- | --- | ---: |
-//! | `rust_begin_unwind` and the rows below, together | [`REPLACED`] | 83,356 |
-//! | `str::slice_error_fail`, which formats the string | | 3,433 |
-//! | `handle_alloc_error`, which prints | | 2,122 |
-//! | `rust_eh_personality`, which reads unwind tables | | 936 |
-//! | the other panicking functions, with their messages' arguments | | 975 |
-//! | C's `main`, not Rust's (of 59,633) | `main!` in `src/window/arguments.rs` | 9,564 |
-//! | C's arguments, not std's (of 59,633) | the same | 432 |
-//! | `opt-level = 2`, as fast as 3 (of 72,726) | `Cargo.toml` | 6,566 |
+//! | measure | bytes |
+//! | --- | ---: |
+//! | `rust_begin_unwind` and all of [`REPLACED`] | 83,356 |
+//! | `str::slice_error_fail`, which formats the string | 3,433 |
+//! | `handle_alloc_error`, which prints | 2,122 |
+//! | `rust_eh_personality`, which reads unwind tables | 936 |
+//! | the others, with their messages' arguments | 975 |
+//! | `opt-level = 2`, as fast as 3 (of 72,726) | 6,566 |
 //!
-//! Rejected: an allocator by `malloc` saves 105 bytes; `Display::fmt` redirected saves 1,587 but leaves no formatting; the window's
-//! crates at `opt-level = "s"` save 104.
+//! Rejected: an allocator by `malloc` saves 105 bytes; the window's crates at `opt-level = "s"` save 104.
 
 use std::{collections::HashSet, ffi::OsString, fs, path::PathBuf};
 
@@ -56,7 +53,7 @@ pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), 
     let names = symbols(&libraries(words))?;
     let mut object =
         write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
-    // Tells linkers that the object needs no executable stack.
+    // The object needs no executable stack.
     object.add_section(Vec::new(), b".note.GNU-stack".into(), SectionKind::Other);
     let section = object.add_section(Vec::new(), b".text.abort".into(), SectionKind::Text);
     object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);

@@ -1,5 +1,4 @@
-//! Packs executables: a stripped ELF file and the stub's loader, surrounded by the stub and the headers of [`linux`] or
-//! [`windows`].
+//! Packs executables: a stripped ELF file and the stub's loader, with the stub and the headers of [`linux`] or [`windows`].
 
 mod linux;
 mod strip;
@@ -17,9 +16,7 @@ use crate::{
     encode,
 };
 
-/// A target system.
 pub enum System {
-    /// Linux on x86-64.
     Linux,
     /// Windows on x86-64, with the program's version information.
     Windows(Version),

@@ -12,8 +12,7 @@ use crate::{
 const FLAGS: u64 = 30;
 const BIND_NOW: u64 = 8;
 
-/// Returns the headers and segments, without unwind tables, panic locations and lazy binding. A panic ends the process, so nothing
-/// reads them.
+/// Returns the headers and segments, without unwind tables, panic locations and lazy binding. A panic ends the process.
 ///
 /// # Errors
 /// If `program` is not an executable at fixed addresses.

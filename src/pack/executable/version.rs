@@ -1,6 +1,5 @@
 //! A program's version information for Windows: a resource `VS_VERSIONINFO` in a tree of its own.
 
-/// Version information.
 pub struct Version {
     /// The program's name or short description.
     pub name: String,

@@ -1,9 +1,9 @@
 //! A model of x86-64 programs that predicts the next bit, by context mixing as in PAQ.
 //!
 //! A context is a set of features: the last bytes, parts of the [instruction](machine_code). It has a [slot](slot) for every
-//! beginning of the next byte, with a probability and the last bits. Each pair of contexts predicts from both slots' last bits. A
-//! context may expect a byte, such as the one after the last occurrence of the same bytes; its slots then predict differences from
-//! this byte. A [mixer] weighs all predictions.
+//! beginning of the next byte, with a probability and the last bits. Pairs of contexts predict from both slots' last bits. A
+//! context may expect a byte, such as the one after the last match; its slots then predict differences from it. A [mixer] weighs
+//! all predictions.
 
 mod addresses;
 mod coder;

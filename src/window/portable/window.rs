@@ -55,23 +55,21 @@ impl Window {
         })
     }
 
-    /// Sets the window's title.
     pub fn set_title(&mut self, title: &CStr) {
         self.shown.set_title(&title.to_string_lossy());
     }
 
-    /// Does nothing: `minifb` has no fullscreen.
+    /// Ignored: `minifb` has no fullscreen.
     pub fn set_fullscreen(&mut self, _: bool) {}
 }
 
-/// Functions for the lab.
 impl Window {
     /// Starts to record keys and the mouse.
     pub fn listen(&mut self) {
         self.mouse = Some(Mouse::default());
     }
 
-    /// Returns the events since the last call, in order. Without [`Window::listen`] there are none.
+    /// Returns the events since the last call or [`Window::listen`], in order.
     pub fn inputs(&mut self) -> Vec<Input> {
         take(&mut self.inputs)
     }

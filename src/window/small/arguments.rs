@@ -4,7 +4,6 @@ use core::ffi::{CStr, c_char, c_int};
 
 use crate::system;
 
-/// The command line's arguments.
 pub struct Arguments {
     rest: &'static [*const c_char],
 }

@@ -1,8 +1,8 @@
 //! Copies pixels to a window.
 //!
-//! Copying a frame pixel by pixel, and again through a socket, as `minifb` and Xlib do, takes a third of a frame's time at
-//! 1024x768. So the tracer draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. If
-//! memory cannot be shared, as with a remote display, frames go through the socket.
+//! Copying a frame pixel by pixel and through a socket, as `minifb` and Xlib do, takes a third of a frame's time at 1024x768. So
+//! the tracer draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Remote displays
+//! get frames through the socket.
 
 use core::{
     ffi::{c_int, c_uint, c_ulong},

@@ -7,9 +7,7 @@ use x11_dl::xlib;
 use super::x11::{self, Toplevel, Xlib};
 use crate::input::{Action, Button, Input, Mouse, Press};
 
-/// Records a window's events.
-///
-/// The window calls it through a pointer that only [`Listener::start`] sets, so programs that never listen do not link its code.
+/// Records a window's events. The window calls it through a pointer, so programs that never listen do not link its code.
 pub struct Listener {
     note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool),
     inputs: Vec<Input>,

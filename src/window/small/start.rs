@@ -2,9 +2,8 @@
 
 use core::arch::global_asm;
 
-// The dynamic linker jumps here, with the number of arguments and the arguments on the stack, after it has initialised libc. The
-// rest of `__libc_start_main`, such as functions to run at exit, is unused here and would take 100 packed bytes. Unpacked programs
-// start with `__libc_start_main` and leave this out.
+// The dynamic linker jumps here after initialising libc, with the number of arguments and the arguments on the stack. The rest of
+// `__libc_start_main` would take 100 packed bytes. Unpacked programs use it, and leave this out.
 global_asm!(
     ".section .text.eightfold_start, \"ax\"",
     ".globl eightfold_start",

@@ -17,7 +17,7 @@ impl Thread {
     }
 }
 
-/// Starts a thread, or returns None if the system refuses.
+/// Starts a thread, unless the system refuses.
 ///
 /// # Safety
 /// The pointer has to be valid while the thread runs.
@@ -44,7 +44,6 @@ pub fn wake(word: &AtomicU32) {
     futex(word, libc::FUTEX_WAKE, i32::MAX as u32);
 }
 
-/// Calls `futex`, for which libc has no function.
 fn futex(word: &AtomicU32, operation: i32, value: u32) {
     let operation = operation | libc::FUTEX_PRIVATE_FLAG;
     let no_limit = null::<libc::timespec>();

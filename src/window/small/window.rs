@@ -18,10 +18,8 @@ use crate::{
     render_target::{Next, RenderTarget},
 };
 
-/// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits.
-///
-/// Keys come as events, so that a key that is pressed and released between two frames counts. The window stays until the process
-/// ends and the display closes it.
+/// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits. A key that is pressed and released between
+/// two frames counts.
 pub struct Window {
     top: Toplevel,
     delete: xlib::Atom,
@@ -82,7 +80,6 @@ impl Window {
         Ok(window)
     }
 
-    /// Sets the window's title.
     pub fn set_title(&mut self, title: &CStr) {
         let Toplevel {
             x, display, window, ..
@@ -114,7 +111,6 @@ impl Window {
     }
 }
 
-/// Functions for the lab.
 impl Window {
     /// Starts to record keys and the mouse, and keeps the pointer visible in fullscreen.
     pub fn listen(&mut self) {
@@ -122,7 +118,7 @@ impl Window {
         self.listener = Some(Listener::start(&self.top));
     }
 
-    /// Returns the events since the last call, in order. Without [`Window::listen`] there are none.
+    /// Returns the events since the last call or [`Window::listen`], in order.
     pub fn inputs(&mut self) -> Vec<Input> {
         let listener = self.listener.as_mut();
         listener.map(|listener| listener.take()).unwrap_or_default()

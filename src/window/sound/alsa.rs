@@ -42,8 +42,8 @@ unsafe impl Send for Device {}
 extern "C" fn silent(_: *const c_char, _: c_int, _: *const c_char, _: c_int, _: *const c_char) {}
 
 impl Device {
-    /// Opens a device by its name in ALSA's configuration, with a buffer of `latency` microseconds. Returns the reason if there is
-    /// no ALSA or no such device, or if it refuses the format.
+    /// Opens a device by its name in ALSA's configuration, with a buffer of `latency` microseconds, or returns the reason for a
+    /// failure.
     pub fn open(name: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         const PLAYBACK: c_int = 0;
         const WAITING: c_int = 0;

@@ -22,7 +22,7 @@ const TURN: u64 = SECOND / 500;
 struct Queue {
     samples: VecDeque<[f32; 2]>,
     taken: i64,
-    /// The clock's time of the first sample, extrapolated from the samples that play now; None before the start.
+    /// The clock's time of the first sample, extrapolated from the samples that play now.
     origin: Option<i64>,
     is_lost: bool,
 }
@@ -46,8 +46,7 @@ pub struct Device {
 }
 
 impl Device {
-    /// Opens the desktop's default device, with a buffer of `latency` microseconds. Returns the reason if there is none, or if it
-    /// refuses the format.
+    /// Opens the desktop's default device, with a buffer of `latency` microseconds, or returns the reason for a failure.
     pub fn open(_: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         let device = cpal::default_host()
             .default_output_device()

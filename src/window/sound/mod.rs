@@ -44,7 +44,6 @@ const SLACK: u64 = LATENCY as u64 * 1500;
 /// everything as played, and cannot serve as a clock.
 const FASTEST: u64 = 1000;
 
-/// A source of sound.
 pub trait Source: Send {
     /// Returns the next samples, at most some milliseconds: left and right, full scale 1.
     fn chunk(&mut self) -> &[[f32; 2]];

@@ -57,7 +57,7 @@ pub struct Device {
 }
 
 impl Device {
-    /// Opens the desktop's default device. Returns the reason if there is none, or if it refuses the format.
+    /// Opens the desktop's default device, or returns the reason for a failure.
     pub fn open(_: &CStr, rate: u32, _: u32) -> Result<Device, &'static str> {
         const FLOAT: u16 = 3;
         const SIDES: u16 = 2;

@@ -6,13 +6,11 @@ use crate::render_target::{Next, RenderTarget};
 pub enum Terminal {}
 
 impl Terminal {
-    /// Returns None.
     #[must_use]
     pub fn open() -> Option<Terminal> {
         None
     }
 
-    /// Returns false.
     #[must_use]
     pub fn is_there() -> bool {
         false

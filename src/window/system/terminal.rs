@@ -59,9 +59,8 @@ const fn bits(signals: &[c_int]) -> u64 {
 const MOST_COLUMNS: usize = 3840;
 const MOST_ROWS: usize = 2160 / 2;
 
-/// The terminal on standard output. Esc and Ctrl-C end the show, H toggles the numbers.
-///
-/// It is restored when this is dropped, when the process aborts, and after signals that ask a process to end.
+/// The terminal on standard output. Esc and Ctrl-C end the show, H toggles the numbers. It is restored when this is dropped, when
+/// the process aborts, and after signals that end a process.
 pub struct Terminal {
     keys: KeyParser,
     pixels: &'static mut [u32],
@@ -72,7 +71,7 @@ pub struct Terminal {
 }
 
 fn variable(name: &CStr) -> Option<&'static CStr> {
-    // SAFETY: nothing changes the environment, whose values are strings.
+    // SAFETY: the environment is constant, and its values are strings.
     unsafe {
         let value = libc::getenv(name.as_ptr());
         (!value.is_null()).then(|| CStr::from_ptr(value))
@@ -299,7 +298,7 @@ pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
     }
 }
 
-/// Returns a terminal's mode, or None for other files.
+/// Returns a terminal's mode.
 pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
     // SAFETY: zero is valid for all fields.
     let mut mode: libc::termios = unsafe { zeroed() };
@@ -359,7 +358,7 @@ impl Saved {
     }
 }
 
-/// Takes the terminal over again after a stop, during which a shell had it in another mode. Async-signal-safe.
+/// Takes the terminal over again after a stop. Async-signal-safe.
 pub(crate) fn resume() {
     if SAVED.active.load(Acquire) {
         SAVED.enter();

@@ -9,9 +9,7 @@ use core::{
 
 use crate::{line, terminal};
 
-/// The descriptor of standard output.
 pub const OUTPUT: c_int = libc::STDOUT_FILENO;
-/// The descriptor of standard error.
 pub const ERROR: c_int = libc::STDERR_FILENO;
 
 /// The minimum stack in bytes. Drawing takes 56 kB of each thread's stack; the rest is for libraries.
@@ -132,7 +130,7 @@ pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
     unsafe { libc::poll(&mut ready, 1, milliseconds) != 0 }
 }
 
-/// Makes writes to a terminal non-blocking, for this process only. Does nothing if the path of the descriptor cannot be opened.
+/// Makes writes to a terminal non-blocking, for this process only, if the path of the descriptor can be opened.
 pub fn never_wait(file: c_int, path: &CStr) {
     let flags = libc::O_WRONLY | libc::O_NONBLOCK | libc::O_NOCTTY | libc::O_CLOEXEC;
     // SAFETY: the path outlives the call.

@@ -7,9 +7,7 @@ use crate::backend::functions::{
     SetStdHandle, WriteConsoleW, WriteFile,
 };
 
-/// The number of standard output.
 pub const OUTPUT: i32 = -11;
-/// The number of standard error.
 pub const ERROR: i32 = -12;
 
 const PART: usize = 1024;

@@ -8,7 +8,6 @@ use super::functions::{
 };
 use crate::{line, system};
 
-/// The command line's arguments.
 pub struct Arguments {
     rest: &'static [*mut u16],
 }
@@ -48,7 +47,6 @@ impl Arguments {
     }
 }
 
-/// Ends the process with an exit code.
 pub fn end(code: i32) -> ! {
     // SAFETY: it may be called at any time.
     unsafe { ExitProcess(code as u32) }

@@ -46,7 +46,7 @@ unsafe extern "C" {
     fn eightfold_thread();
 }
 
-/// Starts a thread, or returns None if the system refuses.
+/// Starts a thread, unless the system refuses.
 ///
 /// # Safety
 /// The pointer has to be valid while the thread runs.

@@ -56,9 +56,8 @@ const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 
 /// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits.
 ///
-/// It has a thread of its own, so that it responds while a frame is drawn, and frames are drawn while it is moved. Only this thread
-/// changes its size. It forwards the keys, and the default procedure handles all messages. The window exists until the process ends
-/// or it is closed; then it has no size.
+/// A thread of its own handles its messages, changes its size and forwards the keys, so that it responds while a frame is drawn. A
+/// closed window has no size.
 pub struct Window {
     window: HANDLE,
     context: HANDLE,
@@ -143,8 +142,8 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
 
 /// The fullscreen state.
 ///
-/// Only the window's own thread may change it. If another thread changes style and size, Wine may take the window manager's
-/// response to the first change as the response to the second, and keep the old size.
+/// Only the window's own thread may change it: otherwise Wine may take the window manager's response to the change of style as the
+/// response to the change of size, and keep the old size.
 struct Cover {
     window: HANDLE,
     before: Option<WINDOWPLACEMENT>,
@@ -157,7 +156,7 @@ impl Cover {
         if on == self.before.is_some() {
             return;
         }
-        // SAFETY: the functions do nothing if the window does not exist. Pointers outlive the calls.
+        // SAFETY: the functions ignore a closed window. Pointers outlive the calls.
         unsafe {
             let style = GetWindowLongPtrA(self.window, GWL_STYLE);
             if let Some(place) = self.before.take() {
@@ -192,7 +191,7 @@ impl Cover {
     }
 
     fn place(&self, [x, y, width, height]: [i32; 4], flags: u32) {
-        // SAFETY: this does nothing if the window does not exist.
+        // SAFETY: it ignores a closed window.
         unsafe { SetWindowPos(self.window, null_mut(), x, y, width, height, flags) };
     }
 }

@@ -1,5 +1,5 @@
-//! Does the work of `execve`: loads the program and its dynamic linker, and tells the linker about the program. It is packed with
-//! the program, and is position-independent.
+//! Does the work of `execve`: loads the program and its dynamic linker, and gives the linker the program's addresses. It is packed
+//! with the program, and is position-independent.
 
 use crate::{
     elf::{FileHeader, LOAD, PAGE, ProgramHeader},
@@ -41,7 +41,7 @@ unsafe extern "C" fn load(file: &FileHeader, memory: usize, stack: *mut usize) -
     entry.unwrap_or(0)
 }
 
-/// Copies a program to its addresses. Returns None if the system refuses to execute written memory.
+/// Copies a program to its addresses, unless the system refuses to execute written memory.
 #[inline(always)]
 unsafe fn place(file: &FileHeader) -> Option<Loaded> {
     let mut loaded = Loaded {
@@ -73,7 +73,7 @@ unsafe fn place(file: &FileHeader) -> Option<Loaded> {
 }
 
 impl Loaded {
-    /// Maps the dynamic linker. Returns its entry point, or None if a system call fails.
+    /// Maps the dynamic linker, and returns its entry point.
     ///
     /// # Safety
     /// `memory` has to be a page, and `stack` the process' initial stack.

@@ -39,7 +39,7 @@ pub struct System {
 /// Protects memory. Returns false if Windows refuses.
 ///
 /// # Safety
-/// Nobody may need the lost permissions.
+/// The lost permissions have to be unused.
 #[inline(always)]
 pub unsafe fn protect(system: &System, address: usize, size: usize, to: u32) -> bool {
     let mut was = 0;

@@ -25,9 +25,7 @@ pub fn heed(x: Xlib) {
     }
 }
 
-/// Records that the window was destroyed, for which Xlib's own handler would end the process.
-///
-/// Ignores other errors, such as a focus that cannot be set yet: they do no harm.
+/// Records that the window was destroyed, for which Xlib's own handler would end the process. Other errors do no harm.
 unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEvent) -> c_int {
     // SAFETY: Xlib passes a valid error.
     let code = unsafe { (*error).error_code };
@@ -40,6 +38,6 @@ unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEven
 /// Ends the process when the connection breaks, since Xlib must not return.
 unsafe extern "C" fn lost(_: *mut xlib::Display) -> c_int {
     line::write(line::ERROR, b"eightfold: display lost\n");
-    // SAFETY: nothing is left to be written or restored.
+    // SAFETY: it may be called at any time.
     unsafe { libc::_exit(1) }
 }

@@ -1,7 +1,5 @@
-//! Fullscreen.
-//!
-//! The window manager is asked first (EWMH): it hides panels and remembers the window's position. Without one, or without EWMH, the
-//! window is placed over the screen.
+//! Fullscreen, by the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window is
+//! placed over the screen.
 
 use core::{
     ffi::{c_int, c_long, c_uint},
@@ -39,7 +37,7 @@ impl Toplevel {
             let (mut place, _) = self.attributes(self.window);
             let mut over = screen;
             if is_managed {
-                // The window has a frame, which is placed in its stead. The frame's left and upper parts go beyond the screen.
+                // The window's frame is placed in its stead. The frame's left and upper parts go beyond the screen.
                 let (left, top) = (place.x, place.y);
                 (over.x, over.y) = (-left, -top);
                 (place.x, place.y) = self.position();

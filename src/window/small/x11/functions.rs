@@ -50,7 +50,7 @@ static TABLE: Table<Loaded> = Table::new();
 pub struct Xlib(());
 
 impl Xlib {
-    /// Loads libX11 at the first call, from one thread at a time. Returns None if it or a function is missing.
+    /// Loads libX11 at the first call, from one thread at a time, if it has all functions.
     pub fn load() -> Option<Xlib> {
         TABLE.open(c"libX11.so.6", XLIB_NAMES)?;
         Some(Xlib(()))

@@ -4,10 +4,12 @@
 //! next wake-up when all of them sleep. So a minute and a half takes seconds, and is the same on any machine. Standard output
 //! counts as a terminal.
 //!
-//! The environment sets the device's deviation in parts per million (`SIMULATED_FAST`), and, in nanoseconds, the time of an
-//! underrun (`SIMULATED_LATE`), the time of a stop of the program (`SIMULATED_STOP`), and the time that the device takes to open
-//! (`SIMULATED_SLOW`). What the device plays goes to a file (`SIMULATED_FILE`): chunks, each after the nanosecond from which it is
-//! heard.
+//! | variable | meaning |
+//! | --- | --- |
+//! | `SIMULATED_FAST` | the device's deviation in parts per million |
+//! | `SIMULATED_LATE`, `SIMULATED_STOP` | the times of an underrun and of a stop of the program, in nanoseconds |
+//! | `SIMULATED_SLOW` | nanoseconds that the device takes to open |
+//! | `SIMULATED_FILE` | the output: chunks, each after the nanosecond from which it is heard |
 
 use std::{
     env,
