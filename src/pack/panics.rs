@@ -21,7 +21,6 @@ const HANDLER: &str = "17rust_begin_unwind";
 
 const RECORD: usize = 24;
 
-/// Blanks the locations and their files' names if panics go to [`ABORT`].
 pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
     let file = object::File::parse(&*program)?;
     let section = |name| Section::find(&file, name);
@@ -68,7 +67,6 @@ fn blank(program: &mut [u8], names: &Section, records: &Section) {
     }
 }
 
-/// Returns the file range of the location's name, if there is a location at `place`.
 fn location(
     program: &[u8],
     place: usize,

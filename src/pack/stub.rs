@@ -12,7 +12,6 @@ use crate::{Error, elf};
 pub const FIRST: &str = ".text.first";
 pub const LOADER: &str = ".text.loader";
 
-/// A part of the stub's object file, with its sections laid out from address 0 on.
 pub struct Stub<'a> {
     file: object::File<'a>,
     sections: Vec<(SectionIndex, usize)>,

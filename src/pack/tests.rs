@@ -16,7 +16,6 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
 }
 
 proptest! {
-    // Each case needs 68 MB of zeroed memory.
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]

@@ -14,7 +14,6 @@ pub(super) struct Cue {
     pub size: f32,
 }
 
-/// Replaces a scene's captions by the ones visible `beat` beats after the show's scene began.
 pub(super) fn apply(lines: &[Cue], beat: f32, scene: &mut Scene) {
     scene.captions.clear();
     for line in lines {

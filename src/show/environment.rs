@@ -53,7 +53,6 @@ pub(super) const fn sun(position: [f32; 3], colour: [f32; 3]) -> Light {
 }
 
 impl Environment {
-    /// Replaces a scene's background, haze, lights and objects, `beat` beats after the environment was first shown.
     pub fn apply(&self, beat: f32, scene: &mut Scene) {
         scene.background = self.background;
         scene.sky = self.sky;

@@ -3,7 +3,6 @@
 use eightfold_tracer::scene::{Material, Pattern};
 use glam::{Vec3, vec3};
 
-/// The base of the others: opaque, without reflection.
 const MATT: Material = Material {
     index: 1.5,
     ..Material::BLACK
@@ -14,7 +13,6 @@ const fn tint(kt: f32) -> Vec3 {
     vec3(0.65 * kt, 0.88 * kt, 1.1 * kt)
 }
 
-/// The model scene's floor.
 pub(super) static PAPER: Material = Material {
     colour: vec3(0.55, 0.55, 0.6),
     kd: 0.8,
@@ -51,7 +49,6 @@ pub(super) static BLUE: Material = Material {
     ..MATT
 };
 
-/// Glass with faint reflections.
 pub(super) static GLASS: Material = Material {
     colour: vec3(0.95, 0.95, 0.95),
     kd: 0.05,

@@ -14,7 +14,6 @@ pub(super) struct ShowScene {
     pub captions: &'static [Cue],
 }
 
-/// A continuous camera movement.
 pub(super) struct Shot {
     pub bars: u8,
     /// At least two keyframes, at equal intervals in time.

@@ -8,7 +8,6 @@ use core::f32::consts::PI;
 pub(super) enum Notes {
     /// This note; the digit is its loudness, 1 to 15.
     Drum(u8),
-    /// The digit's note of the melody's scale.
     Scale,
     /// A note of the bar's chord, this number of semitones up: digits 1 to 4 are the chord's notes from the root up, 5 to 8 the
     /// same an octave higher, and so on.
@@ -70,7 +69,6 @@ const fn s(time: f32) -> f32 {
     1.0 / (time * RATE as f32)
 }
 
-/// The base of the others: no sound.
 const SILENT: Instrument = Instrument {
     notes: Notes::Scale,
     saw: 0.0,

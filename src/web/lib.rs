@@ -37,7 +37,6 @@ struct State {
     /// The results of the last [`draw`], see [`figures`].
     figures: [f64; 7],
     governor: Option<Governor>,
-    /// The text of the last call.
     text: Vec<u8>,
     file: Option<SceneFile>,
 }

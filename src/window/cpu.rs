@@ -2,7 +2,6 @@
 
 pub use fearless_simd::Level;
 
-/// An instruction set with kernels in the tracer.
 #[derive(Clone, Copy, Debug)]
 pub struct Isa {
     pub name: &'static str,

@@ -83,7 +83,6 @@ impl Pool {
         }
     }
 
-    /// Returns the number of threads, including the caller's.
     #[must_use]
     pub fn threads(&self) -> usize {
         self.count + 1
@@ -221,7 +220,6 @@ extern "C" fn thread_main(shared: *mut c_void) -> *mut c_void {
     null_mut()
 }
 
-/// A slice whose elements go to different threads.
 struct Each<T> {
     start: *mut T,
     length: usize,

@@ -14,7 +14,6 @@ use crate::{Error, System, Version, executable::packed_size, pack_executable};
 const LIMIT: usize = 65_536;
 
 pub const STUB: &str = "stub.o";
-/// The object file with replacements for functions of std.
 const REDIRECTIONS: &str = "redirections.o";
 const ORDER: &str = "order";
 

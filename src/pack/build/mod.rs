@@ -28,7 +28,6 @@ use crate::Error;
 use linker::{LINKER_VARIABLE, STUB, SYSTEM_VARIABLE};
 use toolchain::Toolchain;
 
-/// The linker's file name.
 const LINKER: &str = "ld.bfd";
 
 const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
@@ -73,7 +72,6 @@ fn prepare(program: &str) -> Result<(), Error> {
     let map = output.join(format!("{program}.map"));
     let for_system: &[&str] = if is_for_windows {
         &[
-            // No dynamic linker on Windows.
             "-Wl,--no-dynamic-linker",
             // Leaves space for the packed file, which by convention begins at 0x400000.
             &format!("-Wl,{}=0x420000", toolchain.base()),

@@ -53,7 +53,6 @@ pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), 
     let names = symbols(&libraries(words))?;
     let mut object =
         write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
-    // The object needs no executable stack.
     object.add_section(Vec::new(), b".note.GNU-stack".into(), SectionKind::Other);
     let section = object.add_section(Vec::new(), b".text.abort".into(), SectionKind::Text);
     object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);

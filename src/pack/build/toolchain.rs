@@ -9,7 +9,6 @@ use std::{
 
 use crate::Error;
 
-/// The only target that is packed.
 pub const TARGET: &str = "x86_64-unknown-linux-gnu";
 
 pub struct Toolchain {
@@ -73,7 +72,6 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
             _ => {}
         }
     }
-    // Refuse a linker that is called without a C compiler.
     let compiler = compiler.unwrap_or("cc".into());
     let name = Path::new(&compiler)
         .file_stem()

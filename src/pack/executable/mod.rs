@@ -18,7 +18,6 @@ use crate::{
 
 pub enum System {
     Linux,
-    /// Windows on x86-64, with the program's version information.
     Windows(Version),
 }
 
@@ -76,7 +75,6 @@ pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(unpacked)
 }
 
-/// Packs a program followed by its loader, and checks that it unpacks.
 fn encode_both(unpacked: &[u8]) -> Result<Vec<u8>, Error> {
     if unpacked.len() > LONGEST {
         return Err(format!(

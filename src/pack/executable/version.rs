@@ -1,9 +1,7 @@
 //! A program's version information for Windows: a resource `VS_VERSIONINFO` in a tree of its own.
 
 pub struct Version {
-    /// The program's name or short description.
     pub name: String,
-    /// Three numbers separated by dots.
     pub number: String,
 }
 
@@ -15,7 +13,6 @@ const TABLE: usize = 16 + 8;
 const ENTRY: usize = 16;
 
 impl Version {
-    /// Returns the resource tree for an address in the image.
     pub fn to_resources(&self, address: u32) -> Vec<u8> {
         let info = self.to_info();
         let mut bytes = Vec::new();

@@ -43,7 +43,6 @@ pub const FUNCTIONS: [&str; 9] = [
 ];
 const LIBRARY: &str = "kernel32.dll";
 
-/// Returns the size of a table of `functions` addresses with a terminating 0.
 const fn addresses_size(functions: usize) -> u64 {
     (functions as u64 + 1) * 8
 }

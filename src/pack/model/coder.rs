@@ -10,7 +10,6 @@ pub struct Decoder<'a> {
     range: u64,
     /// The packed number's position in the interval.
     place: u64,
-    /// Whether the code ended too early.
     pub missing: bool,
 }
 

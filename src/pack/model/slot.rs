@@ -16,7 +16,6 @@ pub const OPPOSITE: u32 = 0x1_ffff;
 impl Slot {
     pub const NEW: Slot = Slot(0);
 
-    /// Stores a hash in place of a slot.
     pub fn named(number: u32) -> Slot {
         Slot(number)
     }
@@ -64,7 +63,6 @@ impl Rates {
 
 pub const ROWS: usize = 6;
 
-/// Copies of slots that learn together, four at a time.
 #[repr(C)]
 pub struct Slots {
     slots: [[u32; 4]; ROWS],

@@ -43,7 +43,6 @@ static ENVIRONMENT: Environment = Environment {
 
 #[rustfmt::skip]
 static PROPS: &[Prop] = &[
-    // The columns: plinths, shafts, capitals, and the beams on them.
     cuboid(&material::MARBLE, [-2.6, 0.2, -6.0], [1.5, 0.4, 1.5]).repeat([2, 7], [5.2, 3.2]),
     cylinder(&material::MARBLE, [-2.6, 2.7, -6.0], [0.9, 4.6, 0.9]).repeat([2, 7], [5.2, 3.2]),
     cuboid(&material::MARBLE, [-2.6, 5.2, -6.0], [1.4, 0.4, 1.4]).repeat([2, 7], [5.2, 3.2]),
@@ -56,13 +55,11 @@ static PROPS: &[Prop] = &[
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
-    // Against the sun, which passes behind the columns.
     shot(3, &[
         keyframe([0.0, 2.9, 2.6], -1.8, 15.0, -2.2),
         keyframe([0.0, 2.9, 2.6], -1.95, 14.0, -2.2).rolled(0.03),
         keyframe([0.0, 2.9, 2.6], -2.15, 12.5, -2.2),
     ]),
-    // From high above, with the sun behind the camera.
     shot(2, &[
         keyframe([0.0, 2.0, 3.4], 1.4, 16.0, 5.0),
         keyframe([0.0, 1.8, 3.4], 1.15, 15.0, 6.5).rolled(-0.04),

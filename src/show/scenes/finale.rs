@@ -70,7 +70,6 @@ const SPHERES: u8 = 16;
 const GOLD: Vec3 = vec3(0.95, 0.66, 0.25);
 const TO_VIOLET: Vec3 = vec3(-0.60, -0.58, 0.30);
 
-/// Adds the arms, slowly turning logarithmic spirals.
 fn add(beat: f32, scene: &mut Scene) {
     for arm in 0..ARMS {
         let mut out = 2.0;

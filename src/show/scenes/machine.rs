@@ -43,7 +43,6 @@ static ENVIRONMENT: Environment = Environment {
 
 #[rustfmt::skip]
 static PROPS: &[Prop] = &[
-    // The base, and the column under the sun.
     cylinder(&material::STEEL, [0.0, 0.15, 0.0], [3.6, 0.3, 3.6]),
     cylinder(&material::BRASS, [0.0, 1.2, 0.0], [0.3, 2.0, 0.3]),
 ];

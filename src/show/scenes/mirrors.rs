@@ -78,7 +78,6 @@ static SHOTS: &[Shot] = &[
     ]),
 ];
 
-/// Moves the light, a step on each beat.
 fn add(beat: f32, scene: &mut Scene) {
     scene.lights[0].position = around(0.06 * ticks(beat)) * 1.7 + Vec3::Y * 1.9;
 }

@@ -84,7 +84,6 @@ fn add(beat: f32, scene: &mut Scene) {
     scene.lights[0].position.x = STEP * (0.5 * WIDTH + ADVANCE - ADVANCE / BEATS * beat);
     for (number, &letter) in (0..).zip(WORD) {
         let number = number as f32;
-        // The remaining rise in grid units.
         let below = DEPTH * (1.0 - smooth_step((beat - BEATS * number) / RISE));
         let place = |on_grid: Vec2| {
             let right = ADVANCE * number + on_grid.x;

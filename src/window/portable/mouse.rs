@@ -11,7 +11,6 @@ use crate::input::{self, Action, Button, Input};
 pub struct Mouse {
     at: (i32, i32),
     held: [bool; BUTTONS.len()],
-    /// Fractions of a notch of the wheel.
     turned: f32,
 }
 

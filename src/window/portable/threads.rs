@@ -62,7 +62,6 @@ pub fn wake(_: &AtomicU32) {
     changed.notify_all();
 }
 
-/// Returns the number of processors for this process, at least 1.
 #[must_use]
 pub fn processors() -> usize {
     available_parallelism().map_or(1, usize::from)

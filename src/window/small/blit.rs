@@ -21,7 +21,6 @@ use super::{
 };
 use crate::render_target::MOST_PIXELS;
 
-/// Two alternating frames and the path to the window.
 pub struct Frames {
     context: xlib::GC,
     image: *mut xlib::XImage,
@@ -181,7 +180,6 @@ impl Frames {
     }
 }
 
-/// Waits until the server has copied the previous pixels.
 fn finish(top: &Toplevel) {
     // SAFETY: the display is open.
     unsafe { (top.x.XSync)(top.display, xlib::False) };

@@ -14,7 +14,6 @@ pub struct Listener {
 }
 
 impl Listener {
-    /// Requests mouse events from the display, and starts to record.
     pub fn start(top: &Toplevel) -> &'static mut Listener {
         let events = xlib::StructureNotifyMask
             | xlib::KeyPressMask

@@ -39,7 +39,6 @@ pub fn wait(word: &AtomicU32, value: u32) {
     futex(word, libc::FUTEX_WAIT, value);
 }
 
-/// Wakes all threads that wait on a word.
 pub fn wake(word: &AtomicU32) {
     futex(word, libc::FUTEX_WAKE, i32::MAX as u32);
 }

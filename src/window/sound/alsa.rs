@@ -38,7 +38,6 @@ pub struct Device {
 // SAFETY: ALSA allows any one thread at a time to use a device.
 unsafe impl Send for Device {}
 
-/// Suppresses ALSA's own messages.
 extern "C" fn silent(_: *const c_char, _: c_int, _: *const c_char, _: c_int, _: *const c_char) {}
 
 impl Device {

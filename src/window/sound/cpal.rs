@@ -18,7 +18,6 @@ use crate::clock::{self, Clock, SECOND};
 /// A writer's polling interval: 2 ms.
 const TURN: u64 = SECOND / 500;
 
-/// The queue between the two threads, for the program's only device.
 struct Queue {
     samples: VecDeque<[f32; 2]>,
     taken: i64,

@@ -82,7 +82,6 @@ impl Player {
         self.clock
     }
 
-    /// Creates a player without sound, whose time is by the clock.
     #[must_use]
     pub fn silent() -> Player {
         Player::by(Clock::start())

@@ -66,7 +66,6 @@ pub struct Terminal {
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
-    /// Whether it has only 256 colours.
     is_coarse: bool,
 }
 
@@ -86,7 +85,6 @@ impl Terminal {
         line::terminal(line::OUTPUT) && variable(c"TERM") != Some(c"dumb")
     }
 
-    /// Takes over the terminal on standard output, if there is one.
     #[must_use]
     pub fn open() -> Option<Terminal> {
         if !Terminal::is_there() {
@@ -202,7 +200,6 @@ impl Drop for Terminal {
 struct KeyParser {
     /// The last byte was Esc. The next bytes, if any, tell whether it begins a sequence.
     open: bool,
-    /// H was pressed an odd number of times.
     toggles: bool,
 }
 
@@ -257,7 +254,6 @@ static SAVED: Saved = Saved {
     mode: UnsafeCell::new(MaybeUninit::uninit()),
 };
 
-/// The last signal that asked the process to end.
 static SIGNAL: AtomicI32 = AtomicI32::new(0);
 
 /// The timeout of a blocked write in milliseconds: infinite (-1), or a second for a [`Terminal`].
@@ -298,7 +294,6 @@ pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
     }
 }
 
-/// Returns a terminal's mode.
 pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
     // SAFETY: zero is valid for all fields.
     let mut mode: libc::termios = unsafe { zeroed() };

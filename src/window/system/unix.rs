@@ -109,7 +109,6 @@ fn write_some(file: c_int, bytes: &[u8]) -> isize {
     unsafe { libc::write(file, bytes.as_ptr().cast(), bytes.len()) }
 }
 
-/// Returns the error of this thread's last call.
 pub fn error() -> c_int {
     // SAFETY: errno is thread-local.
     #[cfg(target_os = "linux")]

@@ -19,7 +19,6 @@ const PART: usize = 1024;
 pub unsafe fn start() {
     /// `ATTACH_PARENT_PROCESS`.
     const PARENT: u32 = u32::MAX;
-    /// Access for reading and writing.
     const READ_WRITE: u32 = 0xc000_0000;
     const SHARED: u32 = 3;
     const EXISTING: u32 = 3;

@@ -68,7 +68,6 @@ fn play(seconds: u64) {
     }
 }
 
-/// Returns the times of clock and player at each frame, and checks the error message.
 fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
     let [said, errors] =
         [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
@@ -175,7 +174,6 @@ fn heard(played: &Played, time: u64) -> u64 {
     first + (time - start).min(CHUNK as u64 * SECOND / u64::from(RATE))
 }
 
-/// Asserts that picture and sound agree at the selected times of the clock.
 fn assert_together(times: &[(u64, u64)], played: &Played, counts: impl Fn(u64) -> bool) {
     for &(clock, player) in times.iter().filter(|&&(clock, _)| counts(clock)) {
         let drift = player.abs_diff(heard(played, clock));

@@ -14,10 +14,8 @@ use windows_sys::Win32::{
     UI::WindowsAndMessaging::{MSG, WINDOWPLACEMENT, WNDCLASSA},
 };
 
-/// Loads a library by its NUL-terminated name.
 pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> HANDLE;
 
-/// Looks up a library's function by its NUL-terminated name.
 pub type GetProcAddress = unsafe extern "win64" fn(HANDLE, *const u8) -> *const c_void;
 
 /// Defines functions by library: a wrapper for each, a table of pointers, and the names. Names with a dot are libraries.

@@ -40,7 +40,6 @@ use crate::render_target::{Next, RenderTarget};
 
 const CLASS: &CStr = c"Eightfold";
 
-/// A window's style: a title and its buttons.
 const FRAME: isize = WS_OVERLAPPEDWINDOW as isize;
 
 /// The key repeats.

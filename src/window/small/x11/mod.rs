@@ -72,7 +72,6 @@ pub unsafe fn picture(x: Xlib, display: *mut xlib::Display) -> *mut xlib::XImage
     }
 }
 
-/// A top-level window, which the display closes when the process ends.
 pub struct Toplevel {
     pub x: Xlib,
     pub display: *mut xlib::Display,
@@ -80,7 +79,6 @@ pub struct Toplevel {
     pub root: xlib::Window,
     /// The pointer in fullscreen: an invisible one, or 0 for the desktop's own.
     pub no_pointer: xlib::Cursor,
-    /// The position before the window was placed over the screen.
     before: Option<Place>,
 }
 

@@ -43,15 +43,12 @@ const THREADS: usize = 2;
 struct World {
     now: u64,
     sleepers: Vec<u64>,
-    /// Whether all threads have slept at the same time.
     plays: bool,
     /// Samples that the device plays in a million seconds.
     rate: u64,
     late: u64,
     stop: u64,
-    /// The time when playing began.
     start: Option<u64>,
-    /// Samples that were written since the device was ready.
     written: u64,
     waiting: Vec<(u64, Vec<u8>)>,
     file: BufWriter<File>,
