@@ -49,13 +49,13 @@ pub trait Source: Send {
     fn chunk(&mut self) -> &[[f32; 2]];
 }
 
-/// The show's time: by the audible sound, or by the clock without stops of the process.
+/// The show's time, by the audible sound, or by a clock that excludes stops of the process.
 pub struct Player {
     clock: Clock,
     heard: Heard,
     last: u64,
     stops: u32,
-    /// Their duration while no sound was heard, in nanoseconds.
+    /// The duration of stops while no sound was heard, in nanoseconds.
     stopped: u64,
 }
 
