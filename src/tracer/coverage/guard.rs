@@ -1,10 +1,8 @@
-//! The guard: finds the squares of a tile that may show something between their corners.
+//! The guard finds the squares of a tile that may show something between their corners.
 //!
-//! Few of hundreds of outlines have a bounding rectangle that meets the tile. Tangents give the range of squares that an outline covers in
-//! each row, for four rows at once; only these squares are tested.
-//!
-//! Tracing gives the object at a corner, but not whether the corner shows a shadow or an image on a plane. So the region is tested: a
-//! corner that shows the plane inside the region shows the shadow or image, or an occluder of it.
+//! Few of hundreds of outlines meet a tile. Tangents give the range of squares that an outline covers in each row, for four rows at once.
+//! Tracing gives the object at a corner. For shadows and images on a plane the region is tested: a corner that shows the plane inside it
+//! shows the shadow or image, or an occluder of it.
 
 use super::highlight::MAX_HIGHLIGHTS;
 use super::screen::Rect;
@@ -20,15 +18,12 @@ use crate::trace::{Sample, seen_points};
 
 /// The outlines and highlights of a tile that no corner has shown yet.
 pub(crate) struct Guard {
-    /// Indices into [`Coverage::outlines`].
     outlines: [u16; MAX_OUTLINES],
     count: usize,
-    /// A bit for each highlight.
     highlights: [u64; MAX_HIGHLIGHTS.div_ceil(64)],
 }
 
 impl Guard {
-    /// Returns zeroed memory.
     pub const fn new() -> Self {
         Self {
             outlines: [0; MAX_OUTLINES],
@@ -52,8 +47,6 @@ impl Guard {
         }
     }
 
-    /// Clears in `open` the squares of a level whose corners show everything that may be visible in them. `asked` are all squares of the
-    /// level. Keeps the outlines that the level below has to test.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -78,7 +71,7 @@ impl Guard {
         }
         self.count = kept;
         search.settle();
-        // Highlights open squares that are otherwise covered.
+        // The state of a search through a level's squares.
         for (i, &word) in self.highlights.iter().enumerate() {
             each(word, |bit| {
                 let highlight = &squares.coverage.highlights[64 * i + bit];
@@ -93,18 +86,20 @@ impl Guard {
 /// The state of a search through the squares of a level.
 pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
-    /// The squares that may miss something.
     pub open: [Bits; TILE_HEIGHT],
-    /// The light of the current shadows; `None` for images.
+    /// The corners covered by this light's shadows, or by images, for each row of squares.
     light: Option<u8>,
-    /// Whether the current outline is thin.
     is_thin: bool,
-    /// The corners covered by the shadows of this light, or by images, for each row of squares.
+    /// Opens a square unless a corner shows the object (all corners, if it is thin), or an occluder hides it. Returns whether it was
+    /// opened.
     covered: [Covered; SQUARE_ROWS],
 }
 
 impl Search<'_> {
-    /// Tests the open squares against an outline. Returns whether their parts have to be tested again.
+    /// Returns whether all corners of a square show one occluder that hides the object `back` there.
+    ///
+    /// Occluders are convex: if the eye is outside, everything in front of the occluder lies in the pyramid of the eye and the corners'
+    /// points. A plane that separates `back` from the pyramid proves that it is hidden.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
         let light = match outline {
             Outline::Object(_) | Outline::Image(_) => None,
@@ -131,8 +126,8 @@ impl Search<'_> {
         may_be_missed
     }
 
-    /// Opens a square unless a corner shows the object (all corners, if it is thin), or an occluder hides it there. Returns whether the
-    /// square is opened.
+    /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
+    /// is inside the region. So does a shadow, once its light's shadows are known, unless another one covers all corners.
     fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
         let (labels, shown) = self.squares.corners([x, y], id);
         let is_missed = match shown {
@@ -169,13 +164,10 @@ impl Search<'_> {
         front.is_beside(world.eye.extend(0.0)) && back.is_beyond(world.eye, points, slack)
     }
 
-    /// Tests an image or a shadow on a plane in a square whose corners show the plane. An image opens the square unless such a corner (all
-    /// four, if it is thin) is inside the region. So does a shadow, once all shadows of its light are known, unless another one covers all
-    /// corners.
+    /// Opens the squares that may miss a shadow by the current light, or a slit of light.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let (_, shown) = self.squares.corners([x, y], plane);
-        // If no corner shows the plane, it is hidden here, or its own outline has already opened the square.
         if shown != 0 {
             let inside = shown & self.squares.inside([x, y], region);
             let is_open = inside == 0 || self.is_thin;
@@ -193,7 +185,8 @@ impl Search<'_> {
         true
     }
 
-    /// Opens the squares that may miss a shadow by the current light, or a slit of light between two shadows.
+    /// The width limit of thin outlines, in halves of a square's side. Wider than a side, an outline covers a corner; the other half is for
+    /// partly hidden ones.
     #[inline(never)]
     fn settle(&mut self) {
         for (covered, open) in self.covered.iter_mut().zip(&mut self.open) {
@@ -203,11 +196,12 @@ impl Search<'_> {
     }
 }
 
-/// The maximum number of rows of squares of 2 pixels or more in a tile.
 const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side covers a corner in any direction; the other
-/// half is for outlines that are hidden in part.
+/// How the shadows of one light, or the images, cover the corners of a row of squares.
+///
+/// A square stays open if two outlines each cover some corners: something may lie between them. An outline that covers all corners is
+/// convex, so it covers the square.
 const THIN: usize = 3;
 
 /// The bits of all corners.
@@ -223,7 +217,7 @@ struct Covered {
     wholly: Bits,
     /// One outline covers some of the corners that show the plane.
     partly: Bits,
-    /// An outline covers no corner that shows the plane, or two cover some.
+    /// The number of columns and rows of corners inside the picture.
     missed: Bits,
 }
 
@@ -235,7 +229,6 @@ impl Covered {
     };
 }
 
-/// The squares of a level of a tile, with traced corners.
 pub(crate) struct Squares<'a> {
     pub(super) world: World<'a>,
     pub(super) coverage: &'a Coverage,
@@ -283,7 +276,7 @@ impl<'a> Squares<'a> {
         self.area.rows(self.level)
     }
 
-    /// Calls with the column and row of each square in `open` that may meet a region.
+    /// Returns a bit for each corner of a square that is certainly inside a region. Inlining costs bytes.
     #[inline(always)]
     fn for_each_met(
         &self,

@@ -18,7 +18,7 @@ use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The maximum number of highlights: a light leaves one on a sphere and on a plane, and three on a box or a cylinder.
+/// Per light one on a sphere and on a plane, three on a box or cylinder.
 pub(super) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
 /// The side of the largest squares of the named qualities, in pixels.
@@ -30,22 +30,19 @@ const VISIBLE: f32 = 8.0;
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
 const REACH: f32 = 3.5;
 
-/// The share of [`VISIBLE`] that may be missed, and the share of a lobe's decay that is assumed: off its centre a lobe is wider than the
-/// Gaussian. With these, 0 of 5,115 highlights on spheres and planes were missed, 1 without; the model scene has 0.05 % more rays.
+/// The shares of [`VISIBLE`] that may be missed, and of a lobe's decay that is assumed: off its centre a lobe is wider than the Gaussian.
+/// With these, 0 of 5,115 highlights on spheres and planes were missed, 1 without; the model scene has 0.05 % more rays.
 const SPARE: f32 = 0.6;
 const COUNTED_DECAY: f32 = 0.75;
 
 #[derive(Clone, Copy, Default)]
 pub(super) struct Highlight {
-    /// The object that shows it.
     pub object: ObjectId,
-    /// Its centre, in pixels.
     middle: Vec2,
-    /// Its bounding rectangle in pixels: the least x and y, and the greatest negated.
+    /// In pixels: the least x and y, and the greatest negated.
     bounds: Vec4,
     /// The decay: a, b and c.
     decay: [f32; 3],
-    /// Its peak, of 255.
     strength: f32,
 }
 
@@ -58,14 +55,12 @@ impl Highlight {
         strength: 0.0,
     };
 
-    /// Returns whether its bounds meet a rectangle in pixels.
     pub fn meets(&self, rect: Vec4) -> bool {
         self.bounds
             .cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0))
             .all()
     }
 
-    /// Returns its least and greatest pixels, relative to `from`.
     pub fn ends(&self, from: [f32; 2]) -> [Vec2; 2] {
         let from = Vec2::from_array(from);
         [self.bounds.xy() - from, -self.bounds.zw() - from]
@@ -73,8 +68,7 @@ impl Highlight {
 
     /// Returns whether squares of a side in pixels are never visibly brighter than their corners, if all corners show the object.
     ///
-    /// The decay has its minimum at the square's centre, on a side or at a corner. From there to the nearest corner it grows at most by its
-    /// value at half a side across and down.
+    /// From its minimum the decay grows, up to the nearest corner, at most by its value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * pixels(side);
@@ -92,15 +86,14 @@ impl Highlight {
     #[inline(never)]
     pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
         let [a, b, c] = self.decay;
-        // Left, top, right and bottom.
         let rect = rect - Vec4::from((self.middle, self.middle));
         let u = |x: Vec4, y: Vec4| a * x * x + y * (2.0 * b * x + c * y);
         let unseen = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
         let seen = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(unseen)).min_element();
-        // The brightest point is the highlight's centre if the square contains it; otherwise it is on a side.
+        // The maximum is at the centre if the square contains it; otherwise on a side.
         let mut least = 0.0;
         if rect.xy().max(-rect.zw()).max_element() > 0.0 {
-            // The left and right side, then the upper and lower side.
+            // Left and right, upper and lower.
             let sides = rect.xzyw();
             let along = (-b * sides / Vec4::new(c, c, a, a))
                 .max(rect.yyxx())
@@ -163,8 +156,7 @@ impl Coverage {
 }
 
 impl Highlight {
-    /// Returns whether it can lie between corners. At 4 pixels across and down from a corner, u is at most 64 times the larger of a and c.
-    /// A long thin highlight shows in many pixels.
+    /// Returns whether it can lie between corners: u is at most 64 times the larger of a and c at 4 pixels across and down.
     fn is_small(&self, visible: f32) -> bool {
         let [a, _, c] = self.decay;
         self.strength * a.max(c) * SQUARE * SQUARE > visible
@@ -172,8 +164,7 @@ impl Highlight {
 }
 
 impl Mirror {
-    /// Returns the highlight at this point; `None` if it is hidden from the eye or the light. `eye` and `light` are relative to the
-    /// object's centre.
+    /// Returns the highlight at this point; `None` if it is hidden from the eye or light, both relative to the object's centre.
     fn seen(&self, axes: &Axes, eye: Vec3A, light: Vec3A, half_exponent: f32) -> Option<Highlight> {
         let &Self {
             p,

@@ -4,13 +4,11 @@ use crate::prepare::Object;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Newton steps towards the mirror point of a curved surface. Two suffice for distant eyes and lights, the others are for near ones.
+/// Newton steps towards the mirror point of a curved surface: two for distant eyes and lights, the others for near ones.
 const NEWTON_STEPS: usize = 8;
 
-/// A surface point that mirrors a light to the eye.
 pub(super) struct Mirror {
     pub p: Vec3A,
-    /// The unit normal.
     pub n: Vec3A,
     /// The curvature across `axis`; along it the surface is straight.
     pub curvature: f32,
@@ -41,8 +39,8 @@ impl Mirror {
         }
     }
 
-    /// Calls `add` with the points of a capsule: on the end's sphere, and on the side as near as possible to the mirror point of an endless
-    /// cylinder, since a highlight continues across the joint.
+    /// Adds the points of a capsule: on the end's sphere, and on the side as near as possible to the mirror point of an endless cylinder,
+    /// as a highlight continues across the joint.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);

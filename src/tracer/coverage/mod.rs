@@ -1,10 +1,10 @@
-//! The guard's bounds: regions of the picture where an object, a shadow on a plane, an image in the first plane or a highlight may be
-//! visible between the corners of a square.
+//! Bounds of everything that may be visible between the corners of a square: objects, shadows on planes, images in the first plane, and
+//! highlights.
 //!
-//! Each frame, everything that may be visible gets a conservative bound in the picture. A guarded square (see
-//! [`Quality::guarded`](crate::Quality::guarded)) is split while it meets a bound whose object its corners do not show. The parts of a
-//! cleared square stay cleared. An outline wider than the square covers a corner of every part that it crosses, so one such corner clears
-//! the square. An outline thinner than one and a half sides keeps the square open down to pixels, unless all four corners show it.
+//! A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split while it meets a conservative bound of something that its
+//! corners do not show. The parts of a cleared square stay cleared. An outline wider than the square covers a corner of every part that it
+//! crosses, so one such corner clears the square. An outline thinner than one and a half sides keeps it open down to pixels, unless all
+//! four corners show it.
 //!
 //! | kind | bound | a square may be filled if | file |
 //! | --- | --- | --- | --- |
@@ -13,40 +13,38 @@
 //! | shadow | the cone of rays from the light, projected onto the plane | the same | `shadow` |
 //! | highlight | the ellipse of a Gaussian | its brightness nowhere visibly exceeds the corners that show the object | `highlight` |
 //!
-//! `guard` tests a tile's squares against the bounds, level by level. `view` bounds spheres as seen from the eye or a light. `sides` bounds
-//! blocks and planes, and tests points and rectangles against all bounds. `screen` has bounding rectangles; `mirror` finds the points where
-//! surfaces mirror a light.
+//! `guard` tests squares against these bounds. `view` bounds spheres as seen from the eye or a light, `sides` blocks and planes. `screen`
+//! has bounding rectangles. `mirror` finds the points that mirror a light.
 //!
 //! # Guarantees
 //!
-//! - Objects: every object in an exhaustive frame has at least one pixel. A square with a pixel of the object meets its outline, so it is
-//!   filled only if a corner in the picture shows the object, or if all corners show an occluder that covers the square. An averaged point
-//!   counts as showing the object that both ends show.
-//! - Shadows of spheres on planes by point lights: the same. A square that shows the plane and meets a shadow is filled only if a corner
-//!   that shows the plane lies in this shadow, or if all corners lie in another shadow by the same light ([`rounding`](crate::rounding)
-//!   derives the margins). The corner may be as dark without the shadow, see [`limits`](crate::limits).
-//! - Images in the first plane: the same, for images of 2x2 pixels or more that no other image covers in part. A corner inside an image's
-//!   outline shows this image or another one in front of it.
-//! - Thin things: in a bar 1 to 5 pixels wide, in its shadow on a plane by a point light, and in its image in the first plane, no hole
-//!   reaches 4 connected pixels at a named quality (`tests/image/thin.rs`). An outline's width is the least extent of the object at its
-//!   farthest distance: a lower bound. Antialiasing keeps at least an eighth of such a pixel.
+//! - Objects: every object in an exhaustive frame has at least one pixel. A square with such a pixel meets the outline, so it is filled
+//!   only if a corner shows the object, or if an occluder at all corners covers the square. An averaged point counts as showing the object
+//!   of both ends.
+//! - Shadows of spheres on planes by point lights: a square that shows the plane and meets a shadow is filled only if a corner that shows
+//!   the plane lies in it, or if all corners lie in another shadow by the same light ([`rounding`](crate::rounding) derives the margins).
+//!   The corner may be as dark without the shadow, see [`limits`](crate::limits).
+//! - Images in the first plane: the same, if they have 2x2 pixels or more and no other image covers them in part. A corner in an image's
+//!   outline shows the image or another one in front of it.
+//! - Thin things: a bar 1 to 5 pixels wide, its shadow on a plane by a point light, and its image in the first plane have no hole of 4
+//!   connected pixels or more at a named quality (`tests/image/thin.rs`). An outline's width is a lower bound: the least extent of the
+//!   object at its farthest distance. Antialiasing keeps at least an eighth of such a pixel.
 //!
 //! # Best effort
 //!
 //! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a box, an area light as its centre, and
-//!   a spotlight also where it does not shine. Few are missed.
-//! - Slits of light between two shadows by one light: a square stays open if two shadows each cover some of its corners. Otherwise dark
-//!   corners would fill it, and the slit would flicker.
+//!   a spotlight also where it does not shine.
+//! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Dark corners would fill it,
+//!   and the slit would flicker.
 //! - Images of cylinders and capsules, whose outlines are boxes. Images in waves (see [`Scene::water`](crate::scene::Scene::water)) have no
 //!   outlines.
-//! - Highlights in direct view: around the point that mirrors the light, Phong's lobe is a Gaussian in the picture. The lobe is only nearly
-//!   Gaussian, and a corner may be in shadow or on another face. Of thousands of highlights of five pixels or more whose centre is visible
-//!   the guard missed 0 (`docs/accuracy.md`).
-//! - Wider things can have holes, of up to 8 pixels in tests: at a corner, and in a narrow visible strip such as the back of a sunken log.
+//! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on another
+//!   face. Of thousands of highlights of five pixels or more with a visible centre 0 were missed (`docs/accuracy.md`).
+//! - Wider things can have holes of up to 8 pixels, as far as tests show: at a corner, and in a narrow visible strip of a sunken log.
 //!
-//! The guard ignores gaps between objects, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions. `cargo
-//! lab missed` counts these. Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit
-//! (`few_pixels_of_shadows_are_lit`). `cargo lab bench` measures wrong pixels and pops.
+//! Gaps between objects, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions are not bounded; `cargo
+//! lab missed` counts them. Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit
+//! (`few_pixels_of_shadows_are_lit`).
 
 mod guard;
 mod highlight;
@@ -72,7 +70,7 @@ use screen::{Axes, ScreenBounds};
 use sides::{Region, Sides};
 use view::View;
 
-/// The maximum number of outlines: one per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
+/// One per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
 const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
 /// Something with a convex outline in the picture.
@@ -89,19 +87,17 @@ enum Outline {
     },
 }
 
-/// Conservative bounds of everything that may be visible in a picture.
 pub(crate) struct Coverage {
     pub axes: Axes,
-    /// For each group of the tree, bounds of its objects, and bounds of their images in the first plane.
+    /// Bounds of each group's objects, and of their images in the first plane.
     groups: [[ScreenBounds; MAX_GROUPS]; 2],
-    /// Indexed by object.
     objects: [ObjectBounds; MAX_OBJECTS],
     eye: View,
     image: View,
-    /// The lights' views, by plane and light.
+    /// By plane and light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     highlights: List<Highlight, MAX_HIGHLIGHTS>,
-    /// All outlines that may meet the picture, with their bounding rectangles.
+    /// The outlines that may meet the picture, with their bounding rectangles.
     outlines: [Outline; MAX_OUTLINES],
     screen: [ScreenBounds; MAX_OUTLINES],
     /// The least width of each in pixels, up to 255.
@@ -110,7 +106,6 @@ pub(crate) struct Coverage {
 }
 
 impl Coverage {
-    /// Returns zeroed memory.
     pub const fn new() -> Self {
         Self {
             axes: Axes::ZERO,

@@ -17,10 +17,8 @@ pub(crate) struct Axes {
     middle: Vec4,
 }
 
-/// A rectangle of the picture: the least u and v, and the greatest.
 pub(crate) type Rect = Vec4;
 
-/// Rectangles of the picture, one per lane.
 #[derive(Clone, Copy)]
 pub(super) struct Rects<S: Isa> {
     pub left: F<S>,
@@ -29,7 +27,7 @@ pub(super) struct Rects<S: Isa> {
     pub bottom: F<S>,
 }
 
-/// Returns a rectangle in pixels, built in a register: loading a vector right after storing its parts stalls.
+/// Builds the vector in a register: loading it right after storing its parts would stall.
 #[inline(always)]
 pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) -> Vec4 {
     Vec4::new(pixels(left), pixels(top), pixels(right), pixels(bottom))
@@ -47,8 +45,7 @@ impl Axes {
         middle: Vec4::ZERO,
     };
 
-    /// Returns the axes of a picture of `width` by `height` pixels, whose samples are `offset` pixels off the pixels' centres; `raster` has
-    /// no offset.
+    /// Returns the axes of a picture whose samples are `offset` pixels off the pixels' centres; `raster` has no offset.
     pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {
         let pixel = raster.dx.length();
         let [x, y] = [width, height].map(|side| 0.5 * (pixels(side) - 1.0));
@@ -61,12 +58,11 @@ impl Axes {
         }
     }
 
-    /// Converts a rectangle from pixels.
     pub fn rect(&self, pixels: Vec4) -> Rect {
         (pixels - self.middle) * self.pixel
     }
 
-    /// Returns a column of rectangles of `size` pixels, one per lane, from the upper left corner of the first one in pixels.
+    /// Returns a column of rectangles of `size` pixels, one per lane; `[left, top]` is the first one's corner.
     #[inline(always)]
     pub(super) fn rects<S: Isa>(
         &self,
@@ -86,14 +82,12 @@ impl Axes {
         }
     }
 
-    /// Converts positions in pixels to u and v.
     #[inline(always)]
     pub fn points<S: Isa>(&self, x: F<S>, y: F<S>) -> [F<S>; 2] {
         let [middle_x, middle_y, ..] = self.middle.to_array();
         [(x - middle_x) * self.pixel, (y - middle_y) * self.pixel]
     }
 
-    /// Converts a point (u, v) to pixels.
     pub fn pixel_at(&self, u: f32, v: f32) -> Vec2 {
         self.middle.xy() + Vec2::new(u, v) / self.pixel
     }
@@ -106,10 +100,8 @@ impl Axes {
 }
 
 impl ScreenBounds {
-    /// Outside of the picture.
     pub const NONE: Self = Self(Vec4::INFINITY);
 
-    /// The whole picture, and beyond.
     pub const ALL: Self = Self(Vec4::NEG_INFINITY);
 
     pub const ZERO: Self = Self(Vec4::ZERO);
@@ -130,12 +122,11 @@ impl ScreenBounds {
         self.0 / axes.pixel + axes.middle * Vec4::new(1.0, 1.0, -1.0, -1.0)
     }
 
-    /// Extends the bounds to contain `other`.
     pub fn join(&mut self, other: Self) {
         self.0 = self.0.min(other.0);
     }
 
-    /// Clips rectangles to the bounds' range of u; rectangles above or below become empty.
+    /// Clips rectangles to the bounds' range of u; empty above and below.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
         let simd = rects.left.token();
@@ -147,7 +138,6 @@ impl ScreenBounds {
         rects.right = is_beside.select(splat(simd, f32::NEG_INFINITY), rects.right);
     }
 
-    /// Returns whether the bounds and a rectangle overlap.
     pub fn meets(&self, rect: Rect) -> bool {
         let far = rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
         self.0.cmple(far).all()

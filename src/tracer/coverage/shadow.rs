@@ -36,7 +36,6 @@ impl View {
 }
 
 impl Coverage {
-    /// Computes the bounds of the shadow of each solid on each plane by each light, after the objects.
     pub(super) fn set_shadows(&mut self, world: World<'_>) {
         for (plane, rectangle) in world.planes().iter().enumerate() {
             for (number, light) in world.lights().iter().enumerate() {

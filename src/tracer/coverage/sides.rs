@@ -2,10 +2,10 @@
 //!
 //! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with a the axis of its bounding cone. From the eye, w is the picture's ray (u,
 //! v, 1). From a light, to the point where the eye's ray d meets a plane at H below the eye, `w = H d - (eye - light) d.y` up to its
-//! length: linear in d, so a shadow is a cone as well. Rays meet a block or plane on the inner side of planes through the eye or light.
+//! length: linear in d, so a shadow is a cone as well. Blocks and planes are bounded by planes through the eye or light.
 //!
-//! The difference of both sides of the inequality is concave in u and v. It is nowhere above its tangent plane, whose maximum over a square
-//! is at a corner. So a square is outside if the tangent plane at its centre is negative at all corners.
+//! The difference of both sides is concave in u and v: nowhere above its tangent plane, whose maximum over a square is at a corner. So a
+//! square is outside if the tangent plane at its centre is negative at all corners.
 
 use super::screen::{Axes, Rects, ScreenBounds};
 use crate::lanes::*;
@@ -16,7 +16,6 @@ use crate::shapes::plane;
 use core::array;
 use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles, Vec4};
 
-/// The least length of a divisor.
 const SHORTEST: f32 = 1e-20;
 
 /// Clips per end: the first tangent touches the cone on its own side, later ones inside the rectangle.
@@ -25,10 +24,9 @@ const TANGENTS: usize = 3;
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
 pub(super) type Terms = [Vec4; 3];
 
-/// The rays from the eye or a light that meet an object.
 #[derive(Clone, Copy)]
 pub(super) enum Sides {
-    /// All rays may meet the object, which contains their origin, or nearly; no ray certainly does.
+    /// All rays, if the origin is inside, or nearly; no ray certainly meets the object.
     All,
     /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
     Round {
@@ -36,7 +34,7 @@ pub(super) enum Sides {
         /// See [`BoundingCone::unsure`](super::view).
         unsure: f32,
     },
-    /// The rays on the inner side of eight planes. Unused planes have all rays inside.
+    /// The rays on the inner side of eight planes.
     Flat {
         terms: [Terms; 2],
         /// At a smaller depth, rays may miss the object.
@@ -45,8 +43,8 @@ pub(super) enum Sides {
 }
 
 impl Sides {
-    /// Returns the rays between the silhouette planes of a block whose centre is at `to`: at most two per axis, moved outward for `corner`,
-    /// see [`CORNER`](crate::rounding::CORNER).
+    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward for `corner`, see
+    /// [`CORNER`](crate::rounding::CORNER). `to` is the block's centre.
     #[inline(never)]
     pub fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
@@ -58,8 +56,8 @@ impl Sides {
         let terms = [1.0, -1.0].map(|way| {
             let [x, y] = silhouette.ends(way);
             let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
-            // 3.5 covers the root of 3 for the length of rays, the root of 2 for the scale's sum of two coordinates, and the root of 2 for
-            // a light's longer rays.
+            // The root of 3 for the length of rays, the root of 2 for the scale's sum of two coordinates, and once more for a light's
+            // longer rays.
             unsure = unsure.max(3.5 * slack * scale.abs().max_element());
             let mut terms = rays.map(|ray| {
                 let ray = inward * ray;
@@ -74,7 +72,6 @@ impl Sides {
         Self::Flat { terms, unsure }
     }
 
-    /// Returns the rays from the eye that meet a horizontal rectangle.
     pub fn of_rectangle(rays: &[Vec3A; 3], eye: Vec3A, plane: &Plane) -> Self {
         Self::Flat {
             terms: [
@@ -85,9 +82,8 @@ impl Sides {
         }
     }
 
-    /// Clips rectangles to the range of u whose rays may be inside, by a margin.
-    ///
-    /// A cone is clipped by tangent planes from both ends: each is a line in the picture with the cone on one side.
+    /// Clips rectangles to the range of u whose rays may be inside, by a margin. For a cone these are tangent planes from both ends, each a
+    /// line in the picture with the cone on one side.
     #[inline(never)]
     fn narrow<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
         let simd = rects.left.token();
@@ -123,7 +119,7 @@ impl Sides {
         }
     }
 
-    /// Returns a lower bound of the depth of rays inside; negative if they may be outside.
+    /// Returns a lower bound of the depth of rays; negative if they may be outside.
     #[inline(never)]
     fn depth<S: Isa>(&self, u: F<S>, v: F<S>) -> F<S> {
         let at = |terms: &Terms| -> [F<S>; 4] {
@@ -162,7 +158,6 @@ impl<S: Isa> Rects<S> {
     }
 }
 
-/// A conservative bound of the part of the picture that shows something.
 pub(super) struct Region {
     pub bounds: ScreenBounds,
     pub sides: Sides,
@@ -188,7 +183,7 @@ impl Region {
         }
     }
 
-    /// Returns the least and greatest u of the region in each rectangle; least > greatest if they do not meet.
+    /// Returns the least and greatest u of the region in each rectangle; least > greatest for an empty one.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
         self.bounds.narrow(&mut rects);
@@ -196,7 +191,6 @@ impl Region {
         [rects.left, rects.right]
     }
 
-    /// Returns which points are certainly inside.
     #[inline(always)]
     pub fn contains<S: Isa>(&self, [u, v]: [F<S>; 2]) -> M<S> {
         let depth = self.sides.depth::<S>(u, v);
@@ -204,8 +198,8 @@ impl Region {
     }
 }
 
-/// The silhouette of a block from a point. Each lane is an axis of the block: along it the block is a rectangle across the other two axes,
-/// and the silhouette has an edge at either end.
+/// The silhouette of a block from a point. Along each axis, a lane, the block is a rectangle across the other two, with a silhouette edge
+/// at either end.
 struct Silhouette {
     shape: Shape,
     half: Vec3A,
@@ -218,7 +212,7 @@ struct Silhouette {
 }
 
 impl Silhouette {
-    /// Returns the silhouette of a block, given by its centre from the point and its half extents, along its own axes.
+    /// Takes a block's centre from the point, and its half extents, along its own axes.
     pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
         let (a, b) = (centre.yzx(), centre.zxy());
         let is_beside = a.abs().cmpgt(half.yzx());
@@ -242,14 +236,14 @@ impl Silhouette {
         let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
         match self.shape {
             Shape::Box => {}
-            // Across its axis a cylinder counts as its bounding box, and a capsule as its bounding cylinder.
+            // Across its axis a cylinder counts as a box, and a capsule as a cylinder.
             Shape::Cylinder | Shape::Capsule => [x.y, y.y] = touched(a.y, b.y, half.x, way),
         }
         [x, y]
     }
 }
 
-/// Returns the point of tangency of a line through the origin and a circle about (a, b), on one side, or on the other if `way` is -1.
+/// Returns the point of tangency of a line through the origin and a circle about (a, b), on the side of `way`.
 fn touched(a: f32, b: f32, radius: f32, way: f32) -> [f32; 2] {
     // As shares of the distance to the centre, along and across.
     let along = 1.0 - radius * radius / (a * a + b * b);

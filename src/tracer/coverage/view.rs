@@ -1,4 +1,4 @@
-//! Viewpoints: the eye, its mirror image, and lights; and the bounding cones of spheres from there.
+//! Viewpoints (eye, mirrored eye, lights), and the bounding cones of spheres from there.
 
 use super::screen::ScreenBounds;
 use super::sides::{Sides, Terms};
@@ -7,11 +7,11 @@ use crate::prepare::{BvhNode, Object};
 use crate::rounding::{CORNER, HIT, UNSURE, WIDE, WIDER};
 use glam::{Vec3A, Vec4};
 
-/// A viewpoint, and its rays through the points of the picture that show objects, images or shadows.
+/// A viewpoint, and its rays through the points of the picture.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
-    /// The linear map from the camera's rays (u, v, 1) to this view's rays, up to a factor: the columns for u, v and 1.
+    /// The linear map from the camera's rays (u, v, 1) to this view's rays, up to a factor: columns for u, v and 1.
     pub rays: [Vec3A; 3],
     /// The normals of the planes through this point that the picture shows as the lines u = 0, v = 0, and the line at infinity.
     pub normals: [Vec3A; 3],
@@ -40,24 +40,21 @@ impl View {
         }
     }
 
-    /// Returns the largest distance of a sphere.
     pub fn reach(&self, centre: Vec3A, radius: f32) -> f32 {
         (centre - self.from).length() + radius
     }
 
-    /// Returns the cone around a node's bounding sphere; `None` if this point is inside.
+    /// Returns the cone around a node's sphere; `None` if this point is inside.
     fn cone(&self, node: &BvhNode) -> Option<BoundingCone> {
         BoundingCone::around(node.centre - self.from, node.radius + node.hit_error)
     }
 
-    /// Returns the bounds of a node in a picture whose pixels are `pixel` wide.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let cone = self.cone(node);
         cone.map_or(ScreenBounds::ALL, |cone| cone.bounds(&self.normals, pixel))
     }
 
-    /// Returns the rays that meet an object.
     pub fn sides(&self, node: &BvhNode, object: &Object<'_>) -> Sides {
         if let Object::Block(block) = object {
             return Sides::of_block(&self.rays, node.centre - self.from, block, self.corner);
@@ -69,10 +66,9 @@ impl View {
     }
 }
 
-/// The cone of rays from a tip outside a sphere that meet the sphere.
+/// The rays from a tip outside a sphere that meet the sphere.
 #[derive(Clone, Copy)]
 struct BoundingCone {
-    /// The vector from the tip to the sphere's centre.
     to: Vec3A,
     /// The cosine of the angle at the tip, divided by the length of `to`.
     cosine_by_length: f32,
@@ -81,7 +77,7 @@ struct BoundingCone {
 }
 
 impl BoundingCone {
-    /// Returns the cone around a sphere whose centre is at `to`; `None` if the tip is inside.
+    /// `None` if the tip is inside the sphere.
     pub fn around(to: Vec3A, radius: f32) -> Option<Self> {
         let distance2 = to.length_squared();
         let radius = radius * WIDE;
@@ -94,7 +90,7 @@ impl BoundingCone {
         })
     }
 
-    /// Returns the margin, relative to the sine, inside of which a ray certainly meets the sphere. The cone is wider by `hit_error`.
+    /// Returns the margin, relative to the sine, from which rays certainly meet the sphere. The cone is wider by `hit_error`.
     #[inline(never)]
     pub fn unsure(&self, hit_error: f32) -> f32 {
         let distance2 = self.to.length_squared();
@@ -115,12 +111,11 @@ impl BoundingCone {
         })
     }
 
-    /// Returns its bounds in the picture. The arguments are the normals of the planes that appear as the lines u = 0, v = 0, and the line
-    /// at infinity: the camera's axes, if the tip is the eye.
+    /// Returns its bounds, by the normals of the planes that appear as the lines u = 0, v = 0, and the line at infinity: the camera's axes,
+    /// if the tip is the eye.
     ///
-    /// The line u = c is the plane whose normal is the first one minus c times the last. It touches the cone where its angle with the axis
-    /// is the cone's own (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal
-    /// normals).
+    /// The plane of u = c has the normal of u minus c times the last one. It touches the cone where its angle with the axis is the cone's
+    /// own (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal normals).
     #[inline(never)]
     pub fn bounds(&self, [right, down, forward]: &[Vec3A; 3], pixel: f32) -> ScreenBounds {
         let distance = self.to.length();

@@ -1,8 +1,8 @@
-//! Antialiasing: pixels at edges are blended with points between them.
+//! Antialiasing, the second phase of a frame: pixels at edges are blended with points between them.
 //!
-//! This is the second phase, after all bands are drawn. Where two neighbours differ by an edge, the point midway between them is traced,
-//! once for both. Each pixel owns the half up to this point, and bisects it: if the pixel and the midpoint differ by [`HALF`], the point
-//! between them is traced, and if that differs from either end by [`QUARTER`], one more point on that side.
+//! Where two neighbours differ by an edge, the midpoint between them is traced, once for both. Each pixel owns the half up to it, and
+//! bisects this half: if the pixel and the midpoint differ by [`HALF`], the point between them is traced, and if that differs from either
+//! end by [`QUARTER`], one more point on that side.
 //!
 //! ```text
 //!     a          midpoint         b
@@ -16,11 +16,9 @@
 //!
 //! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and a side
 //! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the line that crosses the edge steeply
-//! measures coverage better than a mean of both lines. Marks compare pixels as drawn, also across bands, so a picture has the same bits for
-//! any number of threads, and even areas keep their bits. A filled square of 8 has no edges inside, so only rough cells and the pixels on
-//! their borders are searched.
-//!
-//! Anything thinner than a pixel that falls between samples stays invisible.
+//! measures coverage better than a mean of both. Marks compare pixels as drawn, also across bands, so any number of threads gives the same
+//! bits, and even areas keep theirs. A filled square of 8 has no edges inside: only rough cells and the pixels on their borders are
+//! searched.
 
 use super::worker::{Interval, STRETCH, Worker};
 use crate::MAX_WIDTH;
@@ -42,35 +40,32 @@ pub(super) const EDGE: u8 = 20;
 /// The least difference of pixel and midpoint that continues the bisection, in units of a sample.
 const HALF: u64 = 40 * STEP as u64;
 
-/// The least difference that continues it for the second time.
+/// The same for the last step.
 const QUARTER: u64 = 128 * STEP as u64;
 
-/// Rows of marks per row of pixels.
 const ROWS: usize = 2;
 
-/// The maximum number of midpoints in a batch: bisection needs a point on both sides of each.
+/// Bisection needs a point on both sides of each midpoint.
 const MIDDLES: usize = BATCH / 2;
 
-/// The number of bits of a channel in a change.
+/// The bits of a channel in a change.
 const FIELD: usize = 21;
 
-/// A channel's sign in a change.
 const SIGN: u64 = 1 << (FIELD - 1);
 
-/// The unit of a change is 1/16 of a sample's, which makes all weights whole. A change is a word of the pyramid's scratch memory, per pixel
-/// and axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
+/// The unit of a change is 1/16 of a sample's: all weights are whole. A change is a word of the pyramid's scratch memory, per pixel and
+/// axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
-/// A bit for each pixel of a row: whether it differs from one of its neighbours.
+/// For each pixel of a row, whether it differs from one of its neighbours.
 type RowMarks = [u64; MAX_STRETCHES];
 
-/// The number of stretches in the widest row.
 const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
 
 const BLOCKS: usize = STRETCH / CELL;
 
-/// Marks between each band's last row and the first row of the band below, as drawn: when a band is smoothed, its neighbours may already
-/// have been. (Copies of the rows would take 2 MB.)
+/// Marks between each band's last row and the row below, as drawn: the next band may be smoothed already. (Copies of the rows would take 2
+/// MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
 
 impl Seams {
@@ -86,7 +81,6 @@ impl Seams {
             ref rough,
             ..
         } = picture;
-        // The last band has no seam below.
         let ends = (TILE_HEIGHT * stride..pixels.len()).step_by(TILE_HEIGHT * stride);
         for (number, end) in ends.enumerate() {
             let (above, below) = (&pixels[end - stride..], &pixels[end..]);
@@ -101,7 +95,6 @@ impl Seams {
         }
     }
 
-    /// Smooths the edges of a band.
     pub fn smooth<O: Observer>(
         &self,
         context: &Context<'_, O>,
@@ -118,11 +111,9 @@ impl Seams {
     }
 }
 
-/// Marks of a stretch: for each row, the edges to the row above and to the pixel on the right. The last entry is for the row below the
-/// band.
+/// Marks of a stretch: for each row, the edges to the row above and to the right. The last entry is for the row below the band.
 type Marks = [u64; ROWS * TILE_HEIGHT + 1];
 
-/// Returns the columns of a stretch.
 fn stretch(word: usize, width: usize) -> Range<usize> {
     width.min(word * STRETCH)..width.min((word + 1) * STRETCH)
 }
@@ -141,7 +132,6 @@ fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
         let (start, end) = (CELL * block, CELL * (block + 1));
         marks |= match (line.get(start..end), other.get(start..end)) {
             (Some(a), Some(b)) => edges(a, b) << start,
-            // The last cell, cut off by the picture's border.
             _ => {
                 let pairs = line.iter().zip(other).enumerate().skip(start);
                 pairs.fold(0, |marks, (i, (&a, &b))| {
@@ -153,7 +143,7 @@ fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
     marks
 }
 
-/// Marks the edges of a stretch. Overlays of the method, right of the finished columns, are no edges.
+/// Marks the edges of a stretch. Right of the finished columns the method's overlay has no edges.
 fn mark_stretch(
     band: &Band<'_>,
     finished: usize,
@@ -200,7 +190,6 @@ fn edges(a: &[u32], b: &[u32]) -> u64 {
     (!over.simd_eq(0)).to_bitmask()
 }
 
-/// Returns whether two pixels differ by an edge.
 pub(super) fn is_edge(a: u32, b: u32) -> bool {
     let mut channels = a.to_le_bytes().into_iter().zip(b.to_le_bytes());
     channels.any(|(a, b)| a.abs_diff(b) >= EDGE)
@@ -239,7 +228,6 @@ fn mix<O: Observer>(
             add_middles(start, band, worker);
             bisect(context, &plan.quality, seen, worker);
         };
-        // Trace the midpoints, batch by batch.
         for (number, &row) in marks[..=ROWS * height].iter().enumerate() {
             if row == 0 && (number % ROWS == 0 || before[number / ROWS] == 0) {
                 continue;
@@ -260,7 +248,6 @@ fn mix<O: Observer>(
             each(row, |bit| points.push(x + PARTS * bit, y));
         }
         traced(worker, band);
-        // Blend each pixel with the points on its four sides.
         for (y, row) in band.rows() {
             let right = marks[ROWS * y + 1];
             let along_x = right | right << 1 | before[y];
@@ -272,8 +259,7 @@ fn mix<O: Observer>(
     }
 }
 
-/// Adds the batch's midpoints to the changes of the pixels on both sides, inside the stretch that begins at column `left`. Clears the
-/// batch.
+/// Adds the batch's midpoints to the changes of the pixels on both sides, within the stretch from column `left`. Clears the batch.
 fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
     for i in 0..2 * worker.batch.points.len() {
         let (point, side) = (i / 2, i % 2);
@@ -291,7 +277,7 @@ fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
     worker.batch.points.clear();
 }
 
-/// Adds a traced midpoint on one side of a pixel to the pixel's changes, and queues the interval between them if it has an edge.
+/// Adds a traced midpoint on one side of a pixel to its changes, and queues the interval if it has an edge.
 #[inline(never)]
 pub(super) fn add_middle(
     worker: &mut Worker,
@@ -316,7 +302,7 @@ pub(super) fn add_middle(
     }
 }
 
-/// Bisects the queued intervals, and adds their points to the changes of the pixels. The batch is empty before and after.
+/// Bisects the queued intervals. The batch is empty before and after.
 #[inline(never)]
 pub(super) fn bisect<O>(
     context: &Context<'_, O>,
@@ -358,30 +344,28 @@ pub(super) fn bisect<O>(
     }
 }
 
-/// Returns the largest difference of two colours in a channel.
 #[inline(never)]
 fn contrast([a, b]: [u64; 2]) -> u64 {
     let channels = [0, 1, 2].map(|number| channel(a, number).abs_diff(channel(b, number)));
     channels.into_iter().fold(0, u64::max)
 }
 
-/// Returns a channel of a colour, blue first.
+/// Blue is channel 0.
 fn channel(colour: u64, number: usize) -> u64 {
     colour >> (FIELD * number) & ((1 << FIELD) - 1)
 }
 
-/// Returns a colour from its channels, blue first.
 fn colour(channel: impl Fn(usize) -> u64) -> u64 {
     channel(0) | channel(1) << FIELD | channel(2) << (2 * FIELD)
 }
 
-/// Returns a sample with its channels in the fields of a change.
+/// Returns a sample's channels in the fields of a change.
 #[inline(never)]
 fn spread(sample: Sample) -> u64 {
     colour(|number| sample.0 >> (16 * number) & 0xffff)
 }
 
-/// Returns a pixel with its channels in the fields of a change.
+/// Returns a pixel's channels in the fields of a change.
 #[inline(never)]
 fn widened(pixel: u32) -> u64 {
     colour(|number| u64::from(pixel >> (8 * number) & 0xff) * STEP as u64)

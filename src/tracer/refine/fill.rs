@@ -10,7 +10,7 @@ use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 /// The colours of four adjacent pixels, a word per channel, in 256ths of an output step.
 type Four<S> = u16x16<S>;
 
-/// The filled squares of a row, in pixels of the band.
+/// Filled squares of a row, in pixels of the band.
 pub(super) struct Run<'a> {
     /// The position of square 0.
     pub x: usize,
@@ -21,13 +21,11 @@ pub(super) struct Run<'a> {
     pub above: &'a [u64],
     pub below: &'a [u64],
     pub filled: Bits,
-    /// The squares of uniform colour.
     pub flat: Bits,
     /// The rounding thresholds. The band's first row is a multiple of four in the picture.
     pub dither: &'a Dither,
 }
 
-/// Fills squares, clipped to the picture.
 pub(super) fn fill(isa: Level, band: &mut Band<'_>, run: &Run<'_>) {
     by_isa!(isa, simd => match run.level {
         1 => fill_by::<_, 1>(simd, band, run),
@@ -36,7 +34,7 @@ pub(super) fn fill(isa: Level, band: &mut Band<'_>, run: &Run<'_>) {
     });
 }
 
-/// Fills squares of `1 << LOG` pixels, or larger ones in parts of this size.
+/// Fills squares of `1 << LOG` pixels, and larger ones in parts.
 #[inline(always)]
 fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
     let parts = if LOG < 3 {
@@ -66,7 +64,7 @@ fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>)
     );
 }
 
-/// Fills a square of `1 << LOG` pixels, clipped to the picture.
+/// Fills one square, clipped to the picture.
 #[inline(always)]
 fn fill_part<S: Simd, const LOG: u32>(
     simd: S,
@@ -85,7 +83,6 @@ fn fill_part<S: Simd, const LOG: u32>(
     } else {
         (&mut aside[..], side)
     };
-    // Larger squares begin at multiples of four pixels.
     let (column, first_row) = if LOG == 1 { (x % 4, y) } else { (0, 0) };
     let thresholds = [0, 1, 2, 3].map(|row| {
         let row = &dither[(first_row + row) % 4];
@@ -101,7 +98,7 @@ fn fill_part<S: Simd, const LOG: u32>(
     }
 }
 
-/// Returns the corners of part (i, j) of a square divided into `parts` along each side.
+/// Returns the corners of part (i, j) of `parts` along each side.
 #[inline(always)]
 fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4] {
     if parts == 1 {
@@ -120,13 +117,12 @@ fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4]
     })
 }
 
-/// The number of pixels in a part.
 const MAX_PIXELS: usize = 64;
 
 /// Interpolates the corners' colours over a square of `1 << LOG` pixels, and rounds them by thresholds of period 4.
 ///
-/// The sums never carry out of 16 bits, whatever the differences. A step is off by at most half a 256th of an output step, so the last
-/// pixel of a square of 8 is off by 7 of them. Thresholds of 8 to 248 leave room for this.
+/// The sums never carry out of 16 bits. A step is off by at most half a 256th of an output step, so the last pixel of a square of 8 is off
+/// by 7 of them; thresholds of 8 to 248 leave room for this.
 #[inline(always)]
 fn fill_square<S: Simd, const LOG: u32>(
     simd: S,
@@ -162,7 +158,6 @@ fn fill_square<S: Simd, const LOG: u32>(
     }
 }
 
-/// Returns a sample's colour four times.
 #[inline(always)]
 fn four<S: Simd>(simd: S, sample: u64) -> Four<S> {
     u64x4::splat(simd, sample & Sample::COLOUR).bitcast()
@@ -172,7 +167,7 @@ fn four<S: Simd>(simd: S, sample: u64) -> Four<S> {
 #[inline(always)]
 fn step<S: Simd, const LOG: u32>(to: Four<S>, from: Four<S>) -> Four<S> {
     let way: i16x16<S> = (to - from).bitcast();
-    // One of two steps is the difference itself; otherwise the rounding term cannot overflow.
+    // A single halving is exact; otherwise the rounding term cannot overflow.
     if LOG == 1 {
         way.bitcast()
     } else {

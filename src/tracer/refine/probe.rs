@@ -1,7 +1,7 @@
-//! Probes: pixels of a finished band that are traced as in an exhaustive frame, and compared with the drawn ones.
+//! Probes: pixels of a finished band that are traced as in an exhaustive frame and compared with it.
 //!
-//! An antialiased probe traces its four neighbours as well, and the points on edges to them, with the arithmetic of
-//! [`antialias`](super::antialias): probes of an exhaustive frame find no error.
+//! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of [`antialias`](super::antialias):
+//! probes of an exhaustive frame find no error.
 
 use super::Worker;
 use super::antialias::{add_middle, bisect, is_edge, mix_pixel};
@@ -15,13 +15,12 @@ use crate::trace::{BATCH, Batch, PARTS};
 /// The golden ratio as an odd fraction of 2^32.
 const GOLDEN: u32 = 0x9e37_79b9;
 
-/// A step of -1.
 const BACK: usize = usize::MAX;
 
-/// The steps to the left, right, upper and lower pixel.
+/// Left, right, up, down.
 const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 
-/// The points of an antialiased probe: its own, and per side the midpoint and the neighbour's own.
+/// The pixel's own, and per side the midpoint and the neighbour's own.
 const POINTS: usize = 1 + 2 * SIDES.len();
 
 impl Probing {
@@ -70,7 +69,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     } else {
         &[]
     };
-    // The index of a pixel in the band; beyond its end if the pixel is in none of its rows, wrapped around if it is above.
+    // The index of a pixel in the band, beyond its end for pixels of other rows; above, it wraps around.
     let (top, stride) = (band.top, band.stride);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();
@@ -90,7 +89,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         if probes == 0 {
             break;
         }
-        // `EXHAUSTIVE` only sets how rays are traced; antialiasing is the frame's own.
+        // Antialiasing is the frame's own.
         let quality = &Quality::EXHAUSTIVE;
         context.trace(quality, all, &mut worker.batch);
         for probe in 0..probes {
@@ -108,7 +107,6 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     worker.batch.counts = Counts::NONE;
 }
 
-/// Adds the points of a pixel to a batch.
 #[inline(always)]
 fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize; 2]]) {
     let [x, y] = place;
@@ -125,7 +123,6 @@ fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize;
     }
 }
 
-/// Returns a pixel before antialiasing.
 #[inline(never)]
 fn own(film: &Film, batch: &Batch, point: usize) -> u32 {
     let (x, y) = batch.points.pixel(point);

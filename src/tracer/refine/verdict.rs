@@ -13,7 +13,6 @@ use fearless_simd::Level;
 pub(super) struct Limit(u64);
 
 impl Limit {
-    /// Converts a tolerance in output steps.
     pub fn new(tolerance: f32) -> Self {
         let limit = tolerance * STEP as f32;
         // 15 bits exceed any difference; NaN becomes 0.
@@ -21,9 +20,8 @@ impl Limit {
         Self((limit * 0x0001_0001_0001) | (0x7fff << 48))
     }
 
-    /// Returns whether two samples are within the limit, to 128th of a step.
-    ///
-    /// All channels at once: sums of halved channels stay below a word's highest bit, which receives the comparison.
+    /// Returns whether two samples are within the limit, to 128th of a step. Sums of halved channels leave a word's highest bit for the
+    /// result.
     pub fn has(self, a: Sample, b: Sample) -> bool {
         const HALF: u64 = 0x3fff_3fff_3fff;
         const GREATER: u64 = 0x8000_8000_8000;
@@ -34,21 +32,19 @@ impl Limit {
     }
 }
 
-/// Returns the factor on the tolerance for squares of a side; it is 1 for 8 pixels. An error in a square of 4 covers a quarter of the
-/// pixels, so it may be twice as large. In crowded tiles small squares are everywhere and their errors add up: `crowding`, 0 to 1, reduces
-/// the factor.
+/// Returns the factor on the tolerance for squares of a side, 1 for 8 pixels. An error in a square of 4 covers a quarter of the pixels, so
+/// it may be twice as large. In crowded tiles (`crowding`, 0 to 1) errors in small squares add up, so the factor is smaller.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     let growth = 8.0 / side as f32;
     growth + crowding * (growth.min(1.0) - growth)
 }
 
-/// Returns the limits for corners with equal keys and with different keys, scaled by [`growth`].
+/// Returns the limits for equal keys and for different keys, scaled by [`growth`].
 pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
     let tolerances = [quality.tolerance_agreeing, quality.tolerance_differing];
     tolerances.map(|tolerance| Limit::new(tolerance * growth))
 }
 
-/// The verdict on a row of squares, a bit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Verdict {
     /// The corners' keys are equal.
@@ -62,7 +58,6 @@ pub(super) struct Verdict {
 }
 
 impl Verdict {
-    /// No square is judged.
     pub const NONE: Self = Self {
         agreeing: Bits::NONE,
         flat: Bits::NONE,
@@ -70,7 +65,6 @@ impl Verdict {
         patterned: Bits::NONE,
     };
 
-    /// Fills all squares with one colour each.
     pub fn coarse(squares: Bits) -> Self {
         Self {
             agreeing: squares,
@@ -81,7 +75,7 @@ impl Verdict {
     }
 }
 
-/// Judges the squares of a row whose bits are set, by the rows of points above and below.
+/// Judges the squares whose bits are set, by the rows of points above and below.
 pub(super) fn judge(
     isa: Level,
     limits: [Limit; 2],
@@ -105,7 +99,6 @@ fn judge_by<S: Simd>(
     for (word, &squares) in squares.0.iter().enumerate() {
         let mut rest = squares;
         while rest != 0 {
-            // One group per vector, if a square in it is to be judged.
             let first = rest.trailing_zeros() as usize / n * n;
             let group = ((1 << n) - 1) << first;
             rest &= !group;
@@ -140,7 +133,6 @@ fn judge_by<S: Simd>(
     verdict
 }
 
-/// Returns the values at the four corners of adjacent squares.
 #[inline(always)]
 fn corners<S: Simd, V: SimdBase<S>>(
     simd: S,
@@ -156,7 +148,6 @@ fn any_patterned<S: Simd>(simd: S, [a, b, c, d]: [S::u64s; 4]) -> u64 {
     (!pattern.simd_eq(S::u64s::splat(simd, 0))).to_bitmask()
 }
 
-/// Returns a bit for each square whose channels are within a limit.
 #[inline(always)]
 fn within<S: Simd>(simd: S, most: S::i16s, least: S::i16s, limit: Limit) -> u64 {
     let span: S::u16s = (most - least).bitcast();
@@ -165,7 +156,7 @@ fn within<S: Simd>(simd: S, most: S::i16s, least: S::i16s, limit: Limit) -> u64 
     excess.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
 }
 
-/// Returns a bit for each square with one pixel value at its corners. Rounding is monotonic, so comparing the extremes suffices.
+/// Rounding is monotonic, so comparing the extremes suffices.
 #[inline(always)]
 fn same_pixel<S: Simd>(simd: S, most: S::i16s, least: S::i16s) -> u64 {
     let half = S::i16s::splat(simd, STEP as i16 / 2);

@@ -11,9 +11,9 @@ pub struct Worker {
     pub(super) pyramid: Pyramid,
     pub(super) marks: Marks,
     pub(super) guard: Guard,
-    /// Where the batch's points are stored: indices in the pyramid, or of pixels in the band.
+    /// The points' indices in the pyramid, or of pixels in the band.
     pub(super) targets: [u32; BATCH],
-    /// Queued intervals with edges, and their number.
+    /// A queue of intervals with edges.
     pub(super) intervals: [Interval; BATCH],
     pub(super) found: usize,
 }
@@ -51,7 +51,6 @@ impl Worker {
         }
     }
 
-    /// Returns the counts since the last call, and resets them.
     pub(crate) fn take_counts(&mut self) -> Counts {
         core::mem::take(&mut self.batch.counts)
     }
@@ -70,7 +69,6 @@ pub(super) const CLUSTER_WIDTH: usize = 4;
 /// A cluster's points are the bits of a word. (Clusters of 8x8 points make the show 6 % slower.)
 pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 
-/// A tile's squares and points by level, a row of bits for each row.
 pub(super) struct Marks {
     /// The squares to judge: all of the top level, then the parts of split ones.
     pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
@@ -93,19 +91,18 @@ impl Marks {
     }
 }
 
-/// The pixels of a band's row that share a word of marks and a set of visible groups.
+/// The pixels that share a word of marks and a set of visible groups.
 pub(super) const STRETCH: usize = u64::BITS as usize;
 
 /// A part of the line from a pixel's centre to its border that contains an edge.
 #[derive(Clone, Copy)]
 pub(super) struct Interval {
-    /// The colours at both ends.
     pub ends: [u64; 2],
     /// The end nearer to the centre, as a point of the queue.
     pub start: u32,
     /// Half of its length along its axis, in parts of a pixel.
     pub half: i16,
-    /// The index of the pixel's change along this axis.
+    /// The index of the pixel's change.
     pub word: u16,
 }
 
@@ -117,7 +114,6 @@ impl Interval {
         word: 0,
     };
 
-    /// Returns the midpoint.
     pub fn middle(&self) -> u32 {
         let way = i32::from(self.half) << (16 * (self.word % 2));
         self.start.wrapping_add_signed(way)

@@ -13,7 +13,7 @@ const SIDE: u8 = 1;
 /// A traced point.
 const POINT: u8 = 2;
 
-/// The width of the front's line in pixels.
+/// In pixels.
 const FRONT: usize = 3;
 
 impl<O: Observer> Tile<'_, '_, O> {
@@ -73,7 +73,6 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// Returns a share of 255, rounded.
 fn byte(share: f32) -> u32 {
     u32::from((share * 255.0 + 0.5) as u8)
 }

@@ -60,7 +60,6 @@ pub(crate) fn draw<O: Observer>(
     }
 }
 
-/// A tile in progress.
 pub(super) struct Tile<'a, 'b, O: Observer> {
     pub context: &'a Context<'a, O>,
     pub area: Area,
@@ -74,12 +73,11 @@ pub(super) struct Tile<'a, 'b, O: Observer> {
     pub band: &'a mut Band<'b>,
 }
 
-/// The range of the share of split top-level squares from uncrowded to fully crowded. In the model scene at 1024x768 no tile is crowded; in
+/// The range of the share of split top-level squares from uncrowded to fully crowded. No tile of the model scene at 1024x768 is crowded; in
 /// a field of 256 spheres most are.
 const CROWDED: Range<f32> = 0.7..0.9;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
         let Context {
             plan,
@@ -121,7 +119,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Returns [`Self::crowding`].
     fn crowding(&self, top: usize) -> f32 {
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         let words = self.worker.marks.filled[top][..rows]
@@ -137,7 +134,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         growth(1 << level, self.crowding)
     }
 
-    /// Judges a row of squares, and fills the squares that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
         let Context { plan, .. } = self.context;
         let side = 1 << level;
@@ -209,7 +205,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         fill(self.context.plan.isa, self.band, &run);
     }
 
-    /// Sets the pixel (x, y) of the band to a sample's colour.
     pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
         let threshold = self.context.world.film.threshold(x, self.area.top + y);
         self.band.put(x, y, sample.pixel(threshold));
@@ -235,7 +230,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Reports the split squares of a row to the observer.
     fn tell_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
         if O::LISTENS {
             let [left, top] = [self.area.left, self.area.top + (y << level)];
@@ -244,7 +238,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Reports a square to the observer.
     fn tell(&self, level: usize, x: usize, y: usize, fill: Fill) {
         let side = 1 << level;
         let (x, y) = (self.area.left + x * side, self.area.top + y * side);

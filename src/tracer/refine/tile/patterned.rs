@@ -49,7 +49,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         filled
     }
 
-    /// Interpolates the corners' layers over the square at (left, top) of the band, and evaluates the pattern at every pixel.
+    /// Interpolates the corners' layers over the square at (left, top) of the band, and evaluates the pattern per pixel.
     #[inline(never)]
     fn interpolate(
         &mut self,
@@ -100,7 +100,6 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// Returns the largest difference of the corners' layers, in output steps.
 fn span(corners: &[Layers; 4]) -> f32 {
     let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(baseline(), layers));
     let span: [f32; 8] = (a.max(b).max(c.max(d)) - a.min(b).min(c.min(d))).into();

@@ -10,7 +10,6 @@ use crate::refine::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::trace::BATCH;
 use core::array;
 
-/// The bits of a row of a cluster.
 const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 
 impl<O: Observer> Tile<'_, '_, O> {
@@ -144,7 +143,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         averaged
     }
 
-    /// Traces the batch, and stores its samples in a level.
     fn trace(&mut self, level: usize) {
         let Context { plan, world, .. } = self.context;
         let batch = &mut self.worker.batch;
@@ -182,7 +180,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.worker.batch.points.clear();
     }
 
-    /// Reports the batch's points to the observer. Traces each point again by itself to count its rays; the batch's counts stay unchanged.
+    /// Reports the batch's points to the observer. Traces each point again to count its rays; the batch's counts stay unchanged.
     fn tell_points(&mut self) {
         let batch = &mut self.worker.batch;
         let mut pixels = [(0, 0); BATCH];
@@ -203,7 +201,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// Returns the corners in row `y` of a level's points, for `rows` rows of squares; at level 0 the squares themselves.
+/// Returns the corners in row `y` of a level's points; at level 0 the squares themselves.
 pub(in crate::refine) fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
     let row = |y: usize| if y < rows { squares[y] } else { Bits::NONE };
     if level == 0 {
