@@ -1,4 +1,4 @@
-//! The guard finds the squares of a tile that may show something between their corners.
+//! Finds the squares of a tile that may show something between their corners.
 //!
 //! Few of hundreds of outlines meet a tile. Tangents give the range of squares that an outline covers in each row, for four rows at once.
 //! Tracing gives the object at a corner. For shadows and images on a plane the region is tested: a corner that shows the plane inside it
@@ -47,6 +47,8 @@ impl Guard {
         }
     }
 
+    /// Clears in `open` the squares of a level whose corners show everything that may be visible in them. `asked` are all squares of the
+    /// level. Keeps the outlines that the next level has to test.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -71,7 +73,7 @@ impl Guard {
         }
         self.count = kept;
         search.settle();
-        // The state of a search through a level's squares.
+        // Highlights open squares that are otherwise covered.
         for (i, &word) in self.highlights.iter().enumerate() {
             each(word, |bit| {
                 let highlight = &squares.coverage.highlights[64 * i + bit];
@@ -83,23 +85,19 @@ impl Guard {
     }
 }
 
-/// The state of a search through the squares of a level.
+/// The state of a search through a level's squares.
 pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
+    /// The squares that may miss something.
     pub open: [Bits; TILE_HEIGHT],
-    /// The corners covered by this light's shadows, or by images, for each row of squares.
     light: Option<u8>,
     is_thin: bool,
-    /// Opens a square unless a corner shows the object (all corners, if it is thin), or an occluder hides it. Returns whether it was
-    /// opened.
+    /// The corners that this light's shadows, or images, cover in each row of squares.
     covered: [Covered; SQUARE_ROWS],
 }
 
 impl Search<'_> {
-    /// Returns whether all corners of a square show one occluder that hides the object `back` there.
-    ///
-    /// Occluders are convex: if the eye is outside, everything in front of the occluder lies in the pyramid of the eye and the corners'
-    /// points. A plane that separates `back` from the pyramid proves that it is hidden.
+    /// Tests the open squares against an outline. Returns whether their parts have to be tested.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
         let light = match outline {
             Outline::Object(_) | Outline::Image(_) => None,
@@ -126,8 +124,7 @@ impl Search<'_> {
         may_be_missed
     }
 
-    /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
-    /// is inside the region. So does a shadow, once its light's shadows are known, unless another one covers all corners.
+    /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
     fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
         let (labels, shown) = self.squares.corners([x, y], id);
         let is_missed = match shown {
@@ -143,8 +140,8 @@ impl Search<'_> {
 
     /// Returns whether all corners of a square show one occluder that hides the object `back` there.
     ///
-    /// The occluder is convex, so between the corners it is at most as far away as the plane of their points, if the eye is outside it.
-    /// Anything in front of it lies in the pyramid of the eye and these points. `back` is hidden if a plane separates it from this pyramid.
+    /// Occluders are convex: if the eye is outside, everything in front of the occluder lies in the pyramid of the eye and the corners'
+    /// points. A plane that separates `back` from the pyramid proves that it is hidden.
     #[inline(never)]
     fn hide(&self, [front, others @ ..]: [usize; 4], back: ObjectId, square: [usize; 2]) -> bool {
         let &Squares {
@@ -164,10 +161,12 @@ impl Search<'_> {
         front.is_beside(world.eye.extend(0.0)) && back.is_beyond(world.eye, points, slack)
     }
 
-    /// Opens the squares that may miss a shadow by the current light, or a slit of light.
+    /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
+    /// is inside the region. So does a shadow, once its light's shadows are known, unless another one covers all corners.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let (_, shown) = self.squares.corners([x, y], plane);
+        // Otherwise the plane is hidden here, or its own outline has opened the square.
         if shown != 0 {
             let inside = shown & self.squares.inside([x, y], region);
             let is_open = inside == 0 || self.is_thin;
@@ -185,8 +184,7 @@ impl Search<'_> {
         true
     }
 
-    /// The width limit of thin outlines, in halves of a square's side. Wider than a side, an outline covers a corner; the other half is for
-    /// partly hidden ones.
+    /// Opens the squares that may miss a shadow by the current light, or a slit of light.
     #[inline(never)]
     fn settle(&mut self) {
         for (covered, open) in self.covered.iter_mut().zip(&mut self.open) {
@@ -198,26 +196,23 @@ impl Search<'_> {
 
 const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// How the shadows of one light, or the images, cover the corners of a row of squares.
-///
-/// A square stays open if two outlines each cover some corners: something may lie between them. An outline that covers all corners is
-/// convex, so it covers the square.
+/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side covers a corner; the other half is for
+/// partly hidden ones.
 const THIN: usize = 3;
 
-/// The bits of all corners.
 pub(super) const ALL: u64 = 0b1111;
 
-/// How the shadows of one light, or the images, cover the corners of a row of squares: a bit per square.
+/// How the shadows of one light, or the images, cover the corners of a row of squares.
 ///
-/// If two outlines each cover some corners, something may lie between them, so the square stays open. If one outline covers all corners, it
-/// covers the whole square, since it is convex.
+/// A square stays open if two outlines each cover some corners: something may lie between them. An outline that covers all corners covers
+/// the square, as it is convex.
 #[derive(Clone, Copy)]
 struct Covered {
-    /// One outline covers all corners.
+    /// All corners by one outline.
     wholly: Bits,
-    /// One outline covers some of the corners that show the plane.
+    /// Some of the corners that show the plane.
     partly: Bits,
-    /// The number of columns and rows of corners inside the picture.
+    /// No corner that shows the plane, or some corners by two outlines each.
     missed: Bits,
 }
 
@@ -239,7 +234,7 @@ pub(crate) struct Squares<'a> {
     pixels: [usize; 2],
 }
 
-/// The number of rows that a region is clipped to at once.
+/// Rows that a region is clipped to at once.
 const ROWS: usize = 4;
 
 impl<'a> Squares<'a> {
@@ -263,7 +258,6 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Returns the side of a square in pixels.
     pub(super) fn side(&self) -> usize {
         1 << self.level
     }
@@ -276,7 +270,7 @@ impl<'a> Squares<'a> {
         self.area.rows(self.level)
     }
 
-    /// Returns a bit for each corner of a square that is certainly inside a region. Inlining costs bytes.
+    /// Calls with the column and row of each square in `open` that may meet a region.
     #[inline(always)]
     fn for_each_met(
         &self,
@@ -297,7 +291,7 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Returns the first and last square that may meet a region in each of [`ROWS`] rows from `top` down; first > last for an empty range.
+    /// Returns the first and last square of each of [`ROWS`] rows from `top` down that may meet a region; first > last for none.
     #[inline(never)]
     fn ranges(&self, region: &Region, top: usize) -> [[i32; ROWS]; 2] {
         let simd = baseline();
@@ -335,7 +329,7 @@ impl<'a> Squares<'a> {
         (labels, shown)
     }
 
-    /// Returns a bit for each corner of a square that is certainly inside a region. Inlining would cost bytes.
+    /// Returns a bit for each corner of a square that is certainly inside a region. Inlining costs bytes.
     #[inline(never)]
     pub(super) fn inside(&self, square: [usize; 2], region: &Region) -> u64 {
         let [x, y] = self.places(square);

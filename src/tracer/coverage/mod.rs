@@ -39,7 +39,8 @@
 //! - Images of cylinders and capsules, whose outlines are boxes. Images in waves (see [`Scene::water`](crate::scene::Scene::water)) have no
 //!   outlines.
 //! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on another
-//!   face. Of thousands of highlights of five pixels or more with a visible centre 0 were missed (`docs/accuracy.md`).
+//!   face. Of thousands of highlights of five pixels or more with a visible centre 0 were missed, and few parts of others
+//!   (`docs/accuracy.md`).
 //! - Wider things can have holes of up to 8 pixels, as far as tests show: at a corner, and in a narrow visible strip of a sunken log.
 //!
 //! Gaps between objects, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions are not bounded; `cargo

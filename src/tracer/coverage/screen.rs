@@ -17,6 +17,7 @@ pub(crate) struct Axes {
     middle: Vec4,
 }
 
+/// The least u and v, and the greatest.
 pub(crate) type Rect = Vec4;
 
 #[derive(Clone, Copy)]

@@ -18,7 +18,7 @@
 //! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the line that crosses the edge steeply
 //! measures coverage better than a mean of both. Marks compare pixels as drawn, also across bands, so any number of threads gives the same
 //! bits, and even areas keep theirs. A filled square of 8 has no edges inside: only rough cells and the pixels on their borders are
-//! searched.
+//! searched. Things that fall between samples stay invisible.
 
 use super::worker::{Interval, STRETCH, Worker};
 use crate::MAX_WIDTH;
@@ -143,7 +143,7 @@ fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
     marks
 }
 
-/// Marks the edges of a stretch. Right of the finished columns the method's overlay has no edges.
+/// Marks the edges of a stretch. The method's overlay, right of the finished columns, is not smoothed.
 fn mark_stretch(
     band: &Band<'_>,
     finished: usize,
