@@ -32,7 +32,6 @@ impl Guard {
         }
     }
 
-    /// Lists the outlines and highlights that may meet a tile. `rect` covers its squares.
     pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
         let pixels = rectangle(area.left, area.top, area.right, area.bottom);
         self.highlights = [0; _];
@@ -47,12 +46,12 @@ impl Guard {
         }
     }
 
-    /// Clears in `open` the squares of a level whose corners show everything that may be visible in them. `asked` are all squares of the
+    /// Clears in `open` the squares of a level whose corners show everything that may be visible in them. `all` are all squares of the
     /// level. Keeps the outlines that the next level has to test.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
-        asked: &[Bits; TILE_HEIGHT],
+        all: &[Bits; TILE_HEIGHT],
         open: &mut [Bits; TILE_HEIGHT],
     ) {
         let mut search = Search {
@@ -73,11 +72,10 @@ impl Guard {
         }
         self.count = kept;
         search.settle();
-        // Highlights open squares that are otherwise covered.
         for (i, &word) in self.highlights.iter().enumerate() {
             each(word, |bit| {
                 let highlight = &squares.coverage.highlights[64 * i + bit];
-                search.look_for_highlight(highlight, asked);
+                search.look_for_highlight(highlight, all);
             });
         }
         let rows = squares.rows();
@@ -88,7 +86,6 @@ impl Guard {
 /// The state of a search through a level's squares.
 pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
-    /// The squares that may miss something.
     pub open: [Bits; TILE_HEIGHT],
     light: Option<u8>,
     is_thin: bool,
@@ -158,7 +155,7 @@ impl Search<'_> {
         let [front, back] = [front, back].map(|id| &coverage.objects[id.index()]);
         let slack = SEEN / HIT * (front.hit_error() + hit_error(world.eye, 0.0));
         let points = [d.x * t, d.y * t, d.z * t, t];
-        front.is_beside(world.eye.extend(0.0)) && back.is_beyond(world.eye, points, slack)
+        front.excludes(world.eye.extend(0.0)) && back.is_beyond(world.eye, points, slack)
     }
 
     /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
@@ -166,7 +163,7 @@ impl Search<'_> {
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let (_, shown) = self.squares.corners([x, y], plane);
-        // Otherwise the plane is hidden here, or its own outline has opened the square.
+        // Otherwise the plane is hidden, or its own outline has opened the square.
         if shown != 0 {
             let inside = shown & self.squares.inside([x, y], region);
             let is_open = inside == 0 || self.is_thin;
@@ -210,9 +207,9 @@ pub(super) const ALL: u64 = 0b1111;
 struct Covered {
     /// All corners by one outline.
     wholly: Bits,
-    /// Some of the corners that show the plane.
+    /// Some corners that show the plane.
     partly: Bits,
-    /// No corner that shows the plane, or some corners by two outlines each.
+    /// No corner that shows the plane, or some by two outlines each.
     missed: Bits,
 }
 
@@ -230,7 +227,7 @@ pub(crate) struct Squares<'a> {
     pub(super) area: &'a Area,
     pyramid: &'a Pyramid,
     pub(super) level: usize,
-    /// The number of columns and rows of corners inside the picture.
+    /// Columns and rows of corners inside the picture.
     pixels: [usize; 2],
 }
 
@@ -270,7 +267,6 @@ impl<'a> Squares<'a> {
         self.area.rows(self.level)
     }
 
-    /// Calls with the column and row of each square in `open` that may meet a region.
     #[inline(always)]
     fn for_each_met(
         &self,
@@ -313,7 +309,7 @@ impl<'a> Squares<'a> {
         [first, last].map(|squares| squares.into())
     }
 
-    /// Returns the labels of a square's corners, and a bit for each corner inside the picture that shows an object.
+    /// Returns the labels of a square's corners, and a bit for each one inside the picture that shows an object.
     pub(super) fn corners(&self, [x, y]: [usize; 2], object: ObjectId) -> ([usize; 4], u64) {
         let labels = self.pyramid.corners(self.level, x, y).map(Sample::label);
         let [upper, right, lower, last] =
@@ -337,7 +333,6 @@ impl<'a> Squares<'a> {
         region.contains::<Baseline>(points).to_bitmask()
     }
 
-    /// Returns the corners of a square in pixels.
     #[inline(always)]
     fn places(&self, [x, y]: [usize; 2]) -> [F<Baseline>; 2] {
         let [left, right] = [x, x + 1].map(|x| pixels(self.area.left + (x << self.level)));

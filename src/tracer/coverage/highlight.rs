@@ -41,7 +41,6 @@ pub(super) struct Highlight {
     middle: Vec2,
     /// In pixels: the least x and y, and the greatest negated.
     bounds: Vec4,
-    /// The decay: a, b and c.
     decay: [f32; 3],
     strength: f32,
 }
@@ -68,7 +67,7 @@ impl Highlight {
 
     /// Returns whether squares of a side in pixels are never visibly brighter than their corners, if all corners show the object.
     ///
-    /// From its minimum the decay grows, up to the nearest corner, at most by its value at half a side across and down.
+    /// Between its minimum and the nearest corner, the decay grows at most by its value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * pixels(side);
@@ -93,7 +92,6 @@ impl Highlight {
         // The maximum is at the centre if the square contains it; otherwise on a side.
         let mut least = 0.0;
         if rect.xy().max(-rect.zw()).max_element() > 0.0 {
-            // Left and right, upper and lower.
             let sides = rect.xzyw();
             let along = (-b * sides / Vec4::new(c, c, a, a))
                 .max(rect.yyxx())
@@ -109,7 +107,7 @@ impl Highlight {
 }
 
 impl Coverage {
-    /// Computes the highlights, after the objects: none on waves, and none seen from inside a sphere or a cylinder.
+    /// Computes the highlights, after the objects: none on waves or from inside a sphere or cylinder.
     pub(super) fn set_highlights(&mut self, world: World<'_>) {
         self.highlights.clear();
         for i in 0..world.background() {
@@ -118,7 +116,6 @@ impl Coverage {
             if i == world.first_plane() && !world.scene.water.are_calm() {
                 continue;
             }
-            // Outside the object's bounds no corner shows it.
             let bounds = self.objects[i].screen.in_pixels(&self.axes);
             // The highlights of several lights may add up.
             let visible = VISIBLE / pixels(world.lights().len());
@@ -172,16 +169,16 @@ impl Mirror {
             curvature,
             axis,
         } = self;
-        let (way, to_light) = (p - eye, light - p);
-        let (distance, light_distance) = (way.length(), to_light.length());
-        let (d, l) = (way / distance, to_light / light_distance);
-        let [x, y, depth] = axes.rows.map(|row| row.dot(way));
+        let (to, to_light) = (p - eye, light - p);
+        let (distance, light_distance) = (to.length(), to_light.length());
+        let (d, l) = (to / distance, to_light / light_distance);
+        let [x, y, depth] = axes.rows.map(|row| row.dot(to));
         let facing = -d.dot(n);
         let is_seen = depth.min(facing).min(l.dot(n)) > 0.0;
         if !is_seen {
             return None;
         }
-        // The change of d - l from pixel to pixel, as the surface point moves.
+        // The change of d - l from pixel to pixel.
         let [right, down] = [axes.rows[0], axes.rows[1]].map(|step| {
             let step = (step + d * (step.dot(n) / facing)) * (depth * axes.pixel);
             let turned = (step - axis * step.dot(axis)) * curvature;
@@ -205,12 +202,8 @@ impl Mirror {
 }
 
 impl Search<'_> {
-    /// Opens covered squares in which a highlight may be visibly brighter than at the corners that show the object.
-    pub(super) fn look_for_highlight(
-        &mut self,
-        highlight: &Highlight,
-        asked: &[Bits; TILE_HEIGHT],
-    ) {
+    /// Opens squares in which a highlight may be visibly brighter than at the corners that show the object.
+    pub(super) fn look_for_highlight(&mut self, highlight: &Highlight, all: &[Bits; TILE_HEIGHT]) {
         let squares = self.squares;
         let area = squares.area;
         let is_even = highlight.is_even(squares.side());
@@ -222,7 +215,7 @@ impl Search<'_> {
         let rows = [least.y.max(0.0), most.y].map(|y| square(y, squares.rows()));
         for y in rows[0]..=rows[1] {
             let y = y as usize % TILE_HEIGHT;
-            let closed = asked[y] & !self.open[y];
+            let closed = all[y] & !self.open[y];
             closed.for_each_in(first, last, |x| {
                 let (_, shown) = squares.corners([x, y], highlight.object);
                 if shown == 0 || shown == ALL && is_even {

@@ -16,7 +16,6 @@ pub(super) struct Mirror {
 }
 
 impl Mirror {
-    /// Calls `add` with each point of an object that may mirror a light to the eye.
     pub fn each(object: &Object<'_>, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         match object {
             Object::Sphere(sphere) => add(Self::round(eye, light, Vec3A::ZERO, sphere.radius)),
@@ -69,7 +68,7 @@ impl Mirror {
         let mut height = 0.0;
         for _ in 0..NEWTON_STEPS {
             let [near, far] = [eye, light].map(|point| point - n * radius);
-            let [a, b] = [near, far].map(|way| 1.0 / way.length());
+            let [a, b] = [near, far].map(|to| 1.0 / to.length());
             height = (heights[0] * a + heights[1] * b) / (a + b);
             let half = near * a + far * b;
             let length = half.length();
@@ -85,13 +84,13 @@ impl Mirror {
         }
     }
 
-    /// Returns the point on the face towards the eye, of the two at the distance `half` with the normals `axis` and `-axis`.
+    /// Returns the point on the face towards the eye, at the distance `half` along the axis.
     fn flat(eye: Vec3A, light: Vec3A, axis: Vec3A, half: f32) -> Self {
         let n = axis * 1.0_f32.copysign(eye.dot(axis));
         let [above, light_above] = [eye, light].map(|point| point.dot(n) - half);
-        let way = eye.lerp(light, above / (above + light_above));
+        let p = eye.lerp(light, above / (above + light_above));
         Self {
-            p: way + n * (half - way.dot(n)),
+            p: p + n * (half - p.dot(n)),
             n,
             curvature: 0.0,
             axis,

@@ -13,9 +13,6 @@
 //! | shadow | the cone of rays from the light, projected onto the plane | the same | `shadow` |
 //! | highlight | the ellipse of a Gaussian | its brightness nowhere visibly exceeds the corners that show the object | `highlight` |
 //!
-//! `guard` tests squares against these bounds. `view` bounds spheres as seen from the eye or a light, `sides` blocks and planes. `screen`
-//! has bounding rectangles. `mirror` finds the points that mirror a light.
-//!
 //! # Guarantees
 //!
 //! - Objects: every object in an exhaustive frame has at least one pixel. A square with such a pixel meets the outline, so it is filled
@@ -34,17 +31,14 @@
 //!
 //! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a box, an area light as its centre, and
 //!   a spotlight also where it does not shine.
-//! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Dark corners would fill it,
-//!   and the slit would flicker.
-//! - Images of cylinders and capsules, whose outlines are boxes. Images in waves (see [`Scene::water`](crate::scene::Scene::water)) have no
-//!   outlines.
+//! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Otherwise slits flicker.
+//! - Images of cylinders and capsules, which count as boxes. Images in waves have no outlines.
 //! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on another
 //!   face. Of thousands of highlights of five pixels or more with a visible centre 0 were missed, and few parts of others
 //!   (`docs/accuracy.md`).
 //! - Wider things can have holes of up to 8 pixels, as far as tests show: at a corner, and in a narrow visible strip of a sunken log.
 //!
-//! Gaps between objects, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions are not bounded; `cargo
-//! lab missed` counts them. Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit
+//! `cargo lab missed` counts the rest: gaps, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions. Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit
 //! (`few_pixels_of_shadows_are_lit`).
 
 mod guard;

@@ -17,7 +17,7 @@ pub(super) struct ObjectBounds {
     /// unsure, and for other objects. The plane of equal powers separates the visible parts of two spheres, so the sphere of smaller power
     /// is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
     power: Option<[f32; 2]>,
-    /// Half of its least extent.
+    /// Half of the least extent.
     pub thickness: f32,
     /// The extent along the scene's axes, and forward from the eye.
     least: Vec4,
@@ -34,7 +34,6 @@ impl ObjectBounds {
         most: Vec4::ZERO,
     };
 
-    /// Returns the [`hit_error`] of the object.
     #[inline(never)]
     pub fn hit_error(&self) -> f32 {
         let reach = self.least.abs().max(self.most.abs());
@@ -63,9 +62,9 @@ impl ObjectBounds {
     }
 
     /// Returns whether a point is certainly outside.
-    pub fn is_beside(&self, point: Vec4) -> bool {
-        let is_beside = self.least.cmpgt(point) | self.most.cmplt(point);
-        is_beside.bitmask() & 0b111 != 0
+    pub fn excludes(&self, point: Vec4) -> bool {
+        let is_outside = self.least.cmpgt(point) | self.most.cmplt(point);
+        is_outside.bitmask() & 0b111 != 0
     }
 }
 
@@ -83,7 +82,6 @@ fn power(to: Vec3A, node: &BvhNode) -> Option<[f32; 2]> {
     })
 }
 
-/// Returns the half extents of a block along the scene's axes and forward.
 fn extent(block: &Block, forward: Vec3A) -> Vec4 {
     let inward = Mat3A::from(block.axes).transpose();
     let half = Vec3A::from(block.half);

@@ -5,7 +5,6 @@ use crate::rounding::PIXELS_AROUND;
 use crate::scene::camera::{Raster, pixels};
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The camera's axes, and the positions of its pixels in the plane at distance 1.
 #[derive(Clone)]
 pub(crate) struct Axes {
     /// Right, down, and forward.
@@ -134,9 +133,9 @@ impl ScreenBounds {
         let [left, top, right, bottom] = self.0.to_array();
         rects.left = rects.left.max(splat(simd, left));
         rects.right = rects.right.min(splat(simd, -right));
-        let is_beside =
+        let is_outside =
             rects.bottom.simd_lt(splat(simd, top)) | rects.top.simd_gt(splat(simd, -bottom));
-        rects.right = is_beside.select(splat(simd, f32::NEG_INFINITY), rects.right);
+        rects.right = is_outside.select(splat(simd, f32::NEG_INFINITY), rects.right);
     }
 
     pub fn meets(&self, rect: Rect) -> bool {

@@ -26,7 +26,7 @@ pub(super) type Terms = [Vec4; 3];
 
 #[derive(Clone, Copy)]
 pub(super) enum Sides {
-    /// All rays, if the origin is inside, or nearly; no ray certainly meets the object.
+    /// All rays: the origin is inside the object, or nearly.
     All,
     /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
     Round {
@@ -53,9 +53,9 @@ impl Sides {
         let silhouette = Silhouette::new(block.shape, inward * to, half + slack);
         let has_none = silhouette.has_none;
         let mut unsure = 0.0_f32;
-        let terms = [1.0, -1.0].map(|way| {
-            let [x, y] = silhouette.ends(way);
-            let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
+        let terms = [1.0, -1.0].map(|sign| {
+            let [x, y] = silhouette.ends(sign);
+            let scale = Vec3A::select(has_none, Vec3A::ZERO, sign / (x.abs() + y.abs()));
             // The root of 3 for the length of rays, the root of 2 for the scale's sum of two coordinates, and once more for a light's
             // longer rays.
             unsure = unsure.max(3.5 * slack * scale.abs().max_element());
@@ -65,7 +65,6 @@ impl Sides {
                 // NaN inside a cylinder.
                 Vec3A::select(has_none, Vec3A::ZERO, side).extend(0.0)
             });
-            // All rays are on the inner side of an unused plane.
             terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
             terms
         });
@@ -98,7 +97,6 @@ impl Sides {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
                         // On the axis any direction across is valid, also zero.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
-                        // The tangent's function of the cone's terms, times that length.
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
                         [side(right), side(down), side(terms) - length * margin]
                     });
@@ -144,7 +142,7 @@ impl Sides {
 }
 
 impl<S: Isa> Rects<S> {
-    /// Clips rectangles to the range of u where `right u + down v + terms` is at least 0 for some v.
+    /// Clips rectangles to the range of u where `right u + down v + terms >= 0` for some v.
     #[inline(never)]
     fn cut(&mut self, right: F<S>, down: F<S>, terms: F<S>) {
         let zero = splat(right.token(), 0.0);
@@ -163,7 +161,7 @@ pub(super) struct Region {
     pub sides: Sides,
     /// The bound on the rounding error of a side's inequality.
     pub rounding: f32,
-    /// The depth from which a point certainly shows the object or an occluder of it.
+    /// From this depth on, a point certainly shows the object or an occluder of it.
     pub margin: f32,
 }
 
@@ -198,8 +196,7 @@ impl Region {
     }
 }
 
-/// The silhouette of a block from a point. Along each axis, a lane, the block is a rectangle across the other two, with a silhouette edge
-/// at either end.
+/// The silhouette of a block from a point. Each lane is an axis: along it the block is a rectangle with a silhouette edge at either end.
 struct Silhouette {
     shape: Shape,
     half: Vec3A,
@@ -207,7 +204,7 @@ struct Silhouette {
     a: Vec3A,
     b: Vec3A,
     is_beside: BVec3A,
-    /// The axes without a silhouette edge: the point is between the block's sides.
+    /// The axes without an edge: the point is between the block's sides.
     pub has_none: BVec3A,
 }
 
@@ -226,27 +223,27 @@ impl Silhouette {
         }
     }
 
-    /// Returns the rectangles' silhouette corners on one side, or on the other if `way` is -1.
-    pub fn ends(&self, way: f32) -> [Vec3A; 2] {
+    /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1.
+    pub fn ends(&self, sign: f32) -> [Vec3A; 2] {
         let &Self { a, b, half, .. } = self;
         let (half_a, half_b) = (half.yzx(), half.zxy());
-        let is_below = Vec3A::select(self.is_beside, a * way, b).cmplt(Vec3A::ZERO);
+        let is_below = Vec3A::select(self.is_beside, a * sign, b).cmplt(Vec3A::ZERO);
         let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
-        let is_left = (y * way).cmplt(Vec3A::ZERO);
+        let is_left = (y * sign).cmplt(Vec3A::ZERO);
         let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
         match self.shape {
             Shape::Box => {}
             // Across its axis a cylinder counts as a box, and a capsule as a cylinder.
-            Shape::Cylinder | Shape::Capsule => [x.y, y.y] = touched(a.y, b.y, half.x, way),
+            Shape::Cylinder | Shape::Capsule => [x.y, y.y] = tangent_point(a.y, b.y, half.x, sign),
         }
         [x, y]
     }
 }
 
-/// Returns the point of tangency of a line through the origin and a circle about (a, b), on the side of `way`.
-fn touched(a: f32, b: f32, radius: f32, way: f32) -> [f32; 2] {
+/// Returns the point of tangency of a line through the origin and a circle about (a, b), on the side of `sign`.
+fn tangent_point(a: f32, b: f32, radius: f32, sign: f32) -> [f32; 2] {
     // As shares of the distance to the centre, along and across.
     let along = 1.0 - radius * radius / (a * a + b * b);
     let apart = sqrt(along - along * along);
-    [a * along + b * apart * way, b * along - a * apart * way]
+    [a * along + b * apart * sign, b * along - a * apart * sign]
 }

@@ -66,14 +66,14 @@ fn scene() -> impl Strategy<Value = Scene> {
         )
 }
 
-/// Returns a point inside a block; `way` has coordinates of -1 to 1.
-fn within(block: &Block, way: DVec3) -> DVec3 {
+/// Returns a point inside a block; `at` is within -1 to 1 along each axis.
+fn within(block: &Block, at: DVec3) -> DVec3 {
     let half = block.half.as_dvec3();
-    let across = DVec3::new(way.x, 0.0, way.z).clamp_length_max(1.0);
+    let across = DVec3::new(at.x, 0.0, at.z).clamp_length_max(1.0);
     let own = match block.shape {
-        Shape::Box => way * half,
-        Shape::Cylinder => (across + DVec3::Y * way.y) * half,
-        Shape::Capsule => DVec3::Y * way.y * (half.y - half.x) + way.clamp_length_max(1.0) * half.x,
+        Shape::Box => at * half,
+        Shape::Cylinder => (across + DVec3::Y * at.y) * half,
+        Shape::Capsule => DVec3::Y * at.y * (half.y - half.x) + at.clamp_length_max(1.0) * half.x,
     };
     block.centre.as_dvec3() + (block.axes.as_dmat3() * own * 0.999)
 }
@@ -131,18 +131,18 @@ fn seen(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
 
 proptest! {
     #[test]
-    fn a_sphere_a_block_and_their_shadows_are_within_their_outlines(
+    fn outlines_contain_objects_and_shadows(
         scene in scene(),
-        ways in prop::collection::vec((-1.0..1.0, -1.0..1.0, -1.0..1.0), 64),
+        points in prop::collection::vec((-1.0..1.0, -1.0..1.0, -1.0..1.0), 64),
     ) {
         let bounds = Bounds::of(&scene);
         let axes = &bounds.coverage.axes;
         let (sphere, block) = (&scene.spheres[0], &scene.blocks[0]);
         let light = scene.lights[0].position.as_dvec3();
-        for (x, y, z) in ways {
-            let way = DVec3::new(x, y, z);
-            let in_sphere = way.clamp_length_max(0.999) * f64::from(sphere.radius);
-            let points = [sphere.centre.as_dvec3() + in_sphere, within(block, way)];
+        for (x, y, z) in points {
+            let at = DVec3::new(x, y, z);
+            let in_sphere = at.clamp_length_max(0.999) * f64::from(sphere.radius);
+            let points = [sphere.centre.as_dvec3() + in_sphere, within(block, at)];
             for (solid, point) in points.into_iter().enumerate() {
                 if let Some(place) = seen(axes, scene.camera.eye, point) {
                     let is_asked = |outline| matches!(outline, Outline::Object(id) if id.index() == solid);
@@ -159,7 +159,7 @@ proptest! {
 
 /// They meet less than 1 % of the squares.
 #[test]
-fn bounds_of_small_shadows_are_small() {
+fn small_shadows_have_small_bounds() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let (mut met, mut tried) = (0, 0);
     for _ in 0..200 {
@@ -190,7 +190,7 @@ fn bounds_of_small_shadows_are_small() {
 }
 
 #[test]
-fn planes_have_outlines_and_no_images() {
+fn planes_have_outlines_but_no_images() {
     let scene = Scene {
         planes: List::of(&[Plane::default(); 2]),
         ..Scene::default()

@@ -7,7 +7,7 @@ use crate::prepare::{BvhNode, Object};
 use crate::rounding::{CORNER, HIT, UNSURE, WIDE, WIDER};
 use glam::{Vec3A, Vec4};
 
-/// A viewpoint, and its rays through the points of the picture.
+/// A viewpoint, and its rays through the picture.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
@@ -15,7 +15,6 @@ pub(super) struct View {
     pub rays: [Vec3A; 3],
     /// The normals of the planes through this point that the picture shows as the lines u = 0, v = 0, and the line at infinity.
     pub normals: [Vec3A; 3],
-    /// See [`CORNER`].
     pub corner: f32,
     /// The applicable share of [`SIDE`](crate::rounding::SIDE).
     pub rounding: f32,
@@ -70,9 +69,8 @@ impl View {
 #[derive(Clone, Copy)]
 struct BoundingCone {
     to: Vec3A,
-    /// The cosine of the angle at the tip, divided by the length of `to`.
+    /// The cosine of the angle at the tip, divided by the length of `to`; below, the sine.
     cosine_by_length: f32,
-    /// The sine of that angle, divided by the same.
     sine_by_length: f32,
 }
 
@@ -102,7 +100,7 @@ impl BoundingCone {
         error / (radius * cosine2)
     }
 
-    /// Returns the cone's terms as functions of u and v. `rays` are the rays for a step along u, along v, and for (0, 0).
+    /// `rays` are for a step along u, along v, and at (0, 0).
     #[inline(never)]
     pub fn terms(&self, rays: &[Vec3A; 3]) -> Terms {
         rays.map(|ray| {

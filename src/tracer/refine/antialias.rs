@@ -57,12 +57,11 @@ const SIGN: u64 = 1 << (FIELD - 1);
 /// axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
-/// For each pixel of a row, whether it differs from one of its neighbours.
 type RowMarks = [u64; MAX_STRETCHES];
 
 const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
 
-const BLOCKS: usize = STRETCH / CELL;
+const CELLS: usize = STRETCH / CELL;
 
 /// Marks between each band's last row and the row below, as drawn: the next band may be smoothed already. (Copies of the rows would take 2
 /// MB.)
@@ -89,8 +88,8 @@ impl Seams {
             let words = finished.div_ceil(STRETCH);
             for (word, marks) in self.0[number][..words].iter_mut().enumerate() {
                 let stretch = stretch(word, finished);
-                let blocks = blocks(rough[0], word) | blocks(rough[1], word);
-                *marks = mark(&above[stretch.clone()], &below[stretch], blocks);
+                let cells = rough_cells(rough[0], word) | rough_cells(rough[1], word);
+                *marks = mark(&above[stretch.clone()], &below[stretch], cells);
             }
         }
     }
@@ -119,17 +118,17 @@ fn stretch(word: usize, width: usize) -> Range<usize> {
 }
 
 /// Returns a bit for each rough cell of a stretch.
-fn blocks(row: &RoughRow, word: usize) -> u64 {
+fn rough_cells(row: &RoughRow, word: usize) -> u64 {
     let tile = row[word / (TILE_WIDTH / STRETCH)];
-    tile >> (BLOCKS * word % (TILE_WIDTH / CELL)) & ((1 << BLOCKS) - 1)
+    tile >> (CELLS * word % (TILE_WIDTH / CELL)) & ((1 << CELLS) - 1)
 }
 
 /// Marks the edges between two lines of pixels, in the cells whose bits are set.
 #[inline(never)]
-fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
+fn mark(line: &[u32], other: &[u32], cells: u64) -> u64 {
     let mut marks = 0;
-    each(blocks, |block| {
-        let (start, end) = (CELL * block, CELL * (block + 1));
+    each(cells, |cell| {
+        let (start, end) = (CELL * cell, CELL * (cell + 1));
         marks |= match (line.get(start..end), other.get(start..end)) {
             (Some(a), Some(b)) => edges(a, b) << start,
             _ => {
@@ -158,17 +157,17 @@ fn mark_stretch(
     marks[0] = above[word];
     for y in 0..rows {
         let rough = &band.rough[y / CELL];
-        let here = blocks(rough, word);
+        let here = rough_cells(rough, word);
         // The last pixel of a cell is adjacent to the next cell.
         let next = if word + 1 < MAX_STRETCHES {
-            blocks(rough, word + 1) & 1
+            rough_cells(rough, word + 1) & 1
         } else {
             0
         };
-        let beside = here | here >> 1 | next << (BLOCKS - 1);
-        marks[ROWS * y + 1] = mark(&line(y)[stretch.clone()], &line(y)[right.clone()], beside);
+        let adjacent = here | here >> 1 | next << (CELLS - 1);
+        marks[ROWS * y + 1] = mark(&line(y)[stretch.clone()], &line(y)[right.clone()], adjacent);
         marks[ROWS * y + 2] = if y + 1 < rows {
-            let both = here | blocks(&band.rough[(y + 1) / CELL], word);
+            let both = here | rough_cells(&band.rough[(y + 1) / CELL], word);
             mark(
                 &line(y)[stretch.clone()],
                 &line(y + 1)[stretch.clone()],
@@ -180,7 +179,6 @@ fn mark_stretch(
     }
 }
 
-/// Marks the edges between two rows of a cell.
 #[inline(always)]
 fn edges(a: &[u32], b: &[u32]) -> u64 {
     let [a, b]: [u8x32<Baseline>; 2] =
@@ -195,7 +193,6 @@ pub(super) fn is_edge(a: u32, b: u32) -> bool {
     channels.any(|(a, b)| a.abs_diff(b) >= EDGE)
 }
 
-/// Traces the points at a band's edges, and blends the pixels.
 fn mix<O: Observer>(
     context: &Context<'_, O>,
     borders: [&RowMarks; 2],
@@ -219,7 +216,6 @@ fn mix<O: Observer>(
         if any == 0 {
             continue;
         }
-        // Points lie up to half a pixel outside.
         let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
         let rect = rectangle(left, above, start + STRETCH, top + height);
         let seen = coverage.visible_groups(coverage.axes.rect(rect));
@@ -241,7 +237,6 @@ fn mix<O: Observer>(
                 (ROWS * top + number).wrapping_sub(1),
             ]
             .map(|at| at.wrapping_mul(PARTS / ROWS));
-            // On the border to the previous stretch.
             if number % ROWS != 0 && before[number / ROWS] != 0 {
                 points.push(x - PARTS, y);
             }
@@ -266,7 +261,6 @@ fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
         let (x, y) = worker.batch.points.position(point);
         let axis = usize::from(x % PARTS == 0);
         let [x, y] = [x, y].map(|at| (at + (PARTS - 1) * (1 - side)) / PARTS);
-        // Pixels before the stretch wrap around.
         let (column, row) = (x.wrapping_sub(left), y.wrapping_sub(band.top));
         if column < STRETCH && row < band.height() {
             let drawn = band.pixels[band.stride * row + x];
@@ -322,7 +316,7 @@ pub(super) fn bisect<O>(
             let mut interval = worker.intervals[i % BATCH];
             let [start, end] = interval.ends;
             let middle = spread(worker.batch.results.sample(i));
-            // The mean of two ends becomes the mean of three points by the trapezoid rule.
+            // From the mean of two to the mean of three points by the trapezoid rule.
             let more = (2 * middle).wrapping_sub(start + end);
             let weight = u64::from(interval.half.unsigned_abs());
             let change = &mut worker.pyramid.scratch()[usize::from(interval.word) % SCRATCH];
@@ -359,13 +353,12 @@ fn colour(channel: impl Fn(usize) -> u64) -> u64 {
     channel(0) | channel(1) << FIELD | channel(2) << (2 * FIELD)
 }
 
-/// Returns a sample's channels in the fields of a change.
+/// Spreads the channels over the fields of a change.
 #[inline(never)]
 fn spread(sample: Sample) -> u64 {
     colour(|number| sample.0 >> (16 * number) & 0xffff)
 }
 
-/// Returns a pixel's channels in the fields of a change.
 #[inline(never)]
 fn widened(pixel: u32) -> u64 {
     colour(|number| u64::from(pixel >> (8 * number) & 0xff) * STEP as u64)

@@ -10,19 +10,17 @@ use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 /// The colours of four adjacent pixels, a word per channel, in 256ths of an output step.
 type Four<S> = u16x16<S>;
 
-/// Filled squares of a row, in pixels of the band.
+/// Filled squares of a row, in pixels of the band. `x` and `y` are the position of square 0.
 pub(super) struct Run<'a> {
-    /// The position of square 0.
     pub x: usize,
     pub y: usize,
     /// At least 1.
     pub level: usize,
-    /// The samples along the upper and lower sides.
     pub above: &'a [u64],
     pub below: &'a [u64],
     pub filled: Bits,
     pub flat: Bits,
-    /// The rounding thresholds. The band's first row is a multiple of four in the picture.
+    /// Rounding thresholds. The band's first row is a multiple of four in the picture.
     pub dither: &'a Dither,
 }
 
@@ -166,11 +164,11 @@ fn four<S: Simd>(simd: S, sample: u64) -> Four<S> {
 /// Returns the increment between two numbers of 128ths over `2^LOG` steps, in 256ths, rounded.
 #[inline(always)]
 fn step<S: Simd, const LOG: u32>(to: Four<S>, from: Four<S>) -> Four<S> {
-    let way: i16x16<S> = (to - from).bitcast();
+    let difference: i16x16<S> = (to - from).bitcast();
     // A single halving is exact; otherwise the rounding term cannot overflow.
     if LOG == 1 {
-        way.bitcast()
+        difference.bitcast()
     } else {
-        (((way >> (LOG - 2)) + 1) >> 1).bitcast()
+        (((difference >> (LOG - 2)) + 1) >> 1).bitcast()
     }
 }

@@ -20,7 +20,6 @@ const BACK: usize = usize::MAX;
 /// Left, right, up, down.
 const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 
-/// The pixel's own, and per side the midpoint and the neighbour's own.
 const POINTS: usize = 1 + 2 * SIDES.len();
 
 impl Probing {
@@ -59,7 +58,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     if plan.probing.count == 0 || size[0] == 0 || plan.coarse >= 2 {
         return;
     }
-    // Probes are far apart, so culling groups would not pay.
+    // Probes are far apart: culling groups would not pay.
     let all = VisibleGroups {
         directly: GroupSet::MAX,
         mirrored: GroupSet::MAX,
@@ -111,15 +110,19 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
 fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize; 2]]) {
     let [x, y] = place;
     batch.points.push_pixel(x, y);
-    for way in sides {
+    for step in sides {
         // A pixel on the picture's border is its own neighbour, without an edge.
-        let beside = [0, 1].map(|i| {
-            let beside = place[i].wrapping_add(way[i]);
-            if beside < size[i] { beside } else { place[i] }
+        let neighbour = [0, 1].map(|i| {
+            let neighbour = place[i].wrapping_add(step[i]);
+            if neighbour < size[i] {
+                neighbour
+            } else {
+                place[i]
+            }
         });
-        let [x, y] = [x + beside[0], y + beside[1]].map(|at| PARTS / 2 * at);
+        let [x, y] = [x + neighbour[0], y + neighbour[1]].map(|at| PARTS / 2 * at);
         batch.points.push(x, y);
-        batch.points.push_pixel(beside[0], beside[1]);
+        batch.points.push_pixel(neighbour[0], neighbour[1]);
     }
 }
 

@@ -47,9 +47,7 @@ pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Verdict {
-    /// The corners' keys are equal.
     pub agreeing: Bits,
-    /// The corners are the same pixel.
     pub flat: Bits,
     /// The corners are the same pixel, or within the limit.
     pub filled: Bits,
@@ -141,7 +139,6 @@ fn corners<S: Simd, V: SimdBase<S>>(
     [above, &above[1..], below, &below[1..]].map(|row| V::from_slice(simd, &row[..V::LEN]))
 }
 
-/// Returns a bit for each square with a patterned corner.
 #[inline(always)]
 fn any_patterned<S: Simd>(simd: S, [a, b, c, d]: [S::u64s; 4]) -> u64 {
     let pattern = (a | b | c | d) & S::u64s::splat(simd, Sample::PATTERN);

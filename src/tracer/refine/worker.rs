@@ -13,7 +13,6 @@ pub struct Worker {
     pub(super) guard: Guard,
     /// The points' indices in the pyramid, or of pixels in the band.
     pub(super) targets: [u32; BATCH],
-    /// A queue of intervals with edges.
     pub(super) intervals: [Interval; BATCH],
     pub(super) found: usize,
 }
@@ -34,7 +33,7 @@ impl Worker {
         workers
     }
 
-    /// Returns empty working memory.
+    /// Returns zeroed memory.
     #[must_use]
     pub const fn new() -> Self {
         // Evaluated at compile time: unoptimised code would build each part on the stack.
@@ -70,13 +69,13 @@ pub(super) const CLUSTER_WIDTH: usize = 4;
 pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 
 pub(super) struct Marks {
-    /// The squares to judge: all of the top level, then the parts of split ones.
+    /// The squares to judge: the top level's, then the parts of split ones.
     pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// The squares that may show something between their corners; before the guard runs, the parts of such squares.
+    /// The squares that may show something between their corners; before the guard runs, their parts.
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Filled squares; single pixels are never filled, so half the rows suffice.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],
-    /// Traced points; the last cluster may extend beyond the rows.
+    /// The last cluster may extend beyond the rows.
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
 
@@ -94,7 +93,7 @@ impl Marks {
 /// The pixels that share a word of marks and a set of visible groups.
 pub(super) const STRETCH: usize = u64::BITS as usize;
 
-/// A part of the line from a pixel's centre to its border that contains an edge.
+/// A part of a pixel's half-axis that contains an edge.
 #[derive(Clone, Copy)]
 pub(super) struct Interval {
     pub ends: [u64; 2],
@@ -102,7 +101,6 @@ pub(super) struct Interval {
     pub start: u32,
     /// Half of its length along its axis, in parts of a pixel.
     pub half: i16,
-    /// The index of the pixel's change.
     pub word: u16,
 }
 
@@ -115,7 +113,7 @@ impl Interval {
     };
 
     pub fn middle(&self) -> u32 {
-        let way = i32::from(self.half) << (16 * (self.word % 2));
-        self.start.wrapping_add_signed(way)
+        let step = i32::from(self.half) << (16 * (self.word % 2));
+        self.start.wrapping_add_signed(step)
     }
 }

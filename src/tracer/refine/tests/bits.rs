@@ -18,7 +18,7 @@ fn is_set(bits: Bits) -> Vec<bool> {
 
 proptest! {
     #[test]
-    fn ends_are_each_bit_and_the_one_after_it(bits in bits()) {
+    fn bits_ends_include_the_next_bit(bits in bits()) {
         let ends = is_set(bits.ends());
         for (i, &end) in ends.iter().enumerate() {
             prop_assert_eq!(end, bits.has(i) || i > 0 && bits.has(i - 1));
@@ -26,14 +26,14 @@ proptest! {
     }
 
     #[test]
-    fn halves_are_each_bit_twice(bits in bits()) {
+    fn bits_halves_repeat_each_bit(bits in bits()) {
         for (i, &half) in is_set(bits.halves()).iter().enumerate() {
             prop_assert_eq!(half, bits.has(i / 2));
         }
     }
 
     #[test]
-    fn every_bit_that_is_set_is_called_for_in_order(bits in bits()) {
+    fn bits_for_each_visits_set_bits_in_order(bits in bits()) {
         let mut called = Vec::new();
         bits.for_each(|i| called.push(i));
         let expected: Vec<usize> = (0..COUNT).filter(|&i| bits.has(i)).collect();
@@ -41,7 +41,7 @@ proptest! {
     }
 
     #[test]
-    fn bits_in_a_range_are_called_for_and_no_others(
+    fn bits_for_each_in_visits_only_the_range(
         bits in bits(),
         first in 0..COUNT as i32,
         last in -1..COUNT as i32,

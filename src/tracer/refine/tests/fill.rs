@@ -12,7 +12,7 @@ extern crate std;
 
 proptest! {
     #[test]
-    fn filled_squares_are_interpolated_to_a_step_and_end_with_the_picture(
+    fn fill_is_bilinear_and_clipped_to_the_picture(
         level in 1_usize..=5,
         corners in [[sample(), sample()], [sample(), sample()]],
         is_flat in any::<bool>(),

@@ -55,7 +55,7 @@ fn two_rows(level: usize, corners: &[[(Sample, u32); 2]]) -> Box<Pyramid> {
 
 proptest! {
     #[test]
-    fn samples_are_within_a_limit_as_far_as_their_channels_are(
+    fn limit_compares_all_channels(
         a in sample(),
         b in sample(),
         limit in 0_i32..=32_767,

@@ -10,7 +10,7 @@ extern crate std;
 
 proptest! {
     #[test]
-    fn a_level_needs_the_corners_of_its_squares_and_no_other_points(
+    fn level_points_are_the_corners_of_its_squares(
         level in 0_usize..=5,
         squares in proptest::collection::vec(any::<u64>(), 1..5),
     ) {

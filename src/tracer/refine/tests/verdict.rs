@@ -28,7 +28,7 @@ extern crate std;
 
 proptest! {
     #[test]
-    fn each_square_of_a_row_gets_the_verdict_that_it_gets_alone(
+    fn verdict_on_rows_equals_single_squares(
         level in 1_usize..=5,
         columns in proptest::collection::vec([(sample(), 0_u32..2), (sample(), 0_u32..2)], 2..17),
         squares in any::<u64>(),

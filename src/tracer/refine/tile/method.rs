@@ -1,7 +1,6 @@
 //! The method's overlay: traced points and filled squares, drawn over the picture.
 //!
-//! Points on a band's first row are marked if this band traced them; the band above may have traced them too. An exhaustive frame has no
-//! marks.
+//! Points on a band's first row are marked if this band traced them; the band above may have traced them too.
 
 use super::Tile;
 use crate::observe::Observer;

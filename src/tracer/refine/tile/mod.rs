@@ -100,10 +100,10 @@ impl<O: Observer> Tile<'_, '_, O> {
             if plan.quality.guarded {
                 let worker = &mut *self.worker;
                 let squares = Squares::new(*world, coverage, &self.area, &worker.pyramid, level);
-                let asked = &worker.marks.squares[level];
+                let all = &worker.marks.squares[level];
                 worker
                     .guard
-                    .look(&squares, asked, &mut worker.marks.open[level]);
+                    .look(&squares, all, &mut worker.marks.open[level]);
             }
             for y in 0..self.area.rows(level) {
                 self.fill_row(level, y);
@@ -144,7 +144,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
         let squares = marks.squares[level][y] & !marks.open[level][y];
         let open = marks.squares[level][y] & marks.open[level][y];
-        self.tell_split(level, y, open, Split::Uncovered);
+        self.report_split(level, y, open, Split::Uncovered);
         let mut verdict = Verdict::NONE;
         if is_coarse {
             verdict = Verdict::coarse(squares);
@@ -165,12 +165,12 @@ impl<O: Observer> Tile<'_, '_, O> {
                 } else {
                     Fill::Bilinear
                 };
-                self.tell(level, x, y, fill);
+                self.report(level, x, y, fill);
             });
         }
         let split = squares & !(verdict.filled | patterned);
-        self.tell_split(level, y, split & verdict.agreeing, Split::Colours);
-        self.tell_split(level, y, split & !verdict.agreeing, Split::Keys);
+        self.report_split(level, y, split & verdict.agreeing, Split::Colours);
+        self.report_split(level, y, split & !verdict.agreeing, Split::Keys);
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
         if side == CELL {
             self.note_rough(level, y, verdict.filled);
@@ -226,11 +226,11 @@ impl<O: Observer> Tile<'_, '_, O> {
             marks.open[part][row] = open;
         }
         if O::LISTENS && part == 0 {
-            split.for_each(|x| self.tell(level, x, y, Fill::Points));
+            split.for_each(|x| self.report(level, x, y, Fill::Points));
         }
     }
 
-    fn tell_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
+    fn report_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
         if O::LISTENS {
             let [left, top] = [self.area.left, self.area.top + (y << level)];
             let observer = self.context.observer;
@@ -238,7 +238,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    fn tell(&self, level: usize, x: usize, y: usize, fill: Fill) {
+    fn report(&self, level: usize, x: usize, y: usize, fill: Fill) {
         let side = 1 << level;
         let (x, y) = (self.area.left + x * side, self.area.top + y * side);
         self.context.observer.square(x, y, side, side, fill);

@@ -1,7 +1,5 @@
-//! Squares of one patterned object: light is interpolated, and the pattern is evaluated at every pixel.
-//!
-//! A traced point is `rest + share * untextured` (see [`Layers`]). Both layers are interpolated; the share is the pattern's factor where
-//! the pixel's ray hits the object. So the pattern's edges are as sharp as traced ones.
+//! Squares of one patterned object. A traced point is `rest + share * untextured` (see [`Layers`]). Both layers are interpolated; the share
+//! is the pattern's factor at the hit of each pixel's ray. So the pattern's edges are as sharp as traced ones.
 
 use super::Tile;
 use crate::grid::{Bits, Pyramid};
@@ -13,8 +11,8 @@ use crate::trace::{Layers, STEP, Sample, SeenPattern};
 use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Fills the squares of a row whose corners all show one patterned object and whose layers are within the tolerance, and returns them.
-    /// Removes all squares of a patterned object from the verdict.
+    /// Fills the squares of a row that show one patterned object with layers within the tolerance, and returns them. Removes all squares of
+    /// a patterned object from the verdict.
     pub(super) fn fill_patterned(&mut self, level: usize, y: usize, verdict: &mut Verdict) -> Bits {
         let mut filled = Bits::NONE;
         verdict.patterned.for_each(|x| {
@@ -44,12 +42,12 @@ impl<O: Observer> Tile<'_, '_, O> {
             // The traced corner keeps its exact bits.
             self.put(left, top, corner);
             filled.set(x);
-            self.tell(level, x, y, Fill::Patterned);
+            self.report(level, x, y, Fill::Patterned);
         });
         filled
     }
 
-    /// Interpolates the corners' layers over the square at (left, top) of the band, and evaluates the pattern per pixel.
+    /// Interpolates the corners' layers over the square at (left, top) of the band.
     #[inline(never)]
     fn interpolate(
         &mut self,

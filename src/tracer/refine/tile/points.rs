@@ -13,7 +13,7 @@ use core::array;
 const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Finds the points of a level: the corners of its squares, or pixels at level 0.
+    /// Finds the points of a level: its squares' corners, or pixels at level 0.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
         let quality = &self.context.plan.quality;
         let squares = self.area.rows(level);
@@ -28,7 +28,7 @@ impl<O: Observer> Tile<'_, '_, O> {
                 } else {
                     Bits::NONE
                 };
-                self.take_over(level, y, points & known);
+                self.copy_known(level, y, points & known);
                 points = points & !known;
                 if quality.tolerance_side > 0.0 {
                     let open = &self.worker.marks.open[level];
@@ -95,7 +95,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 
     /// Copies points from the level above, at half their coordinates.
-    fn take_over(&mut self, level: usize, y: usize, points: Bits) {
+    fn copy_known(&mut self, level: usize, y: usize, points: Bits) {
         let has_patterns = self.context.world.has_patterns;
         let row = Pyramid::index(level + 1, 0, y / 2);
         points.for_each(|x| {
@@ -118,7 +118,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     fn average(&mut self, level: usize, y: usize, points: Bits, limit: Limit) -> Bits {
         let mut averaged = Bits::NONE;
         // In even rows, midpoints lie between two columns of the level above; in odd rows, between two rows.
-        let (middles, way) = if y.is_multiple_of(2) {
+        let (middles, step) = if y.is_multiple_of(2) {
             (!Bits::EVEN, 1)
         } else {
             (Bits::EVEN, Pyramid::stride(level + 1))
@@ -126,7 +126,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let start = Pyramid::index(level + 1, 0, y / 2);
         (points & middles).for_each(|x| {
             let pyramid = &mut self.worker.pyramid;
-            let (from, to) = (start + x / 2, start + x / 2 + way);
+            let (from, to) = (start + x / 2, start + x / 2 + step);
             let (a, b) = (pyramid.sample(from), pyramid.sample(to));
             let key = pyramid.keys[from];
             // The ends do not determine a pattern at the midpoint.
@@ -165,7 +165,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let shows = |which: &[bool]| sample.object().is_some_and(|id| which[id.index()]);
             let mut key = batch.results.key(i);
             if plan.glitters && shows(&world.glitters) {
-                // Unique to this point.
+                // Unique.
                 key = (y << 16 | x) as u32;
             }
             if has_patterns && batch.results.is_fine(i) {
@@ -175,13 +175,13 @@ impl<O: Observer> Tile<'_, '_, O> {
             pyramid.put(target, sample, key);
         }
         if O::LISTENS {
-            self.tell_points();
+            self.report_points();
         }
         self.worker.batch.points.clear();
     }
 
-    /// Reports the batch's points to the observer. Traces each point again to count its rays; the batch's counts stay unchanged.
-    fn tell_points(&mut self) {
+    /// Traces each point of the batch again to report its rays. The batch's counts stay unchanged.
+    fn report_points(&mut self) {
         let batch = &mut self.worker.batch;
         let mut pixels = [(0, 0); BATCH];
         let count = batch.points.len();
