@@ -2,8 +2,7 @@
 //! highlights.
 //!
 //! A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split while it meets a conservative bound of something that its
-//! corners do not show. The parts of a cleared square stay cleared. An outline wider than the square covers a corner of every part that it
-//! crosses, so one such corner clears the square. An outline thinner than one and a half sides keeps it open down to pixels, unless all
+//! corners do not show. The parts of a cleared square stay cleared. An outline wider than the square covers a corner of each part that it crosses, so one such corner clears the square. An outline thinner than one and a half sides keeps it open down to pixels, unless all
 //! four corners show it.
 //!
 //! | kind | bound | a square may be filled if | file |
@@ -39,7 +38,7 @@
 //! - Wider things can have holes of up to 8 pixels, as far as tests show: at a corner, and in a narrow visible strip of a sunken log.
 //!
 //! `cargo lab missed` counts the rest: gaps, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions. Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit
-//! (`few_pixels_of_shadows_are_lit`).
+//! (`tests/image/errors.rs`).
 
 mod guard;
 mod highlight;

@@ -254,7 +254,7 @@ fn mix<O: Observer>(
     }
 }
 
-/// Adds the batch's midpoints to the changes of the pixels on both sides, within the stretch from column `left`. Clears the batch.
+/// Adds the batch's midpoints to the changes of both pixels, within the stretch from column `left`. Clears the batch.
 fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
     for i in 0..2 * worker.batch.points.len() {
         let (point, side) = (i / 2, i % 2);

@@ -37,7 +37,7 @@ impl Probing {
 
 /// Returns element `index` of a random permutation of the numbers below `count`.
 fn shuffled(mut index: u32, count: u32) -> u32 {
-    // Each step permutes the numbers below a power of two; numbers from `count` on are skipped.
+    // Permutes the numbers below a power of two; skips numbers from `count` on.
     let mask = count.next_power_of_two() - 1;
     loop {
         for _ in 0..3 {

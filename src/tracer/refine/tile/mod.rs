@@ -73,8 +73,8 @@ pub(super) struct Tile<'a, 'b, O: Observer> {
     pub band: &'a mut Band<'b>,
 }
 
-/// The range of the share of split top-level squares from uncrowded to fully crowded. No tile of the model scene at 1024x768 is crowded; in
-/// a field of 256 spheres most are.
+/// The share of split top-level squares, from uncrowded to crowded tiles. The model scene at 1024x768 has no crowded tile; a field of 256
+/// spheres has many.
 const CROWDED: Range<f32> = 0.7..0.9;
 
 impl<O: Observer> Tile<'_, '_, O> {
