@@ -90,11 +90,11 @@ fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2],
 fn fields_and_crowds_are_as_traced() {
     for (count, time) in [(4, 0.0), (64, 3.0), (256, 9.0), (320, 1.0)] {
         let what = format!("a field of {count} at {time} s");
-        assert_traced(&show::field(count, time), [240, 180], &what);
+        assert_traced(&show::field(count, time), [160, 120], &what);
     }
     for (seed, counts) in [[320, 64], [130, 0], [0, 64]].into_iter().enumerate() {
         let scene = crowd(&mut Random::new(seed as u64), counts, [0.0, 0.3]);
-        assert_traced(&scene, [240, 180], &format!("a crowd of {counts:?}"));
+        assert_traced(&scene, [160, 120], &format!("a crowd of {counts:?}"));
     }
 }
 
@@ -182,9 +182,9 @@ fn no_ray_is_lost_at_any_depth() {
             ..Quality::EXHAUSTIVE
         };
         for (scene, is_whole) in [(&whole, true), (&broken, false)] {
-            let frame = Frame::new(scene, &quality, 75, 50);
+            let frame = Frame::new(scene, &quality, 48, 32);
             let expected = frame.total(|point| point.rays);
-            for (isa, drawn) in draw_by_all(scene, &quality, 75, 50) {
+            for (isa, drawn) in draw_by_all(scene, &quality, 48, 32) {
                 let what = format!("depth {depth} by {}", isa.name);
                 let Counts { points, rays, .. } = drawn.counts;
                 let off = rays.abs_diff(expected);
@@ -229,7 +229,7 @@ fn spheres_around_lights_and_cameras_match() {
 
 #[test]
 fn random_scenes_are_as_traced_and_refined() {
-    for mut random in cases(48) {
+    for mut random in cases(32) {
         let what = format!("case {}", random.seed);
         let scene = Kinds::SPHERES.scene(&mut random);
         assert_traced(&scene, [96, 72], &what);

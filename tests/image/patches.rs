@@ -51,7 +51,7 @@ fn hold(times: impl Iterator<Item = f32>) {
 
 #[test]
 fn show_worst_frames_have_small_patches() {
-    hold([7.1, 50.1, 66.1, 86.1].into_iter());
+    hold([66.1, 86.1].into_iter());
 }
 
 #[test]

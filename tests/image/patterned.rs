@@ -51,7 +51,7 @@ fn patterned(random: &mut Random) -> Scene {
 fn patterns_are_right_at_any_distance() {
     let mut worst = f64::INFINITY;
     let (mut points, mut plainly) = (0, 0);
-    for mut random in cases(60) {
+    for mut random in cases(40) {
         let isa = isa_of(random.seed);
         let scene = patterned(&mut random);
         let draw = |scene: &Scene, quality| draw(isa, 2, scene, &quality, 480, 270);

@@ -26,6 +26,10 @@ fn threads_order_observers_and_probes_change_no_bit() {
     // Two tiles and three bands.
     let (width, height) = (531, 70);
     let others = [2, 32].map(|side| of_side(side, Quality::DEFAULT));
+    let mut threads = Backwards(Worker::several(2));
+    let mut backwards = Renderer::new(cpu::best().level);
+    let mut probing = ThreadedRenderer::new(2);
+    probing.set_probes(3000, 11);
     for scene in [show::field(100, 3.0), of_the_show(50.0)] {
         for quality in REFINEMENTS.into_iter().chain(others) {
             for isa in cpu::instruction_sets() {
@@ -39,22 +43,13 @@ fn threads_order_observers_and_probes_change_no_bit() {
                     assert_same(&more.pixels, more.counts, &format!("{threads} threads"));
                 }
                 let mut pixels = vec![1; width * height];
-                let mut renderer = Renderer::new(isa.level);
-                let mut threads = Backwards(Worker::several(2));
+                backwards.set_level(isa.level);
                 let frame = whole(width, &mut pixels);
-                let counts = renderer.render(&scene, &quality, frame, &mut threads);
+                let counts = backwards.render(&scene, &quality, frame, &mut threads);
                 assert_same(&pixels, counts.expect("a valid scene"), "backwards");
-                let mut renderer = ThreadedRenderer::new(2);
-                renderer.set_probes(3000, 11);
                 let record = Record::default();
-                let counts = renderer.draw_observed(
-                    isa.level,
-                    &scene,
-                    &quality,
-                    width,
-                    &mut pixels,
-                    &record,
-                );
+                let counts =
+                    probing.draw_observed(isa.level, &scene, &quality, width, &mut pixels, &record);
                 assert_same(&pixels, counts, "observed and probed");
                 // Observers are not told of points that antialias edges.
                 let (heard, _) = record.0.into_inner().unwrap();
