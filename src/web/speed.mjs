@@ -1,7 +1,9 @@
-// Measures the time of one thread for frames of the model scene, of each quality, by the native program with SSE2 and by WebAssembly
-// with and without SIMD: node speed.mjs SITE PROGRAM, the page's folder and target/release/examples/speed. It is processor time, which
-// other programs on the machine hardly lengthen, and counts making the scene. All take turns, frame by frame. Then it measures frames of
-// the show's scenes.
+// Measures the processor time of one thread for frames of the model scene, scene construction included, at each quality: by the native
+// program with SSE2, and by WebAssembly with and without SIMD, in turns. Then it measures frames of the show's scenes.
+//
+//     node speed.mjs SITE PROGRAM
+//
+// SITE is the page's folder, PROGRAM is target/release/examples/speed.
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -16,7 +18,7 @@ const SHOW = { width: 1280, height: 720, step: 0.25 };
 
 const load = async (name) => (await WebAssembly.instantiate(gunzipSync(readFileSync(join(site, `${name}.bin`))))).instance.exports;
 
-/** Has the native program draw a frame. Returns its milliseconds. */
+/** Draws a frame by the native program. Returns its milliseconds. */
 const native = (() => {
   const { stdin, stdout } = spawn(program, { stdio: ["pipe", "pipe", "inherit"] });
   const lines = createInterface({ input: stdout })[Symbol.asyncIterator]();
@@ -44,7 +46,7 @@ const text = new TextDecoder().decode(new Uint8Array(modules[0].memory.buffer, m
 const { qualities, scenes, length, ...about } = JSON.parse(text.slice(0, text.indexOf("\0")));
 const ways = [native, ...modules.map((exports) => byModule(exports))];
 const times = qualities.map(() => ways.map(() => []));
-// The first frames are drawn while the engine still compiles.
+// The engine still compiles during the first frames.
 for (let frame = -10; frame < FRAMES; frame++) {
   for (const place of qualities.keys()) {
     for (const [way, draw] of ways.entries()) {
@@ -56,7 +58,7 @@ for (let frame = -10; frame < FRAMES; frame++) {
 console.log("| quality | native, SSE2 | WebAssembly, SIMD128 | to native | without SIMD | to native |\n| --- | ---: | ---: | ---: | ---: | ---: |");
 qualities.forEach((quality, place) => {
   const [own, ...others] = times[place].map(median);
-  // Of each frame, since what disturbs one disturbs its neighbour.
+  // The ratio of each frame, as disturbances last longer than a frame.
   const cells = others.map((time, other) => `${time.toFixed(1)} | ${median(times[place][other + 1].map((time, i) => time / times[place][0][i])).toFixed(2)}`);
   console.log(`| ${quality} | ${own.toFixed(1)} | ${cells.join(" | ")} |`);
 });

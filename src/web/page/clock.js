@@ -1,46 +1,46 @@
-// The time of the show: the sound's, or the computer's where there is no sound.
+// The show's time: the sound's, or the computer's without sound.
 
-/** Milliseconds in which a device has to begin, or to go on. */
+/** Milliseconds in which a device has to start or resume. */
 const PATIENCE = 2000;
 
-/** The longest time in seconds from making a sample to hearing it: wireless headphones need a third of it. */
+/** The maximum latency of sound in seconds: wireless headphones have a third of a second. */
 const LATENCY = 1;
 
 /**
- * Whether a browser may be asked for the time that is heard. Firefox 153 on Linux holds a lock while it asks PulseAudio, which may wait for
- * a sample that waits for that lock: then the page hangs for ever.
+ * Whether to ask the browser for the audible time. Firefox 153 on Linux holds a lock while it asks PulseAudio, which may wait for a sample
+ * that waits for the same lock: a deadlock.
  */
 const CAN_BE_ASKED = !/Linux.*Firefox/.test(navigator.userAgent);
 
 export class Clock {
-  /** Is called when the sound stops, goes on, is lost or is there again without this page's doing. */
+  /** Called when the sound stops, resumes, is lost or returns without an action of this page. */
   onChange = () => {};
 
-  /** `code` are the module's bytes, for the thread of the sound; `rate` is its samples a second. */
+  /** `code` are the module's bytes for the sound thread; `rate` is its sampling rate. */
   constructor(code, rate) {
     this.code = code;
     this.rate = rate;
-    /** Whether somebody wants the show to play, and whether the sound is being started for it. */
+    /** Whether the viewer wants the show to play, and whether its sound is starting. */
     this.isWanted = false;
     this.isStarting = false;
     /** The show's time at a time of the source, both in seconds. */
     this.from = { show: 0, source: 0 };
-    /** The show's time while it stands, as it does while the sound `isMoving` there. */
+    /** The show's time while it is paused, even if the sound `isMoving`. */
     this.still = 0;
     this.isMoving = false;
     this.hasSound = false;
-    /** The latest time of the sound that was heard, in seconds. */
+    /** The latest time of audible sound, in seconds. */
     this.heard = 0;
-    /** The context's time, and the millisecond since which it is the same. */
+    /** The context's time, and the millisecond since which it has been unchanged. */
     this.seen = { time: 0, since: 0 };
   }
 
-  /** Whether the time goes on. A browser may stop the sound, for a call or another tab: then the time stops with it. */
+  /** Whether time advances. A browser may stop the sound, for a call or another tab: then time stops too. */
   get isPlaying() {
     return this.isWanted && !(this.hasSound && this.context.state !== "running");
   }
 
-  /** Opens the sound, once: only after a click or a key, as browsers have it. Fails where there is none. */
+  /** Opens the sound, once. Browsers require a click or a key before. Fails without a device. */
   open() {
     return (this.opening ??= this.begin().catch((error) => {
       this.opening = undefined;
@@ -58,7 +58,7 @@ export class Clock {
       processorOptions: { code: this.code },
     });
     node.port.onmessage = ({ data }) => {
-      // Unless it was sent elsewhere meanwhile.
+      // Unless the viewer has seeked meanwhile.
       if (!this.hasSound || data.position !== this.wanted) return;
       this.from = { show: data.position / this.rate, source: data.context };
       this.isMoving = false;
@@ -70,7 +70,7 @@ export class Clock {
     this.seek(this.time());
   }
 
-  /** The time of the source: of the sample that is heard now. */
+  /** The source's time of the sample that is audible now. */
   source() {
     if (!this.hasSound) return performance.now() / 1000;
     const { currentTime, state } = this.context;
@@ -78,7 +78,7 @@ export class Clock {
     const { contextTime, performanceTime } = (CAN_BE_ASKED && this.context.getOutputTimestamp?.()) || {};
     const present = performance.now();
     const heard = contextTime + (present - performanceTime) / 1000;
-    // WebKit gives times in the future, or in other units, and Chromium an old one after the context was suspended.
+    // WebKit returns times in the future or in other units, Chromium an old one after the context was suspended.
     const isTrue = contextTime > 0 && performanceTime < present + 10 && heard > currentTime - LATENCY && heard < currentTime;
     this.heard = Math.max(this.heard, isTrue ? heard : currentTime);
     return this.heard;
@@ -90,7 +90,7 @@ export class Clock {
     return this.position();
   }
 
-  /** Goes on without a sound that stands still though it runs, and with it once it moves again. */
+  /** Continues without a sound that is stuck, and with it again once it advances. */
   watch() {
     const { currentTime, state } = this.context;
     const present = performance.now();
@@ -109,7 +109,7 @@ export class Clock {
     return isStill ? this.still : Math.max(this.from.show, this.from.show + this.source() - this.from.source);
   }
 
-  /** Goes on. Where the browser has no device for sound, which it does not say, it goes on without any. */
+  /** Resumes. Browsers do not report a missing device: the show then continues without sound. */
   async play() {
     this.still = this.time();
     this.isWanted = this.isStarting = true;
@@ -117,15 +117,15 @@ export class Clock {
     if (this.context) this.hasSound = await this.resume();
     this.isStarting = false;
     if (!this.isWanted) return this.context?.suspend();
-    // A sound that was stopped goes on where it was.
+    // Stopped sound resumes where it was.
     if (!hadSound || !this.hasSound) this.seek(this.still);
   }
 
-  /** Has the context run. Returns whether it does within some time. */
+  /** Resumes the context. Returns whether it runs within some time. */
   async resume() {
     const { context } = this;
     const start = context.currentTime;
-    // It fails while something else has the device.
+    // This fails while another program uses the device.
     context.resume().catch(() => {});
     for (let waited = 0; context.currentTime === start && waited < PATIENCE; waited += 20) {
       await new Promise((resolve) => setTimeout(resolve, 20));
@@ -140,14 +140,14 @@ export class Clock {
     this.context?.suspend();
   }
 
-  /** Keeps to a context that was stopped, or runs, without this page's doing. */
+  /** Follows a context that stops or runs without an action of this page. */
   follow() {
     if (this.isStarting) return;
     if (this.isWanted) this.onChange();
     else if (this.context.state === "running") this.context.suspend();
   }
 
-  /** Goes to a time of the show. */
+  /** Seeks to a time of the show. */
   seek(show) {
     this.still = show;
     this.from = { show, source: this.source() };
@@ -156,7 +156,7 @@ export class Clock {
     if (this.hasSound) this.node.port.postMessage(this.wanted);
   }
 
-  /** Has the sound be heard, or not. */
+  /** Unmutes or mutes the sound. */
   set isMuted(isMuted) {
     if (this.volume) this.volume.gain.value = isMuted ? 0 : 1;
   }

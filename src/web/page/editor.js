@@ -1,12 +1,12 @@
-// The text of a scene file, which is shown as it is typed.
+// The editor of a scene file, which is drawn as it is typed.
 
 const get = (id) => document.getElementById(id);
 
-/** The message about a fault: the file, the line, the column, and what is wrong. */
+/** The parts of an error: file, line, column, message. */
 const FAULT = /^scene:(\d+):(\d+): ([^]*)$/;
 
 export class Editor {
-  /** `module` reads what is typed; `show` is called when it has no fault. */
+  /** `module` parses the text; `show` is called if it is valid. */
   constructor(module, show) {
     Object.assign(this, { module, show });
     get("scene-text").addEventListener("input", () => this.take());
@@ -21,12 +21,12 @@ export class Editor {
   /** Loads an example. */
   async load(name) {
     const text = await (await fetch(new URL(`scenes/${name}.ron`, import.meta.url))).text();
-    // Unless another text has come from the address meanwhile.
+    // Unless a text from the address has replaced it meanwhile.
     if (get("scene-name").value === name && !this.isShared) get("scene-text").value = text;
     this.isShared = false;
   }
 
-  /** Shows what is typed, or what is wrong with it. */
+  /** Shows the scene, or the error. */
   take() {
     const message = this.module.read(this.text);
     const [, line, column, what] = FAULT.exec(message) ?? [];
@@ -35,14 +35,14 @@ export class Editor {
     if (!message) this.show();
   }
 
-  /** The text for an address: compressed, in the letters of base64url. */
+  /** Returns the text for an address, compressed and in base64url. */
   async packed() {
     const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(this.text));
     const letters = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
     return letters.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
   }
 
-  /** Takes the text of an address. */
+  /** Reads the text of an address. */
   async unpack(letters) {
     this.isShared = true;
     try {
@@ -55,7 +55,7 @@ export class Editor {
   }
 }
 
-/** Bytes after a transformation. */
+/** Transforms bytes. */
 async function through(stream, bytes) {
   const transformed = new Blob([bytes]).stream().pipeThrough(stream);
   return new Uint8Array(await new Response(transformed).arrayBuffer());

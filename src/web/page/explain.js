@@ -1,27 +1,27 @@
-// What explains the method: a picture of each of its steps, and a plot of what speed costs, both made in this browser.
+// Explains the method: a picture of each step, and a plot of the cost of speed, both made in this browser.
 
 import { bytesOf, decibels, squaredError } from "./frames.js";
 
-/** The second of the model scene that is shown, and the pictures' sizes. */
+/** The second of the model scene, and the pictures' sizes. */
 const TIME = 2;
 const STEP = { width: 224, height: 168 };
 const MEASURED = { width: 640, height: 360 };
 
-/** How often a quality is timed. The least time counts: it is what other programs have lengthened least. */
+/** The number of timings of each quality; the minimum counts, as other programs disturb it least. */
 const TAKES = 9;
 
 /** The plot's frame: left, right, top, bottom. */
 const PLOT = { left: 34, right: 310, top: 8, bottom: 152 };
 
-/** Waits until the browser has time, and nothing plays. */
+/** Waits until the browser is idle and the show paused. */
 async function idle(isIdle) {
   do await new Promise((resolve) => setTimeout(resolve, 50));
   while (!isIdle() || document.hidden);
 }
 
 /**
- * Explains the method by frames of its own. `quality`, `isIdle` and `isQuiet` tell the page's quality, whether nothing plays, and
- * whether no probes are traced either.
+ * Explains the method by frames of its own. `quality`, `isIdle` and `isQuiet` return the page's quality, whether the show is paused, and
+ * whether there are no probes either.
  */
 export function explain({ about, frames, quality, isIdle, isQuiet }) {
   const pictures = [...document.querySelectorAll("#steps canvas")];
@@ -39,14 +39,14 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
     }
   }
 
-  /** Draws a frame when nothing else is done. */
+  /** Draws a frame when the workers are idle. */
   async function draw(change) {
     await idle(() => isIdle() && isQuiet());
     const frame = await frames.draw(order({ ...change, ...MEASURED }));
     return { milliseconds: frame.milliseconds, bytes: bytesOf(frame) };
   }
 
-  /** Measures each quality that fills squares against what it would be if every pixel were traced; all of them take turns. */
+  /** Measures each quality that fills squares against tracing every pixel, in turns. */
   async function measure() {
     const points = about.qualities.slice(1).map((_, i) => ({ place: i + 1, slow: Infinity, fast: Infinity }));
     for (let take = 0; take < TAKES; take++) {
@@ -66,7 +66,7 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
       `Just measured, by one worker: the second scene at ${MEASURED.width}x${MEASURED.height}, against every pixel traced with the same edges.`;
   }
 
-  /** Draws the steps whenever the quality has changed, as soon as there is time. */
+  /** Draws the steps when the quality has changed, as soon as there is time. */
   async function run() {
     for (;;) {
       await idle(isIdle);
@@ -81,7 +81,7 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
 
   run().catch((error) => {
     isOver = true;
-    get("front-note").textContent = `Nothing can be measured: ${error.why ?? error.message}.`;
+    get("front-note").textContent = `The measurement failed: ${error.why ?? error.message}.`;
   });
   return {
     setQuality(place) {
@@ -89,17 +89,17 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
       mark(front, about, place);
     },
     front: () => front,
-    /** Whether there is something to draw before nothing plays. */
+    /** Whether there is something to draw before the show is paused. */
     isBusy: () => !isOver && (isAsked || front.length === 0),
   };
 }
 
 const get = (id) => document.getElementById(id);
 
-/** The least and the largest of some numbers, rounded outwards to a multiple of a step. */
+/** The range of some numbers, rounded outwards to a multiple of a step. */
 const range = (numbers, step) => [Math.floor(Math.min(...numbers) / step) * step, Math.ceil(Math.max(...numbers) / step) * step];
 
-/** How a front is laid out: the ranges of its axes, and where a point is. */
+/** The layout of a front: the ranges of its axes, and a point's position. */
 function layout(front) {
   const { left, right, top, bottom } = PLOT;
   const speeds = range([1, ...front.map(({ speed }) => speed)], 1);
@@ -109,7 +109,7 @@ function layout(front) {
   return { speeds, accuracies, x, y };
 }
 
-/** Plots the front, with the present quality marked. */
+/** Plots the front, and marks the current quality. */
 function plot(front, about, present) {
   const { left, right, top, bottom } = PLOT;
   const { speeds, accuracies, x, y } = layout(front);
@@ -130,7 +130,7 @@ function plot(front, about, present) {
   mark(front, about, present);
 }
 
-/** Moves the mark to a quality. That which traces every pixel has no error, and is at the plot's upper edge. */
+/** Moves the mark to a quality. Tracing every pixel has no error, and is at the plot's upper edge. */
 function mark(front, about, place) {
   if (front.length + 1 < about.qualities.length) return;
   const { accuracies, x, y } = layout(front);
@@ -142,7 +142,7 @@ function mark(front, about, place) {
   const name = mark.querySelector("text");
   name.textContent = about.qualities[place] + (place === 0 ? ", without error" : "");
   name.setAttribute("x", isRight ? -8 : 8);
-  // Above the front, which falls, but within the plot.
+  // Above the falling front, but within the plot.
   name.setAttribute("y", place === 0 ? 16 : -8);
   name.setAttribute("text-anchor", isRight ? "end" : "start");
 }

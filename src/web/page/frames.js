@@ -1,20 +1,20 @@
-// Frames, drawn by several workers. Each has rows of its own; the rows beside them, which smoothing takes, it gets from its neighbours.
+// Frames, drawn by several workers. Each has its own rows; its neighbours send the adjacent rows that antialiasing needs.
 
-/** Rows of a band, the least that a worker is given. */
+/** Rows of a band, the minimum share of a worker. */
 export const BAND = 32;
 
 export class Frames {
-  /** Milliseconds after which a worker that has not answered is taken for dead. */
+  /** Milliseconds without an answer after which a worker counts as dead. */
   patience = 20_000;
 
-  /** Starts workers with a compiled module. `complain` is told in a sentence when one of them dies. */
+  /** Starts workers with a compiled module. `complain` gets a sentence when one of them dies. */
   constructor(compiled, count, complain) {
     this.compiled = compiled;
     this.complain = complain;
     this.number = 0;
-    /** For each kind of frame, the milliseconds that each band is expected to take. */
+    /** The expected milliseconds of each band, for each kind of frame. */
     this.costs = new Map();
-    /** The frame that is drawn at last. */
+    /** The last frame. */
     this.last = Promise.resolve();
     this.workers = Array.from({ length: count }, () => this.start());
   }
@@ -29,7 +29,7 @@ export class Frames {
 
   start() {
     const worker = this.open();
-    // One whose script is missing fails before it is asked, and without a message.
+    // A worker whose script is missing fails before its first task, without a message.
     worker.onerror = (event) => {
       event.preventDefault();
       const frame = self.origin === "null" ? " in a sandboxed frame" : "";
@@ -40,13 +40,13 @@ export class Frames {
     return worker;
   }
 
-  /** Has frames of a scene file drawn, which has been found to have no mistake. */
+  /** Draws frames of a valid scene file from now on. */
   setFile(file) {
     this.file = file;
     this.workers.forEach((worker) => worker.postMessage({ file }));
   }
 
-  /** Has a worker draw its part of a pass. Fails when it dies. */
+  /** Makes a worker draw its part of a pass. Fails if it dies. */
   ask(worker, message) {
     return new Promise((resolve, reject) => {
       worker.fail = () => {
@@ -65,8 +65,8 @@ export class Frames {
   }
 
   /**
-   * Draws a frame, once those before are drawn: its parts, each with the first of its rows and their bytes, its figures, and the
-   * milliseconds that it took. Where a worker dies another one is started, and the frame is drawn again.
+   * Draws a frame after the previous ones. Returns its parts, each with its first row and bytes, its figures, and its milliseconds. If a
+   * worker dies, another one is started, and the frame is drawn again.
    */
   draw(order) {
     const frame = this.last.then(() => this.attempts(order));
@@ -118,7 +118,7 @@ export class Frames {
   }
 }
 
-/** Gives workers whose rows follow each other the row above their own, and the one below. */
+/** Sends neighbouring workers the adjacent rows of each other. */
 function exchange(shares) {
   shares.slice(1).forEach((below, i) => {
     const above = shares[i];
@@ -127,7 +127,7 @@ function exchange(shares) {
   });
 }
 
-/** Where bands are cut into so many parts that are expected to take as long as each other: the first band of each, and the end. */
+/** Divides bands into parts of equal expected time. Returns the first band of each, and the end. */
 function divide(costs, count) {
   const total = costs.reduce((sum, cost) => sum + cost, 0);
   const cuts = [0];
@@ -140,7 +140,7 @@ function divide(costs, count) {
   return cuts;
 }
 
-/** Takes in how long workers took for their bands: the mean of the last frames, each of which counts half as much as the next one. */
+/** Updates the expected times of bands: a mean of the last frames, where each counts half of the next one. */
 function learn(costs, shares) {
   for (const { first, end, milliseconds } of shares) {
     const bands = (end - first) / BAND;
@@ -157,10 +157,10 @@ export function bytesOf({ order, parts }) {
   return bytes;
 }
 
-/** The peak signal-to-noise ratio in dB, by a sum of squared errors of so many pixels with three channels. */
+/** Returns the peak signal-to-noise ratio in dB, from the sum of squared errors of some pixels with three channels. */
 export const decibels = (squares, pixels) => 10 * Math.log10((255 * 255 * 3 * pixels) / squares);
 
-/** The squared errors of all channels between two frames. */
+/** Returns the sum of squared errors of all channels between two frames. */
 export function squaredError(a, b) {
   let sum = 0;
   for (let i = 0; i < a.length; i++) sum += (a[i] - b[i]) ** 2;

@@ -1,4 +1,4 @@
-// An instance of the module, with texts that go in and out of its memory.
+// An instance of the module, with texts in its memory.
 
 export class Module {
   /** An instance of what was compiled. */
@@ -8,25 +8,25 @@ export class Module {
     return module;
   }
 
-  /** A view of so many items of memory; it is lost where the memory grows. */
+  /** A view of memory, invalid once the memory grows. */
   view(Kind, address, count) {
     return new Kind(this.calls.memory.buffer, address, count);
   }
 
-  /** A text in memory, up to a zero. */
+  /** Returns a zero-terminated text. */
   text(address) {
     const bytes = this.view(Uint8Array, address);
     return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
   }
 
-  /** Reads a scene file. Returns a sentence that says what is wrong with it, or nothing. */
+  /** Parses a scene file. Returns an error, or an empty text. */
   read(text) {
     const bytes = new TextEncoder().encode(text);
     this.view(Uint8Array, this.calls.room(bytes.length), bytes.length).set(bytes);
     return this.text(this.calls.read_file());
   }
 
-  /** Sets up what is drawn: the size, the scene, how it is explained, and the quality. */
+  /** Sets the size, the scene, the overlay and the quality. */
   begin({ scene, method, quality, isReference, width, height }) {
     if (this.width !== width || this.height !== height) {
       Object.assign(this, { width, height, pixels: this.calls.resize(width, height) });

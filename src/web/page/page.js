@@ -1,4 +1,4 @@
-// The page: plays the show, and shows what its dials do.
+// The page: plays the show and handles its controls.
 
 import { Clock } from "./clock.js";
 import { explain } from "./explain.js";
@@ -8,37 +8,37 @@ import { Module } from "./module.js";
 
 const get = (id) => document.getElementById(id);
 
-/** The widest picture in the page, and in fullscreen: height follows at 16:9. */
+/** The maximum width of the picture, in the page and in fullscreen; the aspect ratio is 16:9. */
 const WIDEST = { page: 1280, fullscreen: 1920 };
 
-/** The frames a second that are held, by the quality and, where the fastest one does not do, by the width: whole or a part of it. */
+/** The frame rate to hold, by the quality and, if the fastest one is too slow, by the width, as a fraction. */
 const HELD = 60;
 const WIDTHS = [1, 0.75, 0.5];
 
-/** Frames in a row that have to be late before they get smaller, and that have to be of the default quality before they get larger. */
+/** Late frames in a row before the size shrinks, and frames of default quality in a row before it grows. */
 const LATE = 30;
 const EARLY = 120;
 
-/** The second whose picture stands behind the button before anything is played. */
+/** The second of the picture behind the start button. */
 const POSTER = 85;
 
-/** Probes of each frame with which a resting picture is measured on, and the half width of the interval in dB that is enough. */
+/** Probes of each frame of a resting picture, and the half width of the interval in dB that ends them. */
 const PROBES = 8192;
 const MARGIN = 0.3;
 
-/** How much brighter an error is shown than it is. */
+/** The factor on displayed errors. */
 const ERROR_SCALE = 8;
 
-/** The side of what the loupe shows, in pixels of the picture. */
+/** The side of the loupe's region, in pixels of the picture. */
 const LOUPE = 24;
 
-/** What an overlay does with the picture: the brightness of points, of squares and of the picture, and coarse squares. */
+/** The overlays: the brightness of points, squares and picture, and the coarseness. */
 const METHODS = { points: [1, 0, 0.25, 0], squares: [0, 0.35, 0.65, 0] };
 
-/** The forms of the button that plays. */
+/** The shapes of the play button. */
 const SHAPES = { play: "M7 4v16l13-8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z" };
 
-/** A module with one instruction of SIMD. */
+/** A module with one SIMD instruction. */
 const SIMD = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11);
 
 const missing = ["WebAssembly", "DecompressionStream", "Worker"].filter((name) => !(name in globalThis));
@@ -54,18 +54,18 @@ const context = canvas.getContext("2d", { alpha: false });
 const frames = new Frames(code.compiled, navigator.hardwareConcurrency || 2, notify);
 const clock = new Clock(code.bytes, about.rate);
 
-/** The width of the next frames, unless they have to be smaller; the canvas has the size of the frame that it shows. */
+/** The maximum width of the next frames; the canvas has the size of its frame. */
 let fullWidth = canvas.width;
 const view = { source: "show", edition: 0, quality: about.default, isHeld: true, width: 0, streak: 0, overlay: "none", handle: 0.5, isPoster: true };
-/** Whether the next frame has to be drawn although nothing plays. */
+/** Whether to draw a frame although the show is paused. */
 let isStale = true;
 let isDrawing = false;
-/** What has been measured of late. */
+/** Recent measurements. */
 const recent = { shown: [], second: 0 };
-/** The sums of the probes of frames that have what `key` says in common. */
+/** The sums of the probes of frames with the same `key`. */
 let probes = { key: "", probed: 0, squares: 0, fourths: 0 };
 
-/** Loads, unpacks and compiles a module. Returns nothing if that fails, and notes why. */
+/** Loads, unpacks and compiles a module. On failure returns nothing and records the reason. */
 async function tryToLoad(name) {
   try {
     const response = await fetch(new URL(name, import.meta.url)).catch(() => {
@@ -81,7 +81,7 @@ async function tryToLoad(name) {
   }
 }
 
-/** Unpacks and compiles a module. Hosts that declare its packing as compressed transfer have had the browser unpack it. */
+/** Unpacks and compiles a module. If the host declares its compression, the browser has already unpacked it. */
 async function unpack(response) {
   let bytes = await response.arrayBuffer();
   const [first, second] = new Uint8Array(bytes);
@@ -91,7 +91,7 @@ async function unpack(response) {
   return { bytes, compiled: await WebAssembly.compile(bytes) };
 }
 
-/** Tells something, for some seconds unless it lasts. */
+/** Shows a message, for some seconds or permanently. */
 function notify(sentence, isLasting = false) {
   const notice = get("notice");
   notice.textContent = sentence;
@@ -100,10 +100,10 @@ function notify(sentence, isLasting = false) {
   if (!isLasting) notify.timer = setTimeout(() => (notice.textContent = ""), 8000);
 }
 
-/** How long what is shown plays, in seconds. */
+/** Returns the length of the show or the scene file in seconds. */
 const length = () => (view.source === "file" ? module.calls.length() : about.length);
 
-/** The frame that is shown at a time, as the dials say. A picture that rests has its full size. */
+/** Returns the frame to draw at a time, by the controls. A resting picture has its full size. */
 function order(time) {
   const share = clock.isPlaying && view.isHeld ? WIDTHS[view.width] : 1;
   const width = Math.round((fullWidth * share) / 16) * 16;
@@ -121,7 +121,7 @@ function order(time) {
 /** The time of the frame that is shown. */
 const now = () => (view.isPoster ? POSTER : Math.min(clock.time(), length() - 0.01));
 
-/** Puts a frame's columns from one on the canvas. */
+/** Puts a frame on the canvas, from the column `from` on. */
 function put({ order: { width, height }, parts }, from = 0) {
   if (canvas.width !== width) Object.assign(canvas, { width, height });
   for (const { bytes, first } of parts) {
@@ -152,7 +152,7 @@ async function show(time) {
   return { ...frame, gain: reference.milliseconds / frame.milliseconds };
 }
 
-/** Shows frames for as long as the page is there. */
+/** Shows frames as long as the page exists. */
 async function run() {
   for (;;) {
     if (clock.isPlaying && clock.time() >= length()) end();
@@ -167,7 +167,7 @@ async function run() {
         giveUp(error);
       }
       isDrawing = false;
-      // What takes longer than a frame of the screen goes on at once.
+      // Late frames continue without a pause.
       if (clock.isPlaying && performance.now() - start > 15 && !document.hidden) continue;
     } else if (!isSettled() && !(view.isPoster && steps.isBusy())) {
       await frames.draw({ ...order(now()), probes: PROBES, seed: Math.floor(probes.probed / PROBES) }).then(probe, giveUp);
@@ -176,7 +176,7 @@ async function run() {
   }
 }
 
-/** Says why no frame can be drawn, and rests. */
+/** Shows why no frame can be drawn, and pauses. */
 function giveUp(error) {
   notify(`A frame can't be drawn: ${error.why ?? error.message}.`, true);
   clock.pause();
@@ -184,7 +184,7 @@ function giveUp(error) {
   tell();
 }
 
-/** Chooses how the next frame is drawn by how long the last one took. */
+/** Chooses the next frame's quality and size by the last one's time. */
 function govern(milliseconds) {
   setQuality(module.calls.governed(milliseconds * 1e6));
   const isLate = view.quality === about.qualities.length - 1 && milliseconds > 1000 / HELD;
@@ -195,25 +195,25 @@ function govern(milliseconds) {
   view.streak = 0;
 }
 
-/** Counts the probes of a frame, anew where it is not of the same picture as the frame before. */
+/** Adds a frame's probes; a new picture starts again. */
 function probe({ order: { scene, quality, width }, probed, squares, fourths }) {
   const key = JSON.stringify([scene.isResting ? scene : scene.kind, quality, width, view.edition]);
   if (key !== probes.key) probes = { key, probed: 0, squares: 0, fourths: 0 };
   probes.probed += probed;
   probes.squares += squares;
   probes.fourths += fourths;
-  // Some overlays are not probed, and where every pixel is traced there is no error.
+  // Some overlays have no probes, and an exhaustive frame has no error.
   probes.isFinal = probed === 0 || quality === 0;
   if (!clock.isPlaying) tellAccuracy();
 }
 
-/** A figure of the probes by the module: `psnr`, or `margin`, the half width of its interval, in dB. */
+/** Returns a figure of the probes from the module: `psnr`, or `margin`, the half width of its interval, in dB. */
 function figure(name) {
   const pixels = clock.isPlaying ? Infinity : canvas.width * canvas.height;
   return module.calls[name](probes.probed, probes.squares, probes.fourths, pixels);
 }
 
-/** Whether a resting picture has been probed enough: at the latest when each of its pixels was probed. */
+/** Returns whether a resting picture has enough probes, at most one for each pixel. */
 function isSettled() {
   const { probed, squares, isFinal } = probes;
   return isFinal || probed >= canvas.width * canvas.height || (squares > 0 && figure("margin") < MARGIN);
@@ -224,7 +224,7 @@ function tellAccuracy() {
   get("accuracy").textContent = probes.squares ? `${figure("psnr").toFixed(1)} ± ${figure("margin").toFixed(1)} dB` : found;
 }
 
-/** Takes in the figures of a frame that was shown, and tells them. */
+/** Records and shows a frame's figures. */
 function measure(frame, milliseconds) {
   const present = performance.now();
   recent.shown = [...recent.shown.filter((time) => present - time < 1000), present];
@@ -239,7 +239,7 @@ function measure(frame, milliseconds) {
   get("rays").textContent = Math.round(frame.rays).toLocaleString("en");
   if (clock.isPlaying) {
     tellAccuracy();
-    // Frames count less the older they are.
+    // Older frames have less weight.
     for (const sum of ["probed", "squares", "fourths"]) probes[sum] /= 1.2;
   }
   const gain = frame.gain ? `, ${frame.gain.toFixed(1)} times as fast` : "";
@@ -247,7 +247,7 @@ function measure(frame, milliseconds) {
   tellTime();
 }
 
-/** Tells the time and the scene of the picture that is shown. */
+/** Shows the picture's time and scene. */
 function tellTime() {
   const time = now();
   const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
@@ -260,7 +260,7 @@ function tellTime() {
   [...get("scenes").children].forEach((button, i) => button.setAttribute("aria-current", i === playing));
 }
 
-/** Has a frame drawn although nothing plays, and the dials say what is so. */
+/** Draws a frame although the show is paused, and updates the controls. */
 function update() {
   isStale = true;
   tell();
@@ -290,13 +290,13 @@ function setQuality(quality) {
   steps.setQuality(quality);
 }
 
-/** Has a quality kept that somebody chose. */
+/** Holds the quality that the viewer chose. */
 function keepQuality(quality) {
   get("held").checked = view.isHeld = false;
   setQuality(quality);
 }
 
-/** Plays, or pauses. The first time it opens the sound. */
+/** Plays or pauses. The first call opens the sound. */
 async function toggle() {
   if (clock.isPlaying || clock.isStarting) {
     clock.pause();
@@ -310,14 +310,14 @@ async function toggle() {
   update();
 }
 
-/** Says that a browser has stopped the sound, or goes on with it. */
+/** Shows that the browser has stopped or resumed the sound. */
 clock.onChange = () => {
   const silence = clock.hasSound ? "" : "There is no sound: its device has stopped.";
   notify(clock.isPlaying ? silence : "The browser has stopped the sound. Play goes on with it.");
   update();
 };
 
-/** Goes back to where it began, to start again if it is a scene file. */
+/** Ends the show, and returns to the first picture; a scene file starts again. */
 function end() {
   clock.seek(0);
   if (view.source === "file") return;
@@ -353,11 +353,11 @@ function moveHandle(share) {
   update();
 }
 
-/** Has frames be as large as the screen has pixels for them. */
+/** Sets the frames' size to the screen's pixels. */
 function fit() {
   const widest = document.fullscreenElement ? WIDEST.fullscreen : WIDEST.page;
   const width = Math.min(widest, Math.max(160, Math.round((canvas.clientWidth * devicePixelRatio) / 16) * 16));
-  // A window that is not shown may have no width.
+  // A hidden window may have no width.
   if (fullWidth === width || canvas.clientWidth === 0) return;
   fullWidth = width;
   update();
@@ -373,7 +373,7 @@ function toggleSound() {
   update();
 }
 
-/** Saves the picture as it is shown. */
+/** Saves the displayed picture. */
 function save() {
   canvas.toBlob((blob) => {
     const link = document.createElement("a");
@@ -384,7 +384,7 @@ function save() {
   });
 }
 
-/** Puts what is shown into the address, and into the clipboard where the browser allows it. */
+/** Writes the view to the address, and to the clipboard if the browser allows it. */
 async function share() {
   const { quality, overlay, handle } = view;
   const state = { t: now().toFixed(2), quality: about.qualities[quality], show: overlay, split: handle.toFixed(3) };
@@ -394,7 +394,7 @@ async function share() {
   notify(copied ? "The address of this picture is in the clipboard." : "The address of this picture is that of the page now.");
 }
 
-/** Shows what an address says. */
+/** Shows the view of an address. */
 async function restore() {
   const state = new URLSearchParams(location.hash.slice(1));
   if (state.get("scene")) await editor.unpack(state.get("scene"));
@@ -405,15 +405,15 @@ async function restore() {
   if (Number.isFinite(parseFloat(state.get("t")))) seek(parseFloat(state.get("t")));
 }
 
-/** What became of the squares that a pixel of the picture is in, from the largest to the smallest, and the points traced around it. */
+/** Returns the squares that contain a pixel, from the largest to the smallest, and the traced points around it. */
 function inspect(x, y) {
   module.begin(order(now()));
-  // A band, which is all of what its squares depend on.
+  // A band, which determines its squares.
   const top = y - (y % BAND);
   return JSON.parse(module.text(module.calls.inspect(top, top + BAND, x, y)));
 }
 
-/** Tells beside a place of the canvas what became of the squares there, with a loupe. */
+/** Explains the squares at a position of the canvas next to it, with a loupe. */
 function explainSquare({ offsetX, offsetY }) {
   const verdict = get("verdict");
   const scale = canvas.width / canvas.clientWidth;
@@ -424,13 +424,13 @@ function explainSquare({ offsetX, offsetY }) {
   verdict.lastChild.textContent = sentences.join("\n") || "Every pixel is traced here.";
   drawLoupe(x, y, squares, points);
   verdict.hidden = false;
-  // Beside the pointer, on the side where there is room.
+  // On the side of the pointer with more space.
   const beside = (offset, size, room) => (offset + 16 + size > room ? Math.max(offset - 16 - size, 0) : offset + 16);
   verdict.style.left = `${beside(offsetX, verdict.offsetWidth, canvas.clientWidth)}px`;
   verdict.style.top = `${beside(offsetY, verdict.offsetHeight, canvas.clientHeight)}px`;
 }
 
-/** Moves the loupe by so many squares, at first from the middle of the picture. */
+/** Moves the loupe by a number of squares, initially from the centre. */
 function moveLoupe(right, down) {
   const { clientWidth, clientHeight } = canvas;
   const square = (8 * clientWidth) / canvas.width;
@@ -439,11 +439,11 @@ function moveLoupe(right, down) {
   explainSquare({ offsetX: within(offsetX + right * square, clientWidth), offsetY: within(offsetY + down * square, clientHeight) });
 }
 
-/** Shows the pixels around one, with the squares that it is in and the points that were traced. */
+/** Shows the pixels around one, with its squares and the traced points. */
 function drawLoupe(x, y, squares, points) {
   const loupe = get("loupe").getContext("2d");
   const zoom = loupe.canvas.width / LOUPE;
-  // All its rows are of the band of which the points are known.
+  // All its rows are in the band with known points.
   const left = Math.min(Math.max(x - LOUPE / 2, 0), canvas.width - LOUPE);
   const top = y - (y % BAND) + Math.min(Math.max((y % BAND) - LOUPE / 2, 0), BAND - LOUPE);
   loupe.setTransform(1, 0, 0, 1, 0, 0);
@@ -460,7 +460,7 @@ function drawLoupe(x, y, squares, points) {
   for (const [x, y] of points) loupe.fillRect(x + 0.35, y + 0.35, 0.3, 0.3);
 }
 
-/** What keys do, wherever they do nothing else. */
+/** The keys, unless the focus uses them. */
 const KEYS = {
   " ": toggle,
   f: toggleFullscreen,
@@ -469,13 +469,13 @@ const KEYS = {
     const overlays = [...document.querySelectorAll("input[name=overlay]")].map(({ value }) => value);
     setOverlay(overlays[(overlays.indexOf(view.overlay) + 1) % overlays.length]);
   },
-  // Most browsers end fullscreen by themselves.
+  // Most browsers leave fullscreen by themselves.
   Escape: () => (document.fullscreenElement ? document.exitFullscreen() : clock.isPlaying && toggle()),
   ArrowLeft: () => seek(now() - 2),
   ArrowRight: () => seek(now() + 2),
 };
 
-/** What they do together with the shift key, in a picture that rests. */
+/** The keys with Shift, in a resting picture. */
 const SHIFTED = {
   ArrowLeft: () => moveLoupe(-1, 0),
   ArrowRight: () => moveLoupe(1, 0),
@@ -483,7 +483,7 @@ const SHIFTED = {
   ArrowDown: () => moveLoupe(0, 1),
 };
 
-/** The name of a key. On layouts without Latin letters or digits it is that at the key's place. */
+/** Returns a key's name. On layouts without Latin letters or digits it is the one at the key's position. */
 function nameOf({ key, code }) {
   const [, place] = /^(?:Key|Digit)(.)$/.exec(code) ?? [];
   const name = code === "Space" ? " " : place && !/^[a-z0-9]$/i.test(key) ? place : key;
@@ -494,10 +494,10 @@ function listen() {
   addEventListener("keydown", (event) => {
     const key = nameOf(event);
     const { target, shiftKey, ctrlKey, altKey, metaKey } = event;
-    // A key that is held does once what toggles something, and so does a button.
+    // Held keys and buttons toggle once.
     const isAgain = event.repeat && !key.startsWith("Arrow");
     if (isAgain && key === "Enter" && target.matches("button")) event.preventDefault();
-    // What has the focus has keys of its own.
+    // The focused element has its own keys.
     const own = key === " " ? "button, [type=checkbox]" : key.startsWith("Arrow") && "input, [role=slider]";
     const isUsed = target.matches("textarea, select") || (own && target.matches(own));
     if (isUsed || ctrlKey || altKey || metaKey) return;
@@ -511,7 +511,7 @@ function listen() {
   for (const [id, action] of Object.entries({ start: toggle, play: toggle, picture: toggle, mute: toggleSound, fullscreen: toggleFullscreen, save, share })) {
     get(id).addEventListener("click", action);
   }
-  // A button that was clicked leaves the keys to the page.
+  // A clicked button returns the keys to the page.
   addEventListener("click", ({ detail, target }) => detail && target.closest("button")?.blur());
   get("time").addEventListener("input", ({ target }) => seek(Number(target.value)));
   get("quality").addEventListener("input", ({ target }) => keepQuality(Number(target.value)));
@@ -543,7 +543,7 @@ function listen() {
   new ResizeObserver(fit).observe(canvas);
 }
 
-/** Fills in what the module tells of the show. */
+/** Fills in the module's constants. */
 function furnish() {
   get("fullscreen").hidden = !document.fullscreenEnabled;
   get("quality").max = about.qualities.length - 1;
@@ -567,7 +567,7 @@ const steps = explain({
   frames: new Frames(code.compiled, 1, notify),
   quality: () => view.quality,
   isIdle: () => !clock.isPlaying,
-  // Probes would take processors from what is timed.
+  // Probes would disturb the timings.
   isQuiet: () => view.isPoster || isSettled(),
 });
 const editor = new Editor(module, () => setSource("file"));
@@ -577,6 +577,6 @@ fit();
 update();
 await restore();
 notify(faults.length > 0 ? `The show is slower than it could be: ${faults[0]}.` : "");
-// What tests ask.
+// For tests.
 globalThis.eightfold = { about, clock, code, frames, view, steps, seek, inspect, isSettled, probes: () => probes, shown: now, isStale: () => isStale || isDrawing };
 run();

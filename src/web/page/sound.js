@@ -1,13 +1,13 @@
-// The soundtrack, in the browser's thread for sound: the synthesizer that the intro has.
+// The soundtrack, on the browser's audio thread, by the intro's synthesizer.
 
-/** Blocks that are made while a browser asks for one, to get to a position: nothing is heard meanwhile. */
+/** Blocks to synthesize for each requested one while seeking; nothing is heard meanwhile. */
 const HURRY = 100;
 
 registerProcessor("eightfold", class extends AudioWorkletProcessor {
   constructor({ processorOptions: { code } }) {
     super();
     this.wasm = new WebAssembly.Instance(new WebAssembly.Module(code)).exports;
-    /** The samples that have been made, and those that have to be before any is heard. */
+    /** The samples made, and the samples to make before any is heard. */
     this.made = 0;
     this.wanted = 0;
     this.isThere = false;
@@ -23,7 +23,7 @@ registerProcessor("eightfold", class extends AudioWorkletProcessor {
     }
   }
 
-  /** The next samples, left and right in turns. */
+  /** Returns the next samples, left and right alternating. */
   next(count) {
     this.made += count;
     const address = this.wasm.play(count);

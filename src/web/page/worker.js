@@ -1,4 +1,4 @@
-// A worker: draws its share of the rows of a frame, pass after pass, by an instance of its own.
+// A worker: draws its rows of a frame, pass by pass, with its own instance.
 
 import { Module } from "./module.js";
 
@@ -9,7 +9,7 @@ const picture = () => module.view(Uint32Array, module.pixels, module.width * mod
 
 const row = (y) => picture().slice(y * module.width, (y + 1) * module.width);
 
-/** Draws a pass. Returns what it did, and in the last pass the rows as a canvas takes them. */
+/** Draws a pass. Returns its results, and in the last pass the rows as RGBA. */
 function draw({ from, to, pass, before, probes, seed, rows }) {
   const start = performance.now();
   for (const [y, pixels] of rows) picture().set(pixels, y * module.width);
@@ -28,7 +28,7 @@ function draw({ from, to, pass, before, probes, seed, rows }) {
   return done;
 }
 
-/** Answers messages in their order, the first of which has the module. */
+/** Answers messages in order; the first one has the module. */
 let last = Promise.resolve();
 onmessage = ({ data }) => (last = last.then(() => answer(data)).catch((error) => setTimeout(() => { throw error; })));
 
