@@ -91,7 +91,9 @@ pub fn scaled(scene: &Scene, factor: f32) -> Scene {
     }
     for light in scene.lights.iter_mut() {
         light.position *= factor;
-        light.drawn_radius *= factor;
+        if light.drawn_radius > 0.0 {
+            light.drawn_radius = (light.drawn_radius * factor).max(MIN_LENGTH);
+        }
         light.diameter *= factor;
         light.glow *= factor;
     }
