@@ -1,5 +1,3 @@
-//! The options, parsed from the command line.
-
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     arguments::Arguments,

@@ -1,5 +1,3 @@
-//! Plays the show, in time with its sound.
-
 use core::time::Duration;
 use eightfold::sound::Synthesizer;
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};

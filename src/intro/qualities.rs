@@ -1,5 +1,3 @@
-//! The qualities that have a name.
-
 use eightfold_tracer::Quality;
 
 const PRESETS: usize = Quality::LADDER.len();

@@ -1,5 +1,3 @@
-//! Draws frames of the show on all threads.
-
 use eightfold::show;
 use eightfold_tracer::{
     Band, Counts, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene,

@@ -1,5 +1,3 @@
-//! Statistics of a run.
-
 use eightfold_window::{clock::SECOND, line::Writer};
 
 use eightfold_tracer::{

@@ -1,5 +1,3 @@
-//! The arithmetic encoder, the counterpart of [`Decoder`](crate::model::Decoder).
-
 use crate::model::Coder;
 
 pub struct Encoder {

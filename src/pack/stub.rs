@@ -1,5 +1,3 @@
-//! Links the stub and the loader, which are two parts of one object file.
-
 use std::collections::HashMap;
 
 use object::{

@@ -1,5 +1,3 @@
-//! Timed captions.
-
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Caption, Scene};
 

@@ -1,5 +1,3 @@
-//! The environment of a scene: air, floor, lights, props.
-
 use super::props::Prop;
 use eightfold_tracer::scene::{Film, Light, Material, Plane, Scene, Waves};
 use glam::Vec3;

@@ -1,5 +1,3 @@
-//! The materials of the show.
-
 use eightfold_tracer::scene::{Material, Pattern};
 use glam::{Vec3, vec3};
 

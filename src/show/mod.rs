@@ -1,7 +1,6 @@
 //! The show, a function from time to a scene, and two scenes for measurements: the model scene and the field.
 //!
-//! The show is a list of scenes in `scenes`, each in a file with its environment, shots and captions. A new scene needs such a
-//! file, an entry in the list, and bars in the song.
+//! A new scene of the show needs a file in `scenes`, an entry in the list there, and bars in the song.
 
 mod captions;
 mod environment;

@@ -9,7 +9,6 @@ use glam::vec3;
 /// Seconds of one orbit: a full turn at 0.25 radians per second.
 pub const MODEL_LENGTH: f32 = 8.0 * core::f32::consts::PI;
 
-/// The camera's angular speed, in radians per second.
 pub(super) const ORBIT_SPEED: f32 = 0.25;
 
 /// Sets a scene to the model scene at `time` seconds. The camera's path repeats every [`MODEL_LENGTH`].

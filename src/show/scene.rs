@@ -1,5 +1,3 @@
-//! Scenes of the show: environment, shots and captions.
-
 use super::captions::Cue;
 use super::environment::Environment;
 use super::path::Keyframe;

@@ -1,5 +1,3 @@
-//! The show at a time.
-
 use super::captions;
 use super::path::move_camera;
 use super::scenes::{ALL, LENGTH};

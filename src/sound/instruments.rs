@@ -1,5 +1,3 @@
-//! The instruments' parameters.
-
 use super::RATE;
 use super::song::TRACKS;
 use core::f32::consts::PI;

@@ -1,5 +1,3 @@
-//! The song's beat, for movements and flashes of the picture.
-
 use super::{STEPS_PER_BAR, song};
 use crate::grid;
 

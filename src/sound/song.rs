@@ -7,7 +7,6 @@
 
 use super::STEPS_PER_BAR;
 
-/// The number of tracks, each an instrument with one voice.
 pub(super) const TRACKS: usize = 14;
 
 /// The kick drum's track, which attenuates the others.
@@ -30,7 +29,6 @@ static CHORDS: [[u8; 4]; 8] = [
 
 const CHORD_NAMES: &[u8] = b"afcgdEeA";
 
-/// The chord of each bar.
 const HARMONY_TEXT: &[u8] = b"aaffdE aaffdE afcgafdE fgeafgEE aaaafE afcgdE ddaafE fgeafg afgAAA";
 
 static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);

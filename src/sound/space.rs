@@ -1,5 +1,3 @@
-//! Echo and reverberation.
-
 use super::{STEP, voice::Mix};
 use glam::{Vec4, Vec4Swizzles};
 

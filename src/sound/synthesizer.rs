@@ -1,5 +1,3 @@
-//! The synthesizer.
-
 use super::instruments::INSTRUMENTS;
 use super::space::Space;
 use super::voice::{Mix, Mood, Voice};
@@ -23,7 +21,6 @@ pub struct Synthesizer {
     /// The position of the next chunk in the song, in samples.
     position: u32,
     step: u32,
-    /// The chunks until then.
     wait: u32,
     seed: i32,
     /// The number of samples in `chunk` that [`Synthesizer::play`] has returned.

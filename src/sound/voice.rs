@@ -45,17 +45,14 @@ pub(super) struct Voice {
     modulator: Vec4,
     /// The oscillators' pitches, in turns per sample.
     pitch: Vec4,
-    /// The note's pitches, to which `pitch` glides.
     target: Vec4,
     /// The filter's band-pass and low-pass integrators.
     band: Vec4,
     low: Vec4,
     level: Vec4,
-    /// The level at the end of the attack.
     peak: Vec4,
     /// The sweep's envelope: 1 at the start of a note, falling to 0.
     sweep: Vec4,
-    /// Chunks since the note started.
     age: f32,
 }
 
@@ -89,7 +86,6 @@ impl Voice {
             Notes::Tone(up) => [tone(first) + up; 4],
             Notes::Chord(up) => [0, 1, 2, 3].map(|i| tone(first + i) + up),
         };
-        // MIDI's note 69 is 440 Hz.
         let pitch = notes.map(|note| {
             libm::exp2f((f32::from(note) - 69.0) / 12.0) * (440.0 / super::RATE as f32)
         });

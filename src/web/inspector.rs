@@ -1,5 +1,3 @@
-//! Explains the squares around a pixel.
-
 use eightfold_tracer::Counts;
 use eightfold_tracer::observe::{Fill, Observer, Split};
 use std::sync::{Mutex, PoisonError};

@@ -1,11 +1,10 @@
-//! The show for browsers: WebAssembly functions, and memory that the page reads.
+//! The show for browsers.
 //!
-//! A page has an instance of this module for each of its workers, one for its sound, and one for itself. Each draws a share of a
-//! frame's bands (`share`); workers exchange the rows that antialiasing needs. An instance has one thread, so the mutexes never
-//! wait.
+//! Each worker, the sound and the page have an instance of this module. An instance has one thread, so the mutexes never wait.
+//! Workers draw shares of a frame's bands (`share`), and exchange the rows that antialiasing needs.
 //!
-//! The interface is `extern "C"` and a view of memory. Only numbers, pixels and samples cross it; wasm-bindgen would add a second
-//! script to load. No function has the name of a function of C's library, which it would replace on other systems, as in its tests.
+//! The interface is `extern "C"` and a view of memory, as only numbers, pixels and samples cross it; wasm-bindgen would add a
+//! script to load. Names must differ from C's library, for tests on other systems.
 
 mod inspector;
 mod share;

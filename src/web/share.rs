@@ -1,5 +1,3 @@
-//! The share of a frame that one of several workers draws.
-
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
 

@@ -1,5 +1,3 @@
-//! The command line, and the start of a program.
-
 pub use crate::backend::arguments::Arguments;
 #[cfg(feature = "windows")]
 #[doc(hidden)]

@@ -1,5 +1,3 @@
-//! A monotonic clock, in nanoseconds.
-
 use core::sync::atomic::{AtomicU64, Ordering::Acquire};
 
 use crate::backend::clock::{now, sleep_until};

@@ -1,5 +1,3 @@
-//! The instruction sets that the processor and the system support.
-
 pub use fearless_simd::Level;
 
 #[derive(Clone, Copy, Debug)]

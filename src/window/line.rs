@@ -66,7 +66,6 @@ impl Writer {
         self
     }
 
-    /// Adds tenths with one decimal: 594 as `59.4`.
     pub fn tenths(&mut self, number: u64) -> &mut Writer {
         self.decimal(number / 10).text(".").decimal(number % 10)
     }

@@ -44,7 +44,7 @@ impl<T> Table<T> {
         }
     }
 
-    /// Fills the table, unless it is full, with a library's functions of these names. Only one thread may call this at a time.
+    /// Fills the table, unless it is full, with a library's functions, from one thread at a time.
     #[inline]
     pub fn open(&'static self, library: &CStr, names: &str) -> Option<&'static T> {
         // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for each of `loaded!`'s names.
@@ -66,7 +66,7 @@ impl<T> Table<T> {
     }
 }
 
-/// Looks up a library's functions, unless they are ready. Returns false if the library or a function is missing.
+/// Looks up a library's functions, unless they are ready. Returns false if any is missing.
 ///
 /// # Safety
 /// `slot` has to have space for a pointer for each NUL in `names`.
@@ -103,7 +103,7 @@ unsafe fn load(
     true
 }
 
-/// Returns the system's message for this thread's last failure to load a library: missing, out of memory, or without a function.
+/// Returns the system's message for this thread's last failure to load a library.
 #[must_use]
 pub fn why_not_loaded() -> &'static str {
     // SAFETY: this is null or a string, which is valid until the thread's next call.

@@ -1,7 +1,7 @@
 //! A thread pool for the work of a frame.
 //!
-//! The threads start once. A run costs a few atomic operations, and waits for no sleeping thread: the caller works too, closes the
-//! run when the last item is taken, and waits only for threads that have entered.
+//! The threads start once. A run costs a few atomic operations: the caller works too, closes the run when the last item is taken,
+//! and waits only for threads that have entered.
 
 use core::{
     cell::UnsafeCell,

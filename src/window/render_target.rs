@@ -1,5 +1,3 @@
-//! Targets for the output of frames.
-
 use crate::backend::memory::pixels;
 
 /// The maximum number of pixels in a frame: 3840x2160.
@@ -22,7 +20,6 @@ pub trait RenderTarget {
 }
 
 impl Next {
-    /// Returns the next step after another press of H.
     pub(crate) fn toggled(self) -> Next {
         match self {
             Next::GoOn => Next::Toggle,

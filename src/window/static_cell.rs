@@ -1,5 +1,3 @@
-//! Static memory for values too large for a stack.
-
 use core::{
     cell::UnsafeCell,
     sync::atomic::{AtomicBool, Ordering::AcqRel},

@@ -1,5 +1,3 @@
-//! Finds the compiler and the linker that cargo uses.
-
 use std::{
     env,
     ffi::OsString,

@@ -4,7 +4,7 @@
 //! | ---: | --- |
 //! | 64 | the ELF header |
 //! | 2 x 56 | program headers: this file; a stack that is not executable |
-//! | 138 | the stub's first section, which verifies the rest; a file that was cut, but still has these bytes, prints an error |
+//! | 138 | the stub's first section, which verifies the rest, and reports cut files that still have it |
 //! | 4,200 | the stub |
 //! | the rest | the packed program |
 

@@ -100,7 +100,6 @@ fn damaged_files_are_refused() {
     }
 }
 
-/// Guards against differences between machines and compilers. A changed model or header needs new values.
 #[test]
 fn executable_packing_is_reproducible() {
     let sums = [System::Linux, for_windows()].map(|system| checksum(&packed(&system)));

@@ -64,7 +64,6 @@ impl Version {
             .into_iter()
             .map(|(key, value)| {
                 let text = to_utf16(value);
-                // Text lengths count UTF-16 units.
                 node(key, true, text.len() / 2, text, &[])
             })
             .collect();

@@ -1,6 +1,4 @@
-//! Packs Windows executables, which are linked for Linux but call no function of Linux.
-//!
-//! The packed content is an ELF file and the stub's loader. The packed file has
+//! Packs Windows executables, which are linked for Linux but call no function of Linux. The packed file has
 //!
 //! | bytes | content |
 //! | ---: | --- |
@@ -12,8 +10,8 @@
 //! | 640 | the functions' names, and the version information |
 //! | the rest | the packed program |
 //!
-//! A second section, `.bss`, reserves the program's memory at a fixed address, so it needs no relocations. After unpacking, code
-//! becomes executable and constants become read-only: no memory is ever both writable and executable.
+//! A section `.bss` reserves the program's memory at a fixed address, so it needs no relocations. After unpacking, code becomes
+//! executable and constants become read-only: no memory is ever both writable and executable.
 
 use std::collections::HashMap;
 
@@ -51,8 +49,8 @@ const fn addresses_size(functions: usize) -> u64 {
 const START: u64 = PAGE;
 const HEAD: usize = 512;
 
-/// The number of 32-bit fields at the end of the headers: the packed bytes' offset and length, the unpacked length, the offset of
-/// the checked bytes, the checksum.
+/// The number of 32-bit fields at the end of the headers: the packed bytes' offset and length, the unpacked length, the checked
+/// bytes' offset, the checksum.
 const RECORD: usize = 5;
 const SUM: usize = HEAD - 4;
 

@@ -122,7 +122,6 @@ struct Table([Slot; SLOTS]);
 /// The model's memory, initially zero. Small fields come first: instructions reach them by 8-bit offsets.
 #[repr(C)]
 pub struct Model {
-    /// The index of the first slot in each context's bucket.
     buckets: [[u32; 4]; ROWS],
     /// Each context's four expected bits, shifted as they are used.
     expected: [[u32; 4]; ROWS],

@@ -1,5 +1,3 @@
-//! A slot: the experience with a bit in one context.
-
 use super::lanes::Lanes;
 
 /// From the lowest bits on: the probability of a 1 in 65,536ths, minus one half (16 bits); the last five bits after a 1,

@@ -1,5 +1,3 @@
-//! The parts of ELF files that the loaders read.
-
 use core::arch::asm;
 
 #[repr(C)]

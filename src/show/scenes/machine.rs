@@ -66,14 +66,11 @@ static SHOTS: &[Shot] = &[
 /// The height of the sun and the planets above the floor, in scene units.
 const HEIGHT: f32 = 2.7;
 
-/// The radius of arms, in scene units.
 const ROD: f32 = 0.06;
 
 struct Planet {
     material: &'static Material,
-    /// The orbit's radius, in scene units.
     orbit: f32,
-    /// The planet's radius, in scene units.
     radius: f32,
     /// Turns per beat.
     speed: f32,

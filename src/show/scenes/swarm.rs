@@ -49,7 +49,6 @@ static SHOTS: &[Shot] = &[
     ]),
 ];
 
-/// Spheres along a side of the initial square.
 const SIDE: i32 = 16;
 const COUNT: i32 = SIDE * SIDE;
 /// Spheres across the band of the figure of eight.

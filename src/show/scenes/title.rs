@@ -71,9 +71,7 @@ const RADIUS: f32 = 0.15;
 /// select one of two coincident surfaces.
 const NARROWER: f32 = 0.99;
 
-/// The beats from one letter to the next.
 const BEATS: f32 = 1.5;
-/// The beats that a letter takes to rise.
 const RISE: f32 = 3.0;
 /// The height of the rise in grid units, slightly more than a letter's.
 const DEPTH: f32 = 5.0;

@@ -1,5 +1,3 @@
-//! The system's monotonic clock, by std.
-
 use std::{
     sync::LazyLock,
     thread,

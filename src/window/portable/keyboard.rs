@@ -1,5 +1,3 @@
-//! The keyboard, by `minifb`.
-
 use std::{cell::RefCell, ffi::c_uint, mem::take, rc::Rc};
 
 use minifb::{InputCallback, Key};

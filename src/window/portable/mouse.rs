@@ -1,5 +1,3 @@
-//! The mouse, polled by `minifb`.
-
 use std::env;
 
 use minifb::{MouseButton, MouseMode};

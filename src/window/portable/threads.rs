@@ -1,5 +1,3 @@
-//! Threads and waiting on words, by std.
-
 use std::{
     ffi::c_void,
     sync::{
@@ -38,7 +36,6 @@ pub unsafe fn spawn(
         let Sent(pointer) = { sent };
         main(pointer);
     };
-    // Signals go to the caller's thread.
     system::without_signals(|| Builder::new().spawn(work))
         .ok()
         .map(Thread)

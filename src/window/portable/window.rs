@@ -1,5 +1,3 @@
-//! A window by `minifb`.
-
 use core::{
     ffi::{CStr, c_uint},
     mem::take,
@@ -64,7 +62,6 @@ impl Window {
 }
 
 impl Window {
-    /// Starts to record keys and the mouse.
     pub fn listen(&mut self) {
         self.mouse = Some(Mouse::default());
     }
@@ -87,7 +84,6 @@ impl Window {
 
 impl RenderTarget for Window {
     fn size(&self) -> (usize, usize) {
-        // A minimised window has no size.
         let (width, height) = self.shown.get_size();
         (width.max(1), height.max(1))
     }

@@ -1,5 +1,3 @@
-//! The command line, from C's `main`.
-
 use core::ffi::{CStr, c_char, c_int};
 
 use crate::system;

@@ -1,5 +1,3 @@
-//! The system's monotonic clock, in nanoseconds.
-
 use core::ptr::null_mut;
 
 use crate::clock::SECOND;

@@ -1,5 +1,3 @@
-//! Keyboard and mouse events for interactive programs.
-
 use core::mem::take;
 
 use x11_dl::xlib;

@@ -1,5 +1,3 @@
-//! Memory for frames.
-
 use core::{ptr::null_mut, slice};
 
 use crate::{line, render_target::MOST_PIXELS};

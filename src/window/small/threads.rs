@@ -1,5 +1,3 @@
-//! Threads and waiting on words, by libc.
-
 use core::{
     ffi::c_void,
     ptr::{null, null_mut},
@@ -26,7 +24,6 @@ pub unsafe fn spawn(
     pointer: *mut c_void,
 ) -> Option<Thread> {
     let mut thread = 0;
-    // Signals go to the caller's thread.
     let failed = system::without_signals(|| {
         // SAFETY: `thread` is writable; the rest is required of the caller.
         unsafe { libc::pthread_create(&mut thread, null(), main, pointer) }

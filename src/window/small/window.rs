@@ -1,5 +1,3 @@
-//! The intro's window on an X display.
-
 use core::{
     ffi::{CStr, c_int},
     mem::zeroed,

@@ -67,7 +67,6 @@ impl Device {
                     queue().give(room, heard, i64::from(rate));
                 },
                 |error| match error.kind() {
-                    // Playback continues after these.
                     ErrorKind::DeviceChanged | ErrorKind::RealtimeDenied | ErrorKind::Xrun => {}
                     _ => queue().is_lost = true,
                 },

@@ -1,10 +1,8 @@
-//! The clock of the sound.
-
 /// Converts a clock's time to the sound's time: smooth, monotonic, close to the audible sound.
 ///
-/// A device reports its position every few milliseconds, in steps, with jitter, and by another quartz. So the time follows the
-/// clock, and is pulled to the device's position within a quarter of a second at 60 frames per second. It waits after an underrun
-/// or a stop of the process: samples that were never written do not count.
+/// A device reports its position in steps, with jitter, and by another quartz. So the time follows the clock, and is pulled to the
+/// device's position within a quarter of a second at 60 frames per second. It waits after an underrun or a stop of the process:
+/// samples that were never written do not count.
 #[derive(Default)]
 pub struct Heard {
     /// The time's lead over the clock, in nanoseconds.

@@ -36,8 +36,8 @@ const LATENCY: u32 = 400_000;
 /// device would take samples at any speed.
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
-/// The lead over this pace in nanoseconds: the buffer, and half of it to catch up. At this lead the thread sleeps until half of it
-/// is left: waking up for each chunk takes four times the time to make them.
+/// The lead over this pace in nanoseconds: the buffer, and half of it to catch up. Then the thread sleeps until half of it is left:
+/// waking up for each chunk takes four times the time to make them.
 const SLACK: u64 = LATENCY as u64 * 1500;
 
 /// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz. A null device reports
@@ -98,7 +98,7 @@ impl Player {
         }
     }
 
-    /// Plays a source on an ALSA device; `default` is the desktop's. The thread for this ends with the process.
+    /// Plays a source on an ALSA device until the process ends; `default` is the desktop's.
     ///
     /// If the device is missing, refuses the format, or does not open within three seconds, the time is by the clock, and standard
     /// error tells the reason.

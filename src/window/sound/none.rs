@@ -1,5 +1,3 @@
-//! No sound, on other systems.
-
 use core::{convert::Infallible, ffi::CStr};
 
 pub struct Device(Infallible);

@@ -1,5 +1,3 @@
-//! Sound by Windows' waveOut functions.
-
 use core::{
     ffi::CStr,
     mem::{size_of, zeroed},

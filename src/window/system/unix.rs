@@ -15,8 +15,8 @@ pub const ERROR: c_int = libc::STDERR_FILENO;
 /// The minimum stack in bytes. Drawing takes 56 kB of each thread's stack; the rest is for libraries.
 const STACK: libc::rlim_t = 96 << 10;
 
-/// Prepares the process: a broken pipe is an error of the write, not a signal, and the standard streams are open. Ends the process
-/// with a message if the stack is too small.
+/// Prepares the process: a broken pipe is an error of the write, and the standard streams are open. Ends it with a message if the
+/// stack is too small.
 ///
 /// # Safety
 /// No other thread may be running.
@@ -29,8 +29,8 @@ pub unsafe fn start() {
     unsafe {
         libc::mallopt(libc::M_ARENA_MAX, 1)
     };
-    // Opens closed standard streams for reading, so that later files get other numbers, and writing still fails. The first
-    // descriptor above 2 shows that all three are open, and stays open.
+    // Opens closed standard streams for reading, so that later files get other numbers. The first descriptor above 2 shows that all
+    // three are open.
     while (0..=2).contains(&open(c"/dev/null")) {}
     // SAFETY: zero is valid for both fields of the limit, which outlives the call.
     unsafe {
@@ -79,8 +79,8 @@ pub fn is_terminal(file: c_int) -> bool {
     terminal::mode(file).is_some()
 }
 
-/// Writes all bytes, and waits while the file is full. Returns false on an error, or on a signal that ends the program. With a
-/// [`Terminal`](crate::terminal::Terminal), returns false if the file is full for a second.
+/// Writes all bytes, and waits while the file is full, with a [`Terminal`](crate::terminal::Terminal) for a second. Returns false
+/// on an error or on a signal that ends the program.
 pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         let written = write_some(file, bytes);
@@ -98,7 +98,6 @@ pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     true
 }
 
-/// Opens a file for reading. Returns its descriptor, or -1.
 pub fn open(path: &CStr) -> c_int {
     // SAFETY: the path outlives the call.
     unsafe { libc::open(path.as_ptr(), libc::O_RDONLY | libc::O_CLOEXEC) }

@@ -1,5 +1,3 @@
-//! Standard streams and the console of Windows.
-
 use core::ptr::null_mut;
 
 use crate::backend::functions::{

@@ -9,7 +9,6 @@ use std::{
     time::Duration,
 };
 
-/// Checks that a run does each item once.
 fn count(pool: &mut Pool, workers: usize, items: usize) {
     let mut workers = vec![0_usize; workers];
     let mut items = vec![0_usize; items];

@@ -1,4 +1,4 @@
-//! Sound by ALSA: with its plug-ins `file` and `null`, which need no hardware, and with a simulated device and clock.
+//! Sound by ALSA: with its plug-ins `file` and `null`, and with a simulated device and clock.
 //!
 //! A process reads ALSA's configuration once, so each case starts this program again.
 

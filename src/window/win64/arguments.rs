@@ -1,5 +1,3 @@
-//! The command line.
-
 use core::slice::from_raw_parts;
 
 use super::functions::{
@@ -13,8 +11,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Loads the functions of Windows and prepares the process for [`main!`](crate::main). Ends the process if a function is
-    /// missing.
+    /// Loads the functions of Windows and prepares the process, or ends it if a function is missing.
     ///
     /// # Safety
     /// This has to be the first call, with these functions of Windows.

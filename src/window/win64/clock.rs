@@ -1,5 +1,3 @@
-//! The system's monotonic clock, in nanoseconds.
-
 use super::functions::{QueryPerformanceCounter, QueryPerformanceFrequency, Sleep};
 use crate::clock::SECOND;
 

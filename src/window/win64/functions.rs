@@ -129,7 +129,7 @@ pub fn default_procedure() -> *const c_void {
 /// Looks up all functions. If one is missing, as before Windows 10 of 2017, returns its name or its library's.
 ///
 /// # Safety
-/// This has to be the first call, and there may be no other thread.
+/// This has to be the first call.
 pub unsafe fn load(
     load_library: LoadLibrary,
     get_function: GetProcAddress,

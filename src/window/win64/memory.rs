@@ -1,5 +1,3 @@
-//! Memory for frames, which Windows commits when it is written.
-
 use crate::{render_target::MOST_PIXELS, static_cell::StaticCell};
 
 static PIXELS: StaticCell<[u32; MOST_PIXELS]> = StaticCell::new([0; _]);

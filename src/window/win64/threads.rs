@@ -1,5 +1,3 @@
-//! Threads and waiting on words.
-
 use core::{
     arch::global_asm,
     ffi::c_void,

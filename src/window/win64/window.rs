@@ -1,5 +1,3 @@
-//! The intro's window on Windows.
-
 use core::{
     ffi::{CStr, c_char, c_void},
     mem::{size_of, transmute, zeroed},

@@ -92,7 +92,6 @@ unsafe extern "C" {
     /// The first byte that the checksum [`SUM`] covers.
     static CHECKED: u8;
     static SUM: u32;
-    /// The program's first address.
     static PROGRAM: u8;
     /// The program's size in memory, as an address.
     static PROGRAM_SIZE: u8;

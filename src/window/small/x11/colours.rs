@@ -1,5 +1,3 @@
-//! Conversion to the server's pixel format.
-
 use core::ffi::c_ulong;
 
 use x11_dl::xlib::XImage;

@@ -1,5 +1,3 @@
-//! The functions of Xlib.
-
 #![allow(non_snake_case, reason = "Xlib's own names")]
 
 use core::{

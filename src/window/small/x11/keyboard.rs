@@ -1,5 +1,3 @@
-//! The meaning of keys, for any alphabet.
-
 use core::ffi::{c_int, c_uint};
 
 use x11_dl::xlib::{ControlMask, Mod1Mask, Mod4Mask, XKeyEvent};
@@ -15,8 +13,8 @@ pub const W: c_uint = b'w' as c_uint;
 /// Modifiers that make a key another program's command: Ctrl, Alt, Super.
 const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
 
-/// Returns the number of a pressed key without Shift, by the current layout. If that has no Latin letter here, F, H and W are at
-/// their positions on a US keyboard. With Ctrl or Alt this is [`input::NONE`].
+/// Returns a pressed key's number without Shift, by the current layout; if that has no Latin letter here, F, H and W are at their
+/// US positions. With Ctrl or Alt this is [`input::NONE`].
 pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
         return input::NONE;
@@ -25,7 +23,6 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if is_letter(key) {
         return key;
     }
-    // These keycodes are the same on every Linux.
     match event.keycode {
         25 => W,
         41 => F,

@@ -1,5 +1,3 @@
-//! A window on an X display, by Xlib.
-
 mod colours;
 mod errors;
 mod fullscreen;
@@ -48,7 +46,6 @@ pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     if display == ASKED {
         return Err("X display does not answer");
     }
-    // Frees its stack for the next thread.
     if let Some(thread) = thread {
         thread.join();
     }
