@@ -38,10 +38,12 @@ const COUNTED_DECAY: f32 = 0.75;
 #[derive(Clone, Copy, Default)]
 pub(super) struct Highlight {
     pub object: ObjectId,
+    /// In pixels.
     middle: Vec2,
     /// In pixels: the least x and y, and the greatest negated.
     bounds: Vec4,
     decay: [f32; 3],
+    /// The peak, of 255.
     strength: f32,
 }
 
@@ -65,7 +67,7 @@ impl Highlight {
         [self.bounds.xy() - from, -self.bounds.zw() - from]
     }
 
-    /// Returns whether squares of a side in pixels are never visibly brighter than their corners, if all corners show the object.
+    /// Returns whether squares of `side` pixels are nowhere visibly brighter than their corners, if all of these show the object.
     ///
     /// Between its minimum and the nearest corner, the decay grows at most by its value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {

@@ -147,7 +147,7 @@ impl Coverage {
             let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
             let far = self.eye.reach(centre, half.length());
             let to = (centre - world.eye).abs();
-            // Above the plane, the eye may look straight down; beside it, the far end is the flattest.
+            // Above the plane, the eye may look straight down; outside, the far end is the flattest.
             let is_beside = to.x > half.x || to.z > half.z;
             let steep = if is_beside { to.y / far } else { 1.0 };
             let width = 2.0 * half.x.min(half.z) * steep / far;

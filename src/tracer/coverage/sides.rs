@@ -1,7 +1,6 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
-//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with a the axis of its bounding cone. From the eye, w is the picture's ray (u,
-//! v, 1). From a light, to the point where the eye's ray d meets a plane at H below the eye, `w = H d - (eye - light) d.y` up to its
+//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with a the axis of its bounding cone. From the eye, w is the ray `(u, v, 1)`. From a light, to the point where the eye's ray d meets a plane at H below the eye, `w = H d - (eye - light) d.y` up to its
 //! length: linear in d, so a shadow is a cone as well. Blocks and planes are bounded by planes through the eye or light.
 //!
 //! The difference of both sides is concave in u and v: nowhere above its tangent plane, whose maximum over a square is at a corner. So a
@@ -209,7 +208,7 @@ struct Silhouette {
 }
 
 impl Silhouette {
-    /// Takes a block's centre from the point, and its half extents, along its own axes.
+    /// Returns the silhouette of a block from the origin of its own axes' coordinates, in which its centre is at `centre`.
     pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
         let (a, b) = (centre.yzx(), centre.zxy());
         let is_beside = a.abs().cmpgt(half.yzx());

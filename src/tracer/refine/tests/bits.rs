@@ -1,5 +1,3 @@
-//! Rows of bits against rows of truth values.
-
 use crate::grid::{Bits, WORDS};
 use proptest::prelude::*;
 use std::prelude::v1::*;

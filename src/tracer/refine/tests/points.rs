@@ -1,5 +1,3 @@
-//! Compares the points of a level with the corners of its squares, one by one.
-
 use super::super::tile::points::corners;
 use crate::grid::Bits;
 use proptest::prelude::*;

@@ -1,5 +1,3 @@
-//! Compares the verdict on rows with the verdict on single squares.
-
 use super::super::verdict::{Verdict, growth, judge, limits};
 use super::{sample, span, two_rows};
 use crate::grid::Bits;
