@@ -1,5 +1,3 @@
-//! `lab bench`.
-
 use crate::arguments::{self, NamedQuality, Size, distinct, within};
 use crate::interrupt;
 use crate::measure::{Measurement, Shot, ShotArguments, Technique};

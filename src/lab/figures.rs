@@ -1,5 +1,3 @@
-//! `lab figures`.
-
 use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;
 use crate::flip::Flip;

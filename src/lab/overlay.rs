@@ -1,5 +1,3 @@
-//! Pictures of the points, squares, rays and errors of a frame.
-
 use crate::error::worst_channel;
 use eightfold_tracer::observe::{Fill, Observer};
 use eightfold_tracer::{Counts, Quality};

@@ -1,5 +1,3 @@
-//! `lab render`.
-
 use crate::arguments::{self, NamedQuality, within};
 use crate::scenes::FrameArguments;
 use crate::threaded_renderer::ThreadedRenderer;

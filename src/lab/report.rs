@@ -1,5 +1,3 @@
-//! `lab report`.
-
 use crate::output;
 use anyhow::{Context, Result, ensure};
 use clap::Args;

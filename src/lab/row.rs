@@ -1,5 +1,3 @@
-//! Figures and their tables.
-
 use crate::error::Difference;
 use crate::markdown::{self, Column, known, percent};
 use crate::measure::{Measurement, Run, Sampling, Setting, Shot, Technique};

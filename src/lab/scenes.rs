@@ -1,5 +1,3 @@
-//! Scenes by name.
-
 use crate::arguments::{self, Exit, Size, within};
 use clap::Args;
 use eightfold::show::{self, grid};

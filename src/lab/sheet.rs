@@ -1,5 +1,3 @@
-//! Sheets of captioned pictures.
-
 use crate::arguments::Size;
 use crate::bitmap::{at, bitmap, text};
 use crate::picture;

@@ -1,5 +1,3 @@
-//! `lab capture`.
-
 mod recorder;
 mod video;
 

@@ -1,5 +1,3 @@
-//! The effects of an object on a picture.
-
 use super::{MAX_ERROR, visible_objects};
 use crate::arguments::Size;
 use crate::error::worst_channel;

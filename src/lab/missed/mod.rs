@@ -1,5 +1,3 @@
-//! `lab missed`.
-
 pub mod effects;
 
 use crate::arguments::{self, NamedQuality, Size, within};

@@ -1,5 +1,3 @@
-//! `lab size`.
-
 mod packed;
 pub mod program;
 

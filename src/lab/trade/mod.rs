@@ -1,5 +1,3 @@
-//! `lab trade`.
-
 mod curves;
 mod front;
 mod plots;

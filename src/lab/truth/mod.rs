@@ -1,5 +1,3 @@
-//! `lab truth`.
-
 mod light;
 mod path;
 

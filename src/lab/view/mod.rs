@@ -1,5 +1,3 @@
-//! `lab view`.
-
 mod camera;
 pub mod controls;
 pub mod frame_viewer;

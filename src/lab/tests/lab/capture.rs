@@ -1,5 +1,3 @@
-//! `lab capture`: complete files, with the same bytes for the same arguments.
-
 use super::{assert_one_line, command, interrupted, lab, limited, printed, signal};
 use eightfold::show;
 use eightfold::sound::RATE;
@@ -27,7 +25,6 @@ fn captured(flag: &str, target: &Path, more: &str) {
     printed(&line(&format!("{flag} {} {more}", target.display())));
 }
 
-/// Returns the names and contents of files by name.
 fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder).expect("a folder");
     let file = |path: PathBuf| {
@@ -139,7 +136,6 @@ fn shutter_blurs_motion() {
 
 #[test]
 fn aperture_blurs_out_of_focus() {
-    // The grey pixels of each sphere.
     let grey = |more: &str| {
         let picture = frame(&format!("--supersample 8 {more}"));
         [0..24, 24..40, 40..64].map(|rows| {
@@ -228,7 +224,6 @@ fn webp_repeats_all_frames() {
     assert_eq!(bytes[animation + 12..][..2], [0, 0]);
 }
 
-/// Writes a script in place of ffmpeg.
 fn write_ffmpeg(folder: &Path, script: &str) {
     let file = folder.join("ffmpeg");
     fs::write(&file, format!("#!/bin/sh\n{script}\n")).unwrap();
@@ -246,7 +241,6 @@ fn failing_ffmpeg_is_reported_in_one_line() {
             ["show.mp4", "no such encoder"],
         ),
         ("exit 0", ["ffmpeg", "ended early"]),
-        // ffmpeg on a full disk.
         (
             "/bin/cat > /dev/null; echo 'no space' >&2",
             ["show.mp4", "no space"],

@@ -1,5 +1,3 @@
-//! The documented errors of the presets.
-
 use super::{cells, printed};
 use eightfold_tracer::Quality;
 
@@ -50,7 +48,6 @@ fn errors_match_documentation_and_increase() {
     }
     for pair in measured[3..].windows(2) {
         let [finer, faster] = [&pair[0], &pair[1]];
-        // Points, PSNR, FLIP.
         for (column, sign) in [(2, -1.0), (4, -1.0), (8, 1.0)] {
             let rise = sign * (number(faster[column]) - number(finer[column]));
             assert!(rise > 0.0, "{finer:?}, {faster:?}");

@@ -1,5 +1,3 @@
-//! The lab's commands, by the command line.
-
 mod bad_input;
 mod bench;
 mod capture;
@@ -33,7 +31,6 @@ fn stderr(output: &Output) -> String {
     texts(output).1
 }
 
-/// Returns the text on standard output of a successful command.
 #[track_caller]
 fn printed(line: &str) -> String {
     String::from_utf8(printed_bytes(line)).expect("text")
@@ -75,7 +72,6 @@ fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     assert!(output.stdout.is_empty());
 }
 
-/// Sends a signal. Returns false without the process.
 #[cfg(target_os = "linux")]
 fn signal(process: &str, name: &str) -> bool {
     let kill = format!("kill -s {name} {process}");
@@ -95,7 +91,6 @@ fn interrupted(command: &mut Command) -> Output {
         let (_, caught) = status.split_once("SigCgt:").expect("a set of signals");
         let caught = caught.split_whitespace().next().expect("a number");
         let caught = u64::from_str_radix(caught, 16).expect("hexadecimal digits");
-        // Bit 1 is signal 2.
         (caught >> 1 & 1 != 0).then_some(())
     });
     assert!(signal(&child.id().to_string(), "INT"));

@@ -1,5 +1,3 @@
-//! `lab missed`.
-
 use super::printed;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::missed::effects::{Count, Counts, EffectCounter, Kind};

@@ -6,7 +6,6 @@ use std::fs;
 use std::process::Output;
 use tempfile::TempDir;
 
-/// A part with a picture, and one with a table.
 const README: &str = "# A title\n\n<!-- lab report picture -->\n\n![A picture](docs/a.png)\n\n    \
                       cargo lab render --size 9x7 --out docs/a.png\n\n<!-- lab report end -->\nThe end";
 const PAGE: &str = "Text\n<!-- lab report table -->\n\n    cargo lab missed --scene model --size 16x12 --frames 1\n\nold\n\n\

@@ -1,5 +1,3 @@
-//! Scene files: motions, mistakes.
-
 use super::{assert_one_line, lab};
 use eightfold_scene_file::SceneFile;
 use std::fs;
@@ -37,9 +35,7 @@ fn motion_passes_keys() {
     let file = SceneFile::parse("motion.ron", &example("motion.ron")).expect("a scene");
     let eye = |time| file.at(time).camera.eye.to_array();
     assert_eq!([eye(0.0), eye(3.0)], [[0.0, 3.0, 8.0], [5.0, 2.0, 6.0]]);
-    // It rests outside its keys.
     assert_eq!([eye(-1.0), eye(100.0)], [eye(0.0), [0.0, 3.0, 8.0]]);
-    // A spline is smooth at its keys.
     let (before, at, after) = (eye(2.999), eye(3.0), eye(3.001));
     for i in 0..3 {
         assert!(((at[i] - before[i]) - (after[i] - at[i])).abs() < 1e-4);

@@ -1,5 +1,3 @@
-//! Errors that a viewer sees: views, pops, the difference to 64 samples per pixel.
-
 use eightfold::show;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::worst_channel;
@@ -37,7 +35,6 @@ fn views_of_the_model_scene_differ() {
 #[test]
 fn view_is_consecutive_frames_of_its_scene() {
     let scene: SceneName = "show:machine".parse().unwrap();
-    // The scene has 12 s.
     for (count, last) in [(3, 11), (720, 1)] {
         let Shot { times, views, .. } = Shot::new(scene, 5, count);
         assert!(times[0] == 0.0 && (times[4] - (12.0 - 1.0 / 60.0)).abs() < 1e-5);
@@ -61,9 +58,7 @@ fn pixel_pops_if_reference_stays() {
     let (dark, light) = (0x0040_4040, 0x0040_5140);
     assert_eq!(count([dark, dark], [dark, light]), 1);
     assert_eq!(count([dark, dark], [light, dark]), 1);
-    // A constant error.
     assert_eq!(count([dark, dark], [light, light]), 0);
-    // 16 of 255.
     assert_eq!(count([dark, dark], [dark, light - 0x100]), 0);
     // The reference may change by 4.
     assert_eq!(count([dark, dark + 4], [dark, light]), 1);

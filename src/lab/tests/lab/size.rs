@@ -1,10 +1,7 @@
-//! `lab size`: its tables add up to the file.
-
 use crate::printed;
 use eightfold_lab::size::program::{crate_of_path, crate_of_unit};
 use eightfold_stage::intro;
 
-/// Returns the cells of the table with a first column, by line.
 fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
     let start = format!("| {title} |");
     let lines = text.lines().skip_while(|line| !line.starts_with(&start));
@@ -38,7 +35,6 @@ fn tables_add_up_to_file() {
     let text = printed("size --functions 12");
     let file = std::fs::metadata(intro()).expect("the intro").len();
 
-    // Rows are rounded to bytes.
     let sections = table(&text, "section");
     let (whole, parts) = sections.split_last().expect("a line for the file");
     assert_eq!(number(whole[2]), file);
@@ -61,7 +57,6 @@ fn tables_add_up_to_file() {
     let sizes: Vec<u64> = functions.iter().map(|row| number(row[4])).collect();
     assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
     assert_eq!(sum(functions, 3) + number(rest[3]), named);
-    // The tracer is the largest part.
     assert_eq!(functions[0][1], "eightfold_tracer", "{text}");
 }
 

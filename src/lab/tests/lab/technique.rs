@@ -1,5 +1,3 @@
-//! Frames of fewer pixels: enlarged, checkerboard.
-
 use super::{cells, printed};
 use eightfold::show;
 use eightfold_lab::arguments::Size;

@@ -8,7 +8,6 @@ use std::path::Path;
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// The table and the folder of a trade with small frames.
 static TRADE: LazyLock<(String, TempDir)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
     let line = "trade --size 64x48 --frames 2 --views 1 --out";
@@ -102,7 +101,6 @@ fn front_is_unbeaten() {
     };
     assert!(front.len() > 2 && !front.iter().any(|row| is_beaten(row)));
     for row in others {
-        // Not allowed on the front.
         let name = row["quality"].as_str().expect("a name");
         let is_excluded = ["unguarded", "differing", "resolution", "checkerboard"]
             .iter()

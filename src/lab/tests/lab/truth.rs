@@ -1,5 +1,3 @@
-//! `lab truth` against closed forms and the oracle.
-
 use crate::{lab, stderr};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::{Comparison, Estimate, draw};
@@ -183,7 +181,6 @@ fn lone_ball_matches_oracle() {
 #[test]
 fn error_is_within_standard_error() {
     let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
-    // Avoid colours above white.
     scene.lights[0].colour *= 0.5;
     scene.camera = Camera::new(vec3(0.0, 2.0, 9.0), Vec3::ZERO, 0.6);
     scene
@@ -197,7 +194,6 @@ fn error_is_within_standard_error() {
     assert!((7.0..9.0).contains(&ratio), "{ratio}");
     for seed in 1..=10 {
         let coarse = compare(16, seed);
-        // Independent noise adds to the squared error.
         let square = coarse.error.powi(2) - coarse.noise.powi(2);
         let off = square.sqrt() - fine.error;
         assert!(off.abs() < 0.2 * coarse.noise, "{coarse:?}, {fine:?}");

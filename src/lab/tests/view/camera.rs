@@ -2,7 +2,6 @@ use crate::display::{SCENE, View, rendered};
 use eightfold_stage::wait_for;
 use std::fs;
 
-/// The red ball, and the end of a drag.
 const MIDDLE: [i32; 2] = [160, 120];
 const END: [i32; 2] = [220, 140];
 const DRAG: &[[i32; 2]] = &[MIDDLE, [190, 125], END];

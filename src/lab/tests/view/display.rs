@@ -1,5 +1,3 @@
-//! `lab view` on its own display.
-
 use eightfold_stage::{DISPLAY, Process, Server, lacks, reader::read_png, run, wait_for};
 use std::fs;
 use std::path::PathBuf;
@@ -10,17 +8,14 @@ use tempfile::TempDir;
 
 pub const SIZE: [i32; 2] = [320, 240];
 
-/// A running `lab view`, its X server, and a scene file.
 pub struct View {
     pub server: Server,
     pub process: Process,
-    /// For X tools.
     pub id: String,
     pub file: PathBuf,
     pub folder: TempDir,
 }
 
-/// A red ball in the middle.
 pub const SCENE: &str = r#"Scene(
     camera: (eye: (0.0, 3.0, 8.0), look_at: (0.0, 1.0, 0.0), field_of_view: 0.7),
     background: (0.1, 0.12, 0.2),
@@ -41,7 +36,6 @@ impl View {
         View::of("--scene model --time 2")
     }
 
-    /// Starts with [`SCENE`] in a file.
     pub fn of_file() -> Option<View> {
         let view = View::of("--scene FILE")?;
         view.assert_shows_file();
@@ -138,13 +132,11 @@ fn id(server: &Server) -> Option<String> {
     found.lines().next().map(str::to_owned)
 }
 
-/// Returns the number of pixels as bright as letters.
 pub fn bright(pixels: &[u32]) -> usize {
     let is_bright = |pixel: &&u32| pixel.to_be_bytes()[1..].iter().all(|&c| c > 180);
     pixels.iter().filter(is_bright).count()
 }
 
-/// Returns the picture by `lab render`.
 pub fn rendered(options: &str) -> Vec<u32> {
     let (output, _) = run(Command::new(env!("CARGO_BIN_EXE_lab"))
         .args(["render", "--size", "320x240", "--out", "-"])

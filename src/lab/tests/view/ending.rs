@@ -11,7 +11,6 @@ fn escape_ends_it() {
     view.key("Escape");
     let (_, code, output, errors) = view.process.end();
     assert_eq!((code, &*output, &*errors), (Some(0), "", HINT));
-    // Only the scene file is left.
     let files = fs::read_dir(view.folder.path()).expect("a folder");
     assert_eq!(files.count(), 1);
 }

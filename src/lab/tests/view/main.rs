@@ -1,5 +1,3 @@
-//! `lab view` in a window.
-
 mod camera;
 mod display;
 mod ending;

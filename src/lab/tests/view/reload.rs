@@ -3,7 +3,6 @@ use eightfold_stage::run;
 use std::fs;
 use std::process::Command;
 
-/// [`SCENE`] with a ball of another radius.
 fn ball(radius: &str) -> String {
     SCENE.replace("radius: 1.0", &format!("radius: {radius}"))
 }
