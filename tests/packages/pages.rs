@@ -29,3 +29,17 @@ fn links_lead_to_files() {
     }
     assert!(count > 50, "{count} links");
 }
+
+/// The tables of ARCHITECTURE.md name files by paths from the root or from `src`.
+#[test]
+fn paths_in_architecture_name_files() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = fs::read_to_string(root.join("ARCHITECTURE.md")).expect("text");
+    let quoted = text.split('`').skip(1).step_by(2);
+    let paths: Vec<&str> = quoted.filter(|word| word.ends_with(".rs")).collect();
+    for path in &paths {
+        let is_there = |folder| root.join(folder).join(path).exists();
+        assert!(is_there("") || is_there("src"), "{path}");
+    }
+    assert!(paths.len() > 30, "{} paths", paths.len());
+}
