@@ -33,7 +33,7 @@ extern "C" fn connect(_: *mut c_void) -> *mut c_void {
     null_mut()
 }
 
-/// Opens the environment's display, or returns the reason why not. A second thread connects, because a server may accept and never
+/// Opens the environment's display, or returns the reason for a failure. A second thread connects, because a server may accept and never
 /// answer.
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     errors::heed(x);
