@@ -26,7 +26,7 @@ pub struct Arguments {
     threads: Vec<usize>,
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"], help = format!("{}; repeatable", arguments::QUALITY))]
     quality: Vec<NamedQuality>,
-    /// Leaves the edges of all frames jagged
+    /// Leaves the edges of all frames jagged; by default all are antialiased
     #[arg(long)]
     jagged: bool,
     /// Also measures exhaustive frames of 0.4 to 0.9 of the side, enlarged; a checkerboard, which traces every second pixel; and

@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Size,
-    /// Antialiases all frames
+    /// Antialiases all frames; by default all are jagged
     #[arg(long)]
     antialias: bool,
     /// Timed frames of each setting, at even intervals
