@@ -29,7 +29,7 @@ impl Writer {
 
     /// Writes the buffered bytes. Returns false if this or an earlier write failed.
     pub fn flush(&mut self) -> bool {
-        self.has_failed |= !write(self.file, &self.buffer[..self.length]);
+        self.has_failed = self.has_failed || !write(self.file, &self.buffer[..self.length]);
         self.length = 0;
         !self.has_failed
     }
@@ -142,14 +142,17 @@ mod tests {
     }
 
     #[test]
-    fn write_error_persists() {
+    fn writer_stops_after_an_error() {
         let (read, write) = pipe().unwrap();
         drop(read);
         // Rust's programs ignore SIGPIPE.
         let mut writer = Writer::new(write.as_raw_fd());
         writer.text("x");
         assert!(!writer.flush());
-        assert!(!writer.flush());
+        let (mut read, write) = pipe().unwrap();
+        writer.file = write.as_raw_fd();
         assert!(!writer.text(&"x".repeat(1025)).flush());
+        drop(write);
+        assert_eq!(read.read(&mut [0]).unwrap(), 0);
     }
 }
