@@ -1,5 +1,3 @@
-//! Arguments shared by commands.
-
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
 use std::ffi::OsStr;
@@ -18,10 +16,8 @@ pub const FRAMES: RangeInclusive<usize> = 1..=100_000;
 /// Seconds from the start of a scene.
 pub const SECONDS: RangeInclusive<f32> = -1e6..=1e6;
 
-/// The exit code for an invalid command line, as in most programs.
 pub const BAD_INPUT: u8 = 2;
 
-/// An error with an exit code.
 #[derive(Debug)]
 pub struct Exit {
     pub code: u8,
@@ -63,7 +59,7 @@ impl Size {
         self.width * self.height
     }
 
-    /// Returns the size with sides multiplied by `scale`, at least 1.
+    /// Scales both sides, to at least 1.
     pub fn scaled(self, scale: f64) -> Self {
         let scaled = |side: usize| ((side as f64 * scale).round() as usize).max(1);
         Self::new(scaled(self.width), scaled(self.height))
@@ -144,7 +140,6 @@ pub fn processors() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
-/// Returns a parser of numbers in a range.
 pub fn within<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
 where
     T: FromStr + PartialOrd + Display + Clone,

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Measures the speed and the error of frames
 ///
-/// Prints a Markdown table, with a row for each scene of the show. Exhaustive frames are always measured, for comparison. Settings
-/// take turns, frame by frame. With one thread, times are processor time. Ctrl-C prints the figures so far.
+/// Prints a Markdown table with a row per scene of the show. Always measures exhaustive frames, for comparison. Settings take turns,
+/// frame by frame. Times of one thread are processor time. Ctrl-C prints the figures so far.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -26,17 +26,17 @@ pub struct Arguments {
     threads: Vec<usize>,
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"], help = format!("{}; repeatable", arguments::QUALITY))]
     quality: Vec<NamedQuality>,
-    /// Leaves the edges of all frames jagged; by default all are antialiased
+    /// Leaves all edges jagged; by default all are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Also measures exhaustive frames of 0.4 to 0.9 of the side, enlarged; a checkerboard, which traces every second pixel; and
-    /// `default` without its guard. Prints the dB to 64 samples that a quality gains at equal time
+    /// Adds exhaustive frames of 0.4 to 0.9 of the side, enlarged; a checkerboard, which traces every second pixel; and `default`
+    /// without its guard. Prints the dB to 64 samples that a quality gains at equal time
     #[arg(long)]
     rivals: bool,
     /// Frames of each setting, at even intervals
     #[arg(long, value_name = "N", default_value = "101", value_parser = within(arguments::FRAMES))]
     frames: usize,
-    /// File for the figures as JSON, or - for standard output; the table then goes to standard error
+    /// JSON file for the figures, or - for standard output; the table then goes to standard error
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }

@@ -1,5 +1,3 @@
-//! Text on bitmaps, by a font in the program.
-
 use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -8,10 +6,9 @@ use std::sync::Once;
 
 pub const INK: RGBColor = RGBColor(34, 34, 34);
 
-/// A bitmap to draw on, in pixels.
 pub type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 
-/// Draws on a background of the colour `paper`. Returns `0x00RRGGBB` pixels.
+/// Returns `0x00RRGGBB` pixels with the background `paper`.
 pub fn bitmap(
     [width, height]: [usize; 2],
     paper: u32,
@@ -40,7 +37,7 @@ pub fn text(size: u32, style: FontStyle) -> TextStyle<'static> {
     FontDesc::new(FontFamily::SansSerif, f64::from(size), style).color(&INK)
 }
 
-/// Registers the font. Call it before text is drawn or measured.
+/// Call this before drawing or measuring text.
 pub fn register_fonts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

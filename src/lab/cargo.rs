@@ -1,5 +1,3 @@
-//! Builds packages in release mode, and finds the files that cargo built.
-
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::path::PathBuf;
@@ -16,7 +14,7 @@ impl Build {
         Self::of(&["build", "--release", "--package", package])
     }
 
-    /// Builds the intro for Windows by an alias in `.cargo/config.toml`.
+    /// Uses an alias in `.cargo/config.toml`.
     pub fn windows() -> Result<Self> {
         Self::of(&["exe"])
     }
@@ -28,7 +26,7 @@ impl Build {
             .args(arguments)
             .args(["--message-format", "json-render-diagnostics"])
             .stderr(Stdio::inherit());
-        // Set by `cargo run`; otherwise the current folder has to be in the workspace.
+        // Set by `cargo run`; otherwise the current folder must be in the workspace.
         if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
             command.current_dir(folder);
         }
@@ -52,7 +50,7 @@ impl Build {
 
     /// Returns the path of an unpacked program (see `src/pack/build/mod.rs`). The one for Windows has the same name.
     ///
-    /// The program that cargo reports is a copy of the one in `deps`, which has the name of the unpacked one.
+    /// Cargo reports a copy of the program in `deps`, whose name the unpacked one has.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
         let bytes = fs::read(&copy)?;
@@ -69,7 +67,7 @@ impl Build {
         bail!("this build has not linked {program}")
     }
 
-    /// Returns the output folder of the build script in the package of a program.
+    /// Returns the output folder of a program's build script.
     fn script_folder(&self, program: &str) -> Result<PathBuf> {
         let package = self
             .artifact("bin", program)

@@ -1,19 +1,18 @@
-/// The difference between two pictures of the same size, in 255ths.
+/// In 255ths, over all channels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
-    /// The mean over all channels.
     pub mean: f64,
     pub largest: u32,
-    /// The number of pixels that differ by more than 8 in a channel.
+    /// Pixels with a channel more than 8 off.
     pub over_8: usize,
-    /// The mean square over all channels.
+    /// The mean square.
     pub square: f64,
-    /// The peak signal-to-noise ratio in dB, infinite for equal pictures.
+    /// In dB, infinite for equal pictures.
     pub psnr: f64,
 }
 
 impl Difference {
-    /// Compares two pictures of `0x00RRGGBB` pixels.
+    /// Compares `0x00RRGGBB` pixels.
     pub fn between(a: &[u32], b: &[u32]) -> Self {
         assert_eq!(a.len(), b.len(), "pictures of different sizes");
         let (mut sum, mut squares, mut largest, mut over_8) = (0_u64, 0_u64, 0, 0);
@@ -37,7 +36,7 @@ impl Difference {
         }
     }
 
-    /// Returns the PSNR of the mean square, in dB.
+    /// Returns the PSNR in dB of the mean square.
     pub fn pooled_psnr(differences: &[Self]) -> f64 {
         let sum: f64 = differences.iter().map(|each| each.square).sum();
         decibels(sum / differences.len() as f64)

@@ -1,5 +1,5 @@
-//! FLIP, the difference that a viewer perceives who alternates between two pictures (Andersson et al., "FLIP: A Difference Evaluator
-//! for Alternating Images", 2020).
+//! FLIP: the visible difference between alternating pictures (Andersson et al., "FLIP: A Difference Evaluator for Alternating Images",
+//! 2020).
 
 use crate::picture::rgb;
 use nv_flip::{FlipImageRgb8, flip};
@@ -7,13 +7,13 @@ use nv_flip::{FlipImageRgb8, flip};
 /// FLIP's default: 3840 pixels on 0.7 m at a distance of 0.7 m.
 pub const PIXELS_PER_DEGREE: f32 = 67.0;
 
-/// The FLIP error of each pixel, from 0, invisible, to 1.
+/// The error per pixel, from 0, invisible, to 1.
 pub struct Flip {
     pub errors: Vec<f32>,
 }
 
 impl Flip {
-    /// Compares two pictures of `0x00RRGGBB` pixels.
+    /// Compares `0x00RRGGBB` pixels.
     pub fn between(width: usize, reference: &[u32], test: &[u32]) -> Self {
         if reference == test {
             let errors = vec![0.0; test.len()];

@@ -1,5 +1,3 @@
-//! Ends a command early on Ctrl-C, with its results so far.
-
 use crate::arguments::Exit;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
@@ -8,13 +6,10 @@ use std::sync::{Arc, LazyLock};
 
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// The exit code of shells after Ctrl-C.
+/// As in shells.
 const EXIT_CODE: u8 = 128 + SIGINT as u8;
 
-/// Makes the first signal set a flag, and the second one end the program.
-///
-/// # Panics
-/// If the system refuses.
+/// Makes the first signal set a flag, and the second one end the program. Panics if the system refuses.
 pub fn listen() {
     for signal in [SIGINT, SIGTERM] {
         let exits = flag::register_conditional_shutdown(signal, EXIT_CODE.into(), STOPPED.clone());
@@ -27,7 +22,6 @@ pub fn is_stopped() -> bool {
     STOPPED.load(SeqCst)
 }
 
-/// Returns an error after a signal.
 pub fn check(results: &str) -> Result<(), Exit> {
     match is_stopped() {
         true => Err(Exit::new(EXIT_CODE, format!("stopped early; {results}"))),

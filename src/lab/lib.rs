@@ -1,6 +1,4 @@
-//! Draws frames, and measures the cost of speed in accuracy.
-//!
-//! Each command of `cargo lab` is a module; the other modules are shared by commands and tests.
+//! Draws frames, and measures the cost of speed in accuracy. Each command of `cargo lab` is a module; commands and tests share the others.
 
 pub mod arguments;
 pub mod bench;

@@ -56,7 +56,7 @@ fn explain(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         error.exit();
     }
-    // A mistake in a scene file begins with its place, where editors look for it.
+    // Begin with the place in the scene file, where editors look for it.
     let mistake = error.source().and_then(|source| source.downcast_ref());
     if let Some(Exit { message, code }) = mistake {
         eprintln!("{message}");

@@ -2,7 +2,7 @@ pub fn percent(fraction: f64) -> String {
     format!("{:.1} %", 100.0 * fraction)
 }
 
-/// Formats a number with `digits` decimals, or a dash if it is unknown or infinite: the PSNR of equal pictures.
+/// Formats `digits` decimals, or a dash for unknown or infinite numbers: the PSNR of equal pictures.
 pub fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
     match number.into().filter(|number| number.is_finite()) {
         Some(number) => format!("{number:.digits$}"),
@@ -10,10 +10,10 @@ pub fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
     }
 }
 
-/// The title of a column, and its cell in a row.
+/// The title, and the cell of a row.
 pub type Column<R> = (&'static str, fn(&R) -> String);
 
-/// Returns a table whose columns are aligned in plain text, too.
+/// Aligns columns in plain text, too.
 pub fn table<'a, R: 'a>(
     columns: &[Column<R>],
     rows: impl IntoIterator<Item = &'a R> + Clone,

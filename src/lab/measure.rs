@@ -1,5 +1,3 @@
-//! Times and compares the frames of several techniques.
-
 use crate::arguments::{self, Size, within};
 use crate::error::Difference;
 use crate::interrupt;
@@ -19,8 +17,7 @@ use std::time::Instant;
 pub struct ShotArguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::names())]
     pub scene: SceneName,
-    /// Views, at even intervals, for FLIP, missed objects and dB to 64 samples; pops are counted in the ten frames after each, 60 per
-    /// second
+    /// Evenly spaced views for FLIP, missed objects and dB to 64 samples; pops are counted in the next ten frames, 60 per second
     #[arg(long, value_name = "N", default_value = "9", value_parser = within(arguments::FRAMES))]
     pub views: usize,
     /// Instruction set [default: the best of this machine]
@@ -28,7 +25,7 @@ pub struct ShotArguments {
     pub isa: Option<Isa>,
 }
 
-/// Settings to measure: every shot in every size, with every number of threads, by every technique.
+/// Every shot is measured in every size, with every number of threads, by every technique.
 pub struct Measurement {
     pub shots: Vec<Shot>,
     pub isa: Isa,
@@ -51,7 +48,6 @@ const FRAME: f32 = 1.0 / 60.0;
 const FOLLOWING: usize = 10;
 
 impl Shot {
-    /// Spaces frames and views evenly.
     pub fn new(scene: SceneName, frames: usize, views: usize) -> Self {
         let length = scene.length();
         // A scene of the show ends before the next one begins.
@@ -78,7 +74,6 @@ fn evenly_spaced(last: f32, i: usize, count: usize) -> f32 {
     last * i as f32 / (count - 1).max(1) as f32
 }
 
-/// The results of a shot in a size with a number of threads.
 pub struct Setting {
     pub shot: usize,
     pub size: Size,
@@ -89,7 +84,7 @@ pub struct Setting {
 
 #[derive(Clone, Default)]
 pub struct Run {
-    /// Milliseconds of each frame: with one thread processor time, which other programs do not lengthen; else real time.
+    /// Milliseconds per frame: for one thread processor time, which other programs do not lengthen; else real time.
     pub times: Vec<f64>,
     pub counts: Counts,
     pub differences: Vec<Difference>,
@@ -97,8 +92,6 @@ pub struct Run {
 }
 
 impl Measurement {
-    /// Draws all frames.
-    ///
     /// Settings and techniques take turns frame by frame, so a drift of the machine's speed affects all alike. After Ctrl-C only the
     /// first frame of each shot is drawn.
     pub fn run(&self) -> Vec<Setting> {
@@ -138,7 +131,7 @@ impl Measurement {
         settings
     }
 
-    /// Omits captions next to enlarged frames, which would enlarge them.
+    /// Omits captions, which enlarged frames would enlarge.
     fn scene(&self, name: SceneName, time: f32) -> Scene {
         let mut scene = name.without_overlay(time);
         if self
@@ -152,7 +145,6 @@ impl Measurement {
         scene
     }
 
-    /// Orders settings by threads, then sizes, then shots.
     fn settings(&self) -> Vec<Setting> {
         let mut settings = Vec::new();
         for &threads in &self.threads {
@@ -168,7 +160,7 @@ impl Measurement {
         settings
     }
 
-    /// Compares all views once per size: threads do not change pictures.
+    /// Compares views once per size: threads do not change pictures.
     fn look(&self, settings: &mut [Setting]) {
         let count = self.sizes.len() * self.shots.len();
         let views: usize = self.shots.iter().map(|shot| shot.views.len()).sum();

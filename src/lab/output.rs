@@ -8,8 +8,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use tempfile::NamedTempFile;
 
-/// Writes a file, or standard output if the name is `-`. Replaces a regular file when the new one is complete; writes to devices
-/// and pipes directly.
+/// Writes standard output (`-`), devices and pipes directly.
 pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     let is_special = fs::metadata(name).is_ok_and(|there| !there.is_file());
     if name != Path::new("-") && !is_special {
@@ -34,7 +33,7 @@ pub fn write_json(name: &Path, value: &impl Serialize) -> Result<()> {
     write(name, &json)
 }
 
-/// Checks that a file can be written, before a long measurement.
+/// Checks the file before a long measurement.
 pub fn check(name: &Path) -> Result<()> {
     ensure!(!name.is_dir(), "{}: it is a folder", cannot_write(name));
     if name == Path::new("-") || name.exists() {
@@ -43,7 +42,7 @@ pub fn check(name: &Path) -> Result<()> {
     part(name).map(drop)
 }
 
-/// Creates a temporary file next to `name`, with its extension.
+/// Returns a temporary file next to `name`, with its extension.
 pub fn part(name: &Path) -> Result<NamedTempFile> {
     let folder = name.parent().filter(|folder| *folder != Path::new(""));
     let suffix = format!(".{}", name.extension().unwrap_or_default().display());

@@ -7,9 +7,9 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 pub struct FrameTrace {
     width: usize,
     height: usize,
-    /// Rays of each pixel's point, with shadow rays; 0 without a point.
+    /// Per pixel, with shadow rays; 0 without a point.
     rays: Vec<AtomicU32>,
-    /// At its upper left corner: `w << 16 | h << 8 | fill`; otherwise 0.
+    /// `w << 16 | h << 8 | fill` at upper left corners; otherwise 0.
     squares: Vec<AtomicU32>,
 }
 
@@ -19,7 +19,7 @@ pub struct Drawn {
     pub y: usize,
     pub w: usize,
     pub h: usize,
-    /// The larger side before clipping.
+    /// The larger side, unclipped.
     pub side: usize,
     pub fill: Fill,
 }
@@ -59,7 +59,7 @@ impl FrameTrace {
         })
     }
 
-    /// Draws points white on a darkened picture.
+    /// Draws white points on the darkened picture.
     pub fn draw_points(&self, pixels: &mut [u32]) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
             let dark = (*pixel >> 2) & 0x003f_3f3f;
@@ -67,7 +67,7 @@ impl FrameTrace {
         }
     }
 
-    /// Draws squares coloured by size, with dark left and upper edges.
+    /// Colours squares by size, with dark left and upper edges.
     pub fn draw_squares(&self, pixels: &mut [u32]) {
         for square in self.squares() {
             let colour = square_colour(square.side);
@@ -81,7 +81,7 @@ impl FrameTrace {
         }
     }
 
-    /// Draws rays from black for 0 to white for `most`.
+    /// Draws 0 rays black, `most` white.
     pub fn draw_heat(&self, pixels: &mut [u32], most: u32) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
             *pixel = heat(rays as f32 / most as f32);
@@ -112,14 +112,14 @@ pub fn square_colour(side: usize) -> u32 {
     heat(0.12 + 0.83 * halvings as f32 / Quality::MAX_SQUARE.ilog2() as f32)
 }
 
-/// Replaces a picture by its error: white is `most` of 255 in a channel.
+/// White is an error of `most` of 255 in a channel.
 pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
     for (pixel, &exhaustive) in pixels.iter_mut().zip(exhaustive) {
         *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / most as f32);
     }
 }
 
-/// Returns a colour of the perceptually uniform map "magma"; 0 is dark, 1 bright.
+/// Returns a colour of the perceptually uniform "magma", 0 dark to 1 bright.
 pub fn heat(share: f32) -> u32 {
     static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
         let bytes = nv_flip::magma_lut().to_vec();

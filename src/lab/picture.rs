@@ -1,4 +1,4 @@
-//! Pictures of `0x00RRGGBB` pixels: bytes, means, PNG files.
+//! Pixels are `0x00RRGGBB`.
 
 use png::{BitDepth, ColorType, Encoder, EncodingError};
 

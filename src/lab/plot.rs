@@ -12,7 +12,7 @@ const COLOURS: [RGBColor; 4] = [
     RGBColor(0, 158, 115),
 ];
 
-/// A chart whose horizontal axis is logarithmic.
+/// The horizontal axis is logarithmic.
 pub struct Chart {
     pub x: &'static str,
     pub y: &'static str,
@@ -23,7 +23,7 @@ pub struct Chart {
 pub struct Series {
     pub name: String,
     pub points: Vec<(f64, f64)>,
-    /// The text at each point; can be empty.
+    /// Texts at points, or empty.
     pub labels: Vec<String>,
     pub has_line: bool,
 }

@@ -1,7 +1,7 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, stderr};
 
-/// Returns a progress bar, hidden unless standard error is a terminal. It has no thread, which would disturb measurements.
+/// Returns a bar, hidden unless standard error is a terminal. It has no thread, which would disturb measurements.
 pub fn bar(steps: usize) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();

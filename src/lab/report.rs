@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// Runs the commands in the marked parts of README.md and docs/*.md, and replaces their output
+/// Runs the commands in marked parts of README.md and docs/*.md, and replaces their output
 ///
-/// A part begins with a line <!-- lab report NAME --> and ends with <!-- lab report end -->. Its indented lines are commands for sh.
-/// A part with pictures keeps its text: its commands draw the pictures. Pages are written at the end.
+/// A part begins with <!-- lab report NAME --> and ends with <!-- lab report end -->. Its indented lines are commands for sh. A part
+/// with pictures keeps its text: its commands draw the pictures. Pages are written at the end.
 #[derive(Args)]
 pub struct Arguments {
     /// Parts to update [default: all]

@@ -5,9 +5,7 @@ use crate::timing::{median, percentile};
 use eightfold_tracer::Quality;
 use serde::Serialize;
 
-/// The figures of a technique in a setting.
-///
-/// Times are in milliseconds, counts are means per frame. `null` in JSON is the PSNR of equal pictures, or an unknown figure.
+/// Counts are means per frame. `null` in JSON is unknown, or the PSNR of equal pictures.
 #[derive(Clone, Serialize)]
 pub struct Row {
     pub scene: String,
@@ -23,32 +21,27 @@ pub struct Row {
     pub sampling: Sampling,
     pub frames: usize,
     pub fps_median: f64,
-    /// In the slowest second of the scene or of the show.
     pub fps_worst_second: f64,
     pub ms_median: f64,
-    /// 99 of 100 frames took no longer.
     pub ms_p99: f64,
-    /// The first quartile of the reference's times, divided by this one: other programs lengthen the slower frames.
+    /// The reference's first quartile of times, divided by this one: other programs lengthen the slower frames.
     pub speedup: f64,
-    /// Points traced per pixel.
     pub traced_fraction: f64,
     /// Primary and secondary rays.
     pub rays: f64,
     pub shadow_rays: f64,
-    /// Primary and secondary rays per lane of their packets.
+    /// Rays per lane of their packets.
     pub lane_occupancy: f64,
-    /// The PSNR of all frames together to exhaustive frames, in dB.
+    /// Of all frames together, to exhaustive ones.
     pub psnr_db: f64,
     pub psnr_worst_db: f64,
-    /// Pixels with a channel more than 8 of 255 off.
     pub pixels_over_8: f64,
-    /// See [`crate::seen`].
     pub pops: Option<f64>,
     pub flip_mean: Option<f64>,
     pub missed_objects: Option<f64>,
     pub psnr_to_64_db: Option<f64>,
     pub flip_to_64: Option<f64>,
-    /// Whether it is on the Pareto front of [`crate::trade`].
+    /// See [`crate::trade`].
     pub on_front: bool,
 }
 
@@ -105,7 +98,7 @@ pub fn quartile(run: &Run) -> f64 {
     percentile(&run.times, 25)
 }
 
-/// Returns the mean time of a frame in the slowest second.
+/// Returns the mean frame time of the slowest second.
 fn worst_second(shot: &Shot, times: &[f64]) -> f64 {
     let start = shot.scene.start().unwrap_or(0.0);
     let seconds = shot.times.iter().map(|time| (start + time).floor());
@@ -143,7 +136,7 @@ const COLUMNS: [Column<Row>; 20] = [
 const ERRORS: &str =
     "dB to exhaustive, worst frame, over 8/255, pops, FLIP, dB to 64 samples, FLIP to 64";
 
-/// Returns a table of these columns and the error columns.
+/// Adds the error columns.
 pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) -> String {
     let titles = titles.split(", ").chain(ERRORS.split(", "));
     let column = |title| COLUMNS.into_iter().find(|column| column.0 == title);
@@ -153,7 +146,7 @@ pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) 
 
 struct Race {
     own: Row,
-    /// The scale and the dB to 64 samples of the enlarged frame that takes as long.
+    /// Scale, and dB to 64 samples, at equal time.
     enlarged: [f64; 2],
     checkerboard: Option<Row>,
 }
@@ -179,8 +172,8 @@ fn psnr_to_64(row: &Row) -> f64 {
     row.psnr_to_64_db.unwrap_or(f64::NAN)
 }
 
-/// Returns a Markdown table of qualities against enlarged frames of equal time, interpolated between those that were measured, and
-/// against the checkerboard. If even the smallest frame is slower, it counts.
+/// Compares qualities with enlarged frames of equal time, interpolated between measured ones or the smallest if all are slower, and
+/// with the checkerboard.
 pub fn races(rows: &[Row]) -> String {
     let setting = |row: &Row| (row.scene.clone(), row.width, row.height, row.threads);
     let settings = rows.chunk_by(|a, b| setting(a) == setting(b));
@@ -206,7 +199,7 @@ pub fn races(rows: &[Row]) -> String {
     markdown::table(&RACES, &races.collect::<Vec<_>>())
 }
 
-/// Interpolates the two figures of points sorted by speed-up, clamped to the ends.
+/// Interpolates points sorted by speed-up, clamped to the ends.
 fn at_speed(points: &[[f64; 3]], speedup: f64) -> [f64; 2] {
     let next = points.iter().position(|point| point[0] >= speedup);
     let next = next.unwrap_or(points.len() - 1);

@@ -13,14 +13,13 @@ const SUFFIX: &str = ".ron";
 pub fn text(path: &Path) -> Result<String, String> {
     let error = |why: &str| format!("cannot read {}: {why}", path.display());
     let bytes = match fs::metadata(path) {
-        // A pipe or a device can be endless, and cannot be read again.
+        // Pipes and devices can be endless, and cannot be read again.
         Ok(there) if !there.is_file() => return Err(error("it is not a regular file")),
         _ => fs::read(path).map_err(|why| error(&why.to_string()))?,
     };
     String::from_utf8(bytes).map_err(|_| error("it is not UTF-8"))
 }
 
-/// Returns the names of scenes, for `--help` and errors.
 pub fn names() -> String {
     let parts = show::NAMES.map(|part| format!("show:{part}")).join(", ");
     format!("model, field:N (1 to {MAX_SPHERES} spheres), show, {parts}, or FILE{SUFFIX}")
@@ -29,7 +28,7 @@ pub fn names() -> String {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SceneName {
     Show,
-    /// An index in [`show::NAMES`].
+    /// Index in [`show::NAMES`].
     ShowScene(usize),
     Model,
     /// A number of small spheres.
@@ -52,8 +51,8 @@ impl SceneName {
         }
     }
 
-    /// Returns the scene without overlays that differ between qualities, which would count as errors: the explanation of the method,
-    /// and captions that count points.
+    /// Omits overlays that differ between qualities, which would count as errors: the explanation of the method, and captions
+    /// that count points.
     pub fn without_overlay(self, time: f32) -> Scene {
         let mut scene = self.at(time);
         scene.method = Method::default();
@@ -63,7 +62,7 @@ impl SceneName {
         scene
     }
 
-    /// Returns its start in the show in seconds; `None` for other scenes.
+    /// Returns its start in the show in seconds.
     pub fn start(self) -> Option<f32> {
         match self {
             Self::Show => Some(0.0),

@@ -1,5 +1,3 @@
-//! Errors that a viewer sees: FLIP, pops, missed objects, and the difference to 64 samples per pixel.
-
 use crate::arguments::{Size, processors};
 use crate::error::{Difference, worst_channel};
 use crate::flip::{Flip, Flips};
@@ -19,7 +17,6 @@ const POP: u32 = 16;
 /// while the reference changes by at most this.
 const STILL: u32 = 4;
 
-/// The errors of a technique in all views.
 #[derive(Clone, Default)]
 pub struct Seen {
     /// To the reference.
@@ -27,7 +24,6 @@ pub struct Seen {
     pops: usize,
     pairs: usize,
     missed: usize,
-    /// One for each view.
     differences_to_64: Vec<Difference>,
     pub flips_to_64: Flips,
 }
@@ -54,7 +50,7 @@ pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
     (0..frames[0].len()).filter(pops).count()
 }
 
-/// Adds the errors of a view, whose consecutive frames show `scenes`. The first technique is the reference.
+/// Adds the errors of a view with consecutive frames of `scenes`. The first technique is the reference.
 pub fn look(
     techniques: &[Technique],
     level: Level,

@@ -6,7 +6,6 @@ use plotters::style::FontStyle;
 
 pub struct Tile {
     pub pixels: Vec<u32>,
-    /// One line or more.
     pub caption: String,
 }
 

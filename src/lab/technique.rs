@@ -1,5 +1,3 @@
-//! Techniques of drawing a frame: a quality, or a rival that traces fewer pixels.
-
 use crate::arguments::{NamedQuality, Size};
 use crate::error::worst_channel;
 use crate::threaded_renderer::ThreadedRenderer;
@@ -18,15 +16,13 @@ pub struct Technique {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
-    /// As the quality says.
     Full,
-    /// The pixels of a smaller frame, which a Catmull-Rom filter enlarges: its side relative to the full one.
+    /// A smaller frame, enlarged by a Catmull-Rom filter: its relative side.
     Enlarged(f64),
-    /// Every second pixel. The others are the mean of their horizontal or vertical neighbours, the pair that differs less.
+    /// Every second pixel. The others are the mean of the more similar pair of horizontal or vertical neighbours.
     Checkerboard,
 }
 
-/// Memory kept between frames.
 #[derive(Default)]
 struct Scratch {
     resizer: Resizer,
@@ -53,7 +49,7 @@ impl Technique {
         Self::new(named.name, named.quality, antialias, Sampling::Full)
     }
 
-    /// Returns enlarged frames, the checkerboard, which cannot be antialiased, and `default` without its guard.
+    /// The checkerboard cannot be antialiased.
     pub fn rivals(antialias: bool) -> impl Iterator<Item = Self> {
         let enlarged = (4..10).map(move |tenths| {
             let sampling = Sampling::Enlarged(f64::from(tenths) / 10.0);
@@ -91,7 +87,7 @@ impl Technique {
                 counts
             }
             Sampling::Checkerboard => {
-                // Two frames of half the size: one has the upper left pixel of each 2x2, the other the lower right pixel.
+                // Two frames of half the side: the upper left, then the lower right pixel of each 2x2.
                 let part = Size::new(size.width.div_ceil(2), size.height.div_ceil(2));
                 small.resize(part.area(), 0);
                 let mut counts = Counts::NONE;
@@ -138,7 +134,7 @@ fn fill_gaps(size: Size, pixels: &mut [u32]) {
             };
             let pairs = [pair(x, width, 1), pair(y, height, width)];
             let [a, b] = pairs[usize::from(contrast(pairs[1]) < contrast(pairs[0]))];
-            // The mean of all channels, rounded up.
+            // The mean per channel, rounded up.
             pixels[at] = (a | b) - ((a ^ b) >> 1 & 0x007f_7f7f);
         }
     }

@@ -26,7 +26,7 @@ impl Threads for PoolThreads {
 }
 
 impl ThreadedRenderer {
-    /// Starts threads. The caller's counts, too.
+    /// The caller's thread counts, too.
     pub fn new(threads: usize) -> Self {
         let pool = Pool::new(threads);
         assert_eq!(pool.threads(), threads, "the system starts no more threads");
@@ -41,7 +41,7 @@ impl ThreadedRenderer {
         }
     }
 
-    /// Draws a frame, also of an invalid scene. Returns its work.
+    /// Draws a frame, also of an invalid scene.
     pub fn draw(
         &mut self,
         level: Level,
@@ -72,12 +72,11 @@ impl ThreadedRenderer {
             .expect("a valid scene")
     }
 
-    /// Sets the probed pixels of the next frames.
     pub fn set_probes(&mut self, count: u16, seed: u32) {
         self.probing = Probing { count, seed };
     }
 
-    /// Offsets the samples of the next frames, in pixels.
+    /// In pixels.
     pub fn set_offset(&mut self, x: f32, y: f32) {
         self.offset = [x, y];
     }
@@ -90,7 +89,7 @@ impl ThreadedRenderer {
     }
 }
 
-/// Draws a frame by the best instruction set of this machine.
+/// Uses the best instruction set of this machine.
 pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Vec<u32> {
     let mut pixels = vec![0; size.area()];
     let level = cpu::best().level;
@@ -98,7 +97,6 @@ pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Ve
     pixels
 }
 
-/// Returns a frame `width` pixels wide that fills `pixels`.
 pub fn whole(width: usize, pixels: &mut [u32]) -> Frame<'_> {
     assert_eq!(pixels.len() % width, 0, "the last row is incomplete");
     Frame::new(width, pixels.len() / width, pixels)

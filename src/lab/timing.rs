@@ -1,7 +1,7 @@
 use crate::arguments::processors;
 use std::fs;
 
-/// Returns the median; for an even number of times the mean of the middle two.
+/// Averages the middle two of an even number.
 pub fn median(times: &[f64]) -> f64 {
     let times = sorted(times);
     let middle = times.len() / 2;
@@ -12,7 +12,7 @@ pub fn median(times: &[f64]) -> f64 {
     }
 }
 
-/// Returns the smallest time that `percent` of 100 do not exceed.
+/// Returns the smallest time that `percent` % of the times do not exceed.
 pub fn percentile(times: &[f64], percent: usize) -> f64 {
     sorted(times)[(times.len() * percent).div_ceil(100) - 1]
 }

@@ -4,7 +4,6 @@ use std::ops::Range;
 /// Bytes per stereo sample.
 const FRAME: u32 = 8;
 
-/// Synthesizes samples of the song.
 pub fn record(range: Range<u32>) -> Vec<[f32; 2]> {
     let mut synthesizer = Box::<Synthesizer>::default();
     let mut samples = vec![[0.0; 2]; range.len()];
@@ -13,7 +12,7 @@ pub fn record(range: Range<u32>) -> Vec<[f32; 2]> {
     samples
 }
 
-/// Encodes stereo samples as a WAV file: 48 kHz, 32-bit floating point.
+/// 48 kHz, 32-bit floating point.
 pub fn wav(samples: &[[f32; 2]]) -> Vec<u8> {
     let size = samples.len() as u32 * FRAME;
     // Format 3 is floating point.

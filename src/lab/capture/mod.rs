@@ -15,32 +15,32 @@ use std::path::{Path, PathBuf};
 
 /// Draws frames as PNG files, a video or a contact sheet, and writes their sound
 ///
-/// A frame has the same bytes for any number of threads and any range, and by AVX2 and AVX-512: several machines can share a capture.
+/// A frame has the same bytes for any number of threads and any range, by AVX2 and AVX-512: several machines can share a capture.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),
     group(ArgGroup::new("output").required(true).multiple(true).args(["png", "video", "sheet", "audio"]))
 )]
 pub struct Arguments {
-    /// Folder for a PNG file per frame, frame-000000.png and so on
+    /// Folder for frame-000000.png, frame-000001.png and so on
     #[arg(long, value_name = "FOLDER")]
     png: Option<PathBuf>,
-    /// File for a video with sound, .mp4 or .mkv, or for an animated picture, .webp, by ffmpeg
+    /// Video file with sound, .mp4 or .mkv, or animated picture, .webp, by ffmpeg
     #[arg(long, value_name = "FILE")]
     video: Option<PathBuf>,
-    /// PNG file for a contact sheet of frames at even intervals with their times, or - for standard output
+    /// PNG contact sheet of evenly spaced frames with their times, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     sheet: Option<PathBuf>,
-    /// WAV file for the sound of the frames, 48 kHz, 32-bit floating point, or - for standard output
+    /// WAV file of the sound, 48 kHz, 32-bit floating point, or - for standard output
     #[arg(long, value_name = "FILE")]
     audio: Option<PathBuf>,
     /// Frames on the contact sheet
     #[arg(long, value_name = "N", default_value = "24", value_parser = within(arguments::FRAMES), conflicts_with_all = ["png", "video"])]
     frames: usize,
-    /// The first frame
+    /// First frame
     #[arg(long, value_name = "FRAME", default_value = "0", value_parser = within(FRAME))]
     from: usize,
-    /// The frame after the last one [default: the scene's end]
+    /// Frame after the last one [default: the scene's end]
     #[arg(long, value_name = "FRAME", value_parser = within(FRAME))]
     to: Option<usize>,
     /// Frames per second
@@ -53,13 +53,13 @@ pub struct Arguments {
     scene: SceneName,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: NamedQuality,
-    /// Averages N by N pictures per frame, with samples spread over the pixel [default: 1; 4 with a flag below]
+    /// Averages NxN samples per pixel [default: 1; 4 with a flag below]
     #[arg(long, value_name = "N", value_parser = within(1..=MAX_SUPERSAMPLE))]
     supersample: Option<usize>,
-    /// Motion blur: the fraction of a frame's time that the shutter is open, 0 to 1
+    /// Motion blur: the fraction of a frame's time with an open shutter, 0 to 1
     #[arg(long, value_name = "FRACTION", default_value = "0", value_parser = within(0.0..=1.0_f32))]
     shutter: f32,
-    /// Depth of field: the diameter of the lens in scene units. The point that the camera looks at is in focus
+    /// Depth of field: the diameter of the lens in scene units; the camera's target is in focus
     #[arg(long, value_name = "LENGTH", default_value = "0", value_parser = within(0.0..=MAX_LENGTH))]
     aperture: f32,
 }
@@ -97,7 +97,7 @@ fn range(arguments: &Arguments) -> Result<Range<usize>> {
     Ok(from..to)
 }
 
-/// Writes a PNG file per frame, with six digits so that names sort by number.
+/// Names have six digits, to sort by number.
 fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     let width = recorder.size.width;
@@ -107,7 +107,7 @@ fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> 
     })
 }
 
-/// Writes a sheet of `count` frames from the middle of equal parts of the range.
+/// Shows the middle frames of `count` equal parts of the range.
 fn write_sheet(
     recorder: &mut Recorder,
     range: &Range<usize>,
@@ -127,7 +127,7 @@ fn write_sheet(
     output::write(name, &sheet(recorder.size, columns(count), &tiles)?)
 }
 
-/// Returns the number of columns with the fewest empty places, from the square root of `count` to twice that.
+/// Returns the columns with the fewest empty places, from the square root of `count` to twice the root.
 fn columns(count: usize) -> usize {
     let least = (count as f64).sqrt().ceil() as usize;
     let empty = |&columns: &usize| count.next_multiple_of(columns) - count;

@@ -1,5 +1,3 @@
-//! The pictures and the sound of frames.
-
 use super::Arguments;
 use crate::arguments::{Size, processors};
 use crate::interrupt;
@@ -16,7 +14,7 @@ use eightfold_window::cpu;
 use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// The default of `--supersample` for blurred frames.
+/// Default supersampling of blurred frames.
 const BLURRED: usize = 4;
 
 pub struct Recorder {
@@ -24,7 +22,7 @@ pub struct Recorder {
     pub fps: u32,
     pub size: Size,
     quality: Quality,
-    /// The pictures per frame, along each axis.
+    /// Samples per pixel along each axis.
     supersample: usize,
     shutter: f32,
     aperture: f32,
@@ -54,7 +52,7 @@ impl Recorder {
         }
     }
 
-    /// Draws frames in order, each with all threads, until Ctrl-C or an error of `take`.
+    /// Draws frames in order until Ctrl-C or an error of `take`.
     pub fn draw_each(
         &mut self,
         frames: impl ExactSizeIterator<Item = usize>,
@@ -95,7 +93,7 @@ impl Recorder {
         &self.pixels
     }
 
-    /// Moves the camera to a point of the lens. Returns the offset in pixels that keeps the focused point in place.
+    /// Returns the offset in pixels that keeps the point in focus in place.
     fn move_camera(&self, camera: &mut Camera, lens: Vec2) -> Vec2 {
         let sight = camera.look_at - camera.eye;
         let forward = sight.normalize();
@@ -104,11 +102,11 @@ impl Recorder {
         camera.eye += by;
         camera.look_at += by;
         let pixel = 2.0 * (0.5 * camera.field_of_view).tan() / self.size.height as f32;
-        // Rows count downwards, and the second axis of the lens is up.
+        // Rows count downwards; the lens' second axis is up.
         vec2(-lens.x, lens.y) / (sight.length() * pixel)
     }
 
-    /// Synthesizes the sound of frames; `None` outside the show.
+    /// Returns `None` outside the show.
     pub fn sound(&self, frames: &Range<usize>) -> Option<Vec<[f32; 2]>> {
         let start = (self.scene.start()? * RATE as f32) as u32;
         let samples = |frame: usize| (frame as u64 * u64::from(RATE)).div_ceil(self.fps.into());

@@ -1,5 +1,3 @@
-//! Writes frames and their sound as a video, by ffmpeg.
-
 use super::recorder::Recorder;
 use crate::interrupt;
 use crate::{output, wav};
@@ -11,15 +9,13 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 const INPUT: &str = "-v error -nostdin -y -f rawvideo -pixel_format 0rgb";
-/// H.264 in 4:2:0, which all players support, with its colour space, which players would otherwise guess. Rate factor 16 has no
-/// visible loss.
+/// All players support 4:2:0; without a colour space they would guess one. Rate factor 16 has no visible loss.
 const H264: &str = "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -crf 16 -pix_fmt yuv420p -colorspace bt709 \
                     -color_primaries bt709 -color_trc bt709 -color_range tv -movflags +faststart";
 /// 192 kbit/s have no audible loss.
 const AAC: &str = "-map 0:v -map 1:a -c:a aac -b:a 192k";
 const WEBP: &str = "-c:v libwebp_anim -quality 70 -loop 0";
 
-/// Pipes frames to ffmpeg, and names the file when it is complete.
 pub fn write(recorder: &mut Recorder, frames: Range<usize>, name: &Path) -> Result<()> {
     let kind = name.extension().unwrap_or_default();
     let out = output::part(name)?;

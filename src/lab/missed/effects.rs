@@ -9,17 +9,15 @@ use eightfold_tracer::scene::{List, Material, Scene, Waves};
 use eightfold_window::cpu;
 use std::collections::BTreeMap;
 
-/// The effect of an object in a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     Object,
-    /// A shadow on a plane.
     PlaneShadow,
-    /// A shadow on a sphere or a block.
+    /// On a sphere or a block.
     SolidShadow,
-    /// An image in the first plane, without waves.
+    /// In the first plane, without waves.
     PlaneImage,
-    /// An image in another mirror, in waves, or through glass.
+    /// In another mirror, in waves, or through glass.
     OtherImage,
 }
 
@@ -39,7 +37,7 @@ impl Kind {
 /// In pixels.
 const SMALL: usize = 16;
 
-/// The number of small effects, and of those that a picture misses: all their pixels are wrong.
+/// Small effects. A missed one has only wrong pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Count {
     pub small: usize,
@@ -72,7 +70,6 @@ impl EffectCounter {
         pixels
     }
 
-    /// Counts the small effects of all spheres and blocks.
     pub fn count(&mut self, scene: &Scene, quality: Quality, counts: &mut Counts) {
         let whole = self.draw(scene, Quality::EXHAUSTIVE);
         let drawn = [quality.guarded, false].map(|guarded| {
@@ -86,7 +83,7 @@ impl EffectCounter {
             let without = self.draw(&rest, Quality::EXHAUSTIVE);
             let changed = |&i: &usize| hosts[i] == object || differ(whole[i], without[i]);
             let changed: Vec<usize> = (0..whole.len()).filter(changed).collect();
-            // Skip the second picture if no mirror shows the object.
+            // Skip this picture if no mirror shows the object.
             let is_mirror = |&i: &usize| material(scene, hosts[i]).is_specular();
             let is_mirrored = changed.iter().any(is_mirror);
             let rest = without_lights(&rest);
@@ -135,7 +132,7 @@ fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N
     others.copied().collect()
 }
 
-/// Replaces the lights by even light: then a change is not a shadow.
+/// Lights the scene evenly: a change is then not a shadow.
 fn without_lights(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.lights.clear();
@@ -143,7 +140,7 @@ fn without_lights(scene: &Scene) -> Scene {
     scene
 }
 
-/// Returns the kind of effect of `object` in a pixel that shows `host`. `is_seen` is true if it changes the pixel without lights, too.
+/// Returns the effect of `object` on a pixel of `host`. `is_seen` is true if it changes the pixel without lights, too.
 fn kind(scene: &Scene, object: Object, host: Object, is_seen: bool) -> Kind {
     let is_image = is_seen && material(scene, host).is_specular();
     match host {
@@ -155,7 +152,7 @@ fn kind(scene: &Scene, object: Object, host: Object, is_seen: bool) -> Kind {
     }
 }
 
-/// Returns black for lights and the background.
+/// Black for lights and the background.
 fn material(scene: &Scene, object: Object) -> Material {
     object.material(scene).copied().unwrap_or(Material::BLACK)
 }

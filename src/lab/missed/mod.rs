@@ -17,8 +17,8 @@ use std::path::Path;
 
 /// Counts the small objects, shadows and images that a quality misses
 ///
-/// Prints a Markdown table. The pixels of an exhaustive frame that change by more than 8/255 when a sphere, box or cylinder is removed
-/// from the scene show it, its shadows or its images. An effect in at most 16 pixels is small. It is missed if all its pixels are wrong;
+/// Prints a Markdown table. Without a sphere, box or cylinder, an exhaustive frame changes by more than 8/255 in the pixels of the
+/// object, its shadows or its images. Effects in at most 16 pixels are small; they are missed if all these pixels are wrong.
 /// `unguarded` is without the guard.
 #[derive(Args)]
 pub struct Arguments {
@@ -88,7 +88,7 @@ fn groups(arguments: &Arguments) -> Vec<Group> {
     [random].into_iter().chain(others).collect()
 }
 
-/// Returns frames from the middles of equal parts of each scene.
+/// Returns the middle frames of equal parts of each scene.
 fn frames_of(name: SceneName, frames: usize) -> Group {
     let at = |part: SceneName| {
         let each = part.length() / frames as f32;
@@ -100,8 +100,6 @@ fn frames_of(name: SceneName, frames: usize) -> Group {
     }
 }
 
-/// Returns a table with three columns for each group: the number of small effects, and the share that is missed with and without the
-/// guard.
 fn table(columns: &[(&str, Counts)]) -> String {
     let mut text = "| small effects |".to_owned();
     for (name, _) in columns {
@@ -131,7 +129,7 @@ fn visible_objects(scene: &Scene, Size { width, height }: Size) -> Vec<Object> {
     (0..width * height).into_par_iter().map(at).collect()
 }
 
-/// The visible objects and their pixels, without the background.
+/// Pixels by object, without the background.
 pub struct Visible(BTreeMap<Object, Vec<u32>>);
 
 impl Visible {
@@ -146,8 +144,7 @@ impl Visible {
         Self(pixels)
     }
 
-    /// Returns the number of objects with more than three quarters of their pixels wrong: wrong lighting or reflections do not count
-    /// as missed.
+    /// Counts objects with over three quarters of their pixels wrong: wrong lighting or reflections should not count.
     pub fn missed(&self, exhaustive: &[u32], picture: &[u32]) -> usize {
         let is_wrong =
             |&&i: &&u32| worst_channel(exhaustive[i as usize], picture[i as usize]) > MAX_ERROR;

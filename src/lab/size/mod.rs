@@ -15,8 +15,8 @@ use std::path::Path;
 
 /// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown tables
 ///
-/// `bytes` is the size in the linked program, `packed` in the packed file: the sum of the packer's costs. A generic function counts for
-/// the crate that instantiates it, if the linker recorded it, with one row for all instances. Inlined code counts for its caller.
+/// `bytes` is the linked size, `packed` the sum of the packer's costs. A generic function counts for the crate that instantiates it, if
+/// the linker recorded it, with one row for all instances. Inlined code counts for its caller.
 #[derive(Args)]
 pub struct Arguments {
     /// Measures the intro for Windows
@@ -27,7 +27,7 @@ pub struct Arguments {
     functions: usize,
 }
 
-/// Smaller shares of the file are listed as one.
+/// Smaller shares are listed as one.
 const LISTED: f64 = 0.005;
 
 #[derive(Clone, Copy, Default)]
@@ -113,7 +113,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(Path::new("-"), text.as_bytes())
 }
 
-/// Sums the sizes of parts by key. Returns the largest first.
+/// Sums sizes by key, the largest first.
 fn sums<'a, K: Ord>(
     parts: &'a [Part],
     packed: &Packed,

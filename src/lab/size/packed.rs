@@ -1,5 +1,3 @@
-//! The packed size of each byte of the linked program.
-
 use super::Bytes;
 use anyhow::{Context, Result, anyhow};
 use eightfold_pack::{costs, strip};
@@ -7,9 +5,9 @@ use object::{Object, ObjectSegment};
 use std::ops::Range;
 
 pub struct Packed {
-    /// The addresses of each segment, and its offset in the image.
+    /// Addresses, and the offset in the image.
     segments: Vec<(Range<u64>, usize)>,
-    /// The packed bytes before each offset, and before the end.
+    /// Packed bytes before each offset, and before the end.
     before: Vec<f64>,
 }
 

@@ -1,16 +1,13 @@
-//! The sections and symbols of an ELF file.
-
 use anyhow::{Result, ensure};
 use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A part of the program: a section, a function or a constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
     /// Demangled, without a hash.
     pub name: String,
-    /// The crate that it was compiled in; empty for sections and foreign code.
+    /// The crate that compiled it; empty for sections and foreign code.
     pub of: String,
     pub addresses: Range<u64>,
 }
@@ -39,7 +36,7 @@ impl Program {
     }
 }
 
-/// Returns true if a section is loaded from the file: only then it has an address.
+/// Only loaded sections have an address.
 fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
     let is_zero = matches!(
         section.kind(),
@@ -48,7 +45,7 @@ fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
     section.address() != 0 && section.size() > 0 && !is_zero
 }
 
-/// Returns the functions and constants by address. A function with several symbols appears once.
+/// Lists functions and constants by address; a function with several symbols appears once.
 fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     let mut symbols: BTreeMap<u64, Part> = BTreeMap::new();
     let mut unit = None;
@@ -76,17 +73,17 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     symbols.into_values().collect()
 }
 
-/// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. In the symbol table, a unit's private symbols follow
-/// its name; shared symbols follow another name or, for Windows, the last crate's.
+/// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name; shared
+/// symbols follow another name or, for Windows, the last crate's.
 pub fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     (file.contains("-cgu.") && name != LAST).then_some(name)
 }
 
-/// The crate that is linked last. Its symbols are known by their paths.
+/// Linked last. Its symbols are known by their paths.
 const LAST: &str = "compiler_builtins";
 
-/// Returns the first crate of a demangled name, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
+/// Returns the first crate of a name such as `<eightfold::Intro as core::fmt::Debug>::fmt`.
 pub fn crate_of_path(name: &str) -> &str {
     let name = name.trim_start_matches(['<', '&', '*', '(', '[']);
     let name = name.strip_prefix("mut ").unwrap_or(name);

@@ -1,5 +1,3 @@
-//! Measures the speed-up by the size of the picture and by the number of objects.
-
 use crate::arguments::{NamedQuality, Size};
 use crate::interrupt;
 use crate::measure::{Measurement, Setting, Shot, Technique};
@@ -10,16 +8,16 @@ use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use serde::Serialize;
 
 const FRAMES: usize = 7;
-/// The sides of the pictures, relative to `--size`.
+/// Relative to `--size`.
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 2.8];
 const SPHERES: [usize; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, MAX_SPHERES];
-/// The qualities, the reference first.
+/// The reference first.
 const NAMES: [&str; 5] = ["exhaustive", "thesis", "finest", "default", "fastest"];
 
 #[derive(Serialize)]
 pub struct Curve {
     pub name: String,
-    /// Speed-ups by a number.
+    /// Number of pixels or spheres, and speed-up.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -39,7 +37,7 @@ pub fn by_spheres(of: &Measurement) -> Vec<Curve> {
     })
 }
 
-/// Measures the first frames of scenes. Returns curves with a point for each setting, or no curves after Ctrl-C.
+/// Measures the first frames of scenes. Returns no curves after Ctrl-C.
 fn curves(
     of: &Measurement,
     scenes: &[SceneName],

@@ -1,11 +1,8 @@
-//! The Pareto front of speed, FLIP and pops.
-
 use crate::row::Row;
 use crate::technique::Sampling;
 use eightfold_tracer::Quality;
 
-/// Marks the rows that are allowed and that no other allowed row beats in speed, FLIP and pops at once. After Ctrl-C, PSNR replaces
-/// FLIP and pops.
+/// Marks the Pareto front of allowed rows in speed, FLIP and pops. After Ctrl-C, PSNR replaces FLIP and pops.
 pub fn mark(rows: &mut [Row]) {
     let costs = |row: &Row| match (row.flip_mean, row.pops) {
         (Some(flip), Some(pops)) => [-row.speedup, flip, pops],
@@ -27,7 +24,7 @@ pub fn from_the_slowest(rows: &[Row]) -> Vec<&Row> {
     front
 }
 
-/// Returns true if squares are guarded and filled only where colours, objects and lights agree, and no object is missed.
+/// Requires a guard, comparisons of colours, objects and lights, and no missed objects.
 fn is_allowed(row: &Row) -> bool {
     let Quality {
         square,

@@ -20,12 +20,12 @@ use std::path::{Path, PathBuf};
 
 /// Measures the gain in speed and the cost in accuracy of each field of the quality
 ///
-/// Writes trade.json and SVG plots, and prints a Markdown table of the Pareto front: settings that compare colours, objects and lights,
-/// miss no object, and are beaten by no other such setting in speed, FLIP and pops at once. Speed is a ratio to exhaustive frames by one
-/// thread; errors are to the same frames. Exhaustive frames of 0.4 to 0.9 of the side, enlarged, and a checkerboard, which traces every
-/// second pixel, are measured, too. Ctrl-C writes the figures so far.
+/// Writes trade.json and SVG plots, and prints a Markdown table of the Pareto front in speed, FLIP and pops of the settings that compare
+/// colours, objects and lights and miss no object. Speed and errors are relative to exhaustive frames by one thread. Exhaustive frames of
+/// 0.4 to 0.9 of the side, enlarged, and a checkerboard, which traces every second pixel, are measured, too. Ctrl-C writes the figures so
+/// far.
 ///
-/// `tolerance` is for the colours of squares and of midpoints of sides; `keys` are the depths of compared objects and of lights' states;
+/// `tolerance` is for the colours of squares and of midpoints of sides; `keys` are the depths of compared objects and lights' states;
 /// `contribution` is the smallest weight of a ray.
 #[derive(Args)]
 pub struct Arguments {
@@ -40,7 +40,7 @@ pub struct Arguments {
     /// Timed frames of each setting, at even intervals
     #[arg(long, value_name = "N", default_value = "51", value_parser = within(arguments::FRAMES))]
     frames: usize,
-    /// Measures the named qualities only, and writes no files
+    /// Measures only named qualities, and writes no files
     #[arg(long)]
     ladder: bool,
     /// Folder to write to

@@ -63,7 +63,7 @@ fn front(trade: &Trade) -> Chart {
     }
 }
 
-/// Plots the error by the side of the squares, labelled with speed-ups.
+/// Labelled with speed-ups.
 fn squares(trade: &Trade) -> Chart {
     let series = |(name, base): (&str, Quality)| {
         let is_varied = |row: &&Row| {

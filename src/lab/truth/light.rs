@@ -1,7 +1,5 @@
-//! Lights as emitting spheres or points, in scene coordinates.
-//!
 //! A light of colour c causes the irradiance pi c on a surface that faces it at any distance, since lights have no falloff. So a
-//! sphere of radius R at the distance D has the radiance c (D / R)^2. D is the length of the path across mirrors and glass.
+//! sphere of radius R at the path length D across mirrors and glass has the radiance c (D / R)^2.
 
 use eightfold_oracle::geometry::{Ray, sphere};
 use eightfold_oracle::light::{cone, reach};
@@ -12,14 +10,14 @@ use std::f64::consts::{PI, TAU};
 pub struct SphereLight<'a> {
     light: &'a Light,
     position: DVec3,
-    /// The radius of the sphere; 0 for a point.
+    /// 0 for a point.
     radius: f64,
 }
 
 pub struct Arriving {
     pub d: DVec3,
     pub distance: f64,
-    /// The irradiance on a surface that faces the direction.
+    /// On a surface that faces `d`.
     pub irradiance: DVec3,
 }
 
@@ -32,7 +30,7 @@ impl<'a> SphereLight<'a> {
         }
     }
 
-    /// Samples a direction from the origin of a ray to the light, uniform in solid angle.
+    /// Samples the light uniformly in solid angle.
     pub fn sample(&self, here: Ray, u: DVec2) -> Arriving {
         let to_light = self.position - here.o;
         let axis = to_light.normalize_or(DVec3::Y);
@@ -45,7 +43,7 @@ impl<'a> SphereLight<'a> {
             (2.0, 4.0)
         };
         let d = around(axis, 1.0 - u.x * width, u.y);
-        // By rounding, a direction to the rim can miss the sphere.
+        // Rounded directions to the rim can miss.
         let distance = sphere(here.turned(d), self.position, self.radius);
         Arriving {
             d,
@@ -54,14 +52,13 @@ impl<'a> SphereLight<'a> {
         }
     }
 
-    /// Returns the radiance along a ray that hits the light nearer than `limit`. `length` is the path from the ray's origin to the lit
-    /// surface.
+    /// Returns the radiance nearer than `limit`; `length` is the path from the ray's origin to the lit surface.
     pub fn radiance(&self, ray: Ray, length: f64, limit: f64) -> DVec3 {
         let met = sphere(ray, self.position, self.radius);
         if self.radius == 0.0 || met.is_none_or(|t| t >= limit) {
             return DVec3::ZERO;
         }
-        // From the lit surface, as if the path were straight.
+        // As if the path were straight.
         let to_surface = ray.at(-length) - self.position;
         let ratio = (to_surface.length() / self.radius).max(1.0);
         ratio
@@ -70,7 +67,7 @@ impl<'a> SphereLight<'a> {
             * self.light.colour.as_dvec3()
     }
 
-    /// Returns the distance and the colour of the visible light along a camera ray.
+    /// Returns its distance and colour along a camera ray.
     pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
         let radius = f64::from(self.light.drawn_radius);
         let is_drawn = radius > 0.0 && !self.light.parallel;
@@ -79,7 +76,7 @@ impl<'a> SphereLight<'a> {
     }
 }
 
-/// Returns the unit direction at an angle, by its cosine, to a unit axis. `turn` is 0 to 1.
+/// Returns the unit direction at an angle, by its cosine, to the unit axis. `turn` is 0 to 1.
 pub fn around(axis: DVec3, cosine: f64, turn: f64) -> DVec3 {
     let (u, v) = axis.any_orthonormal_pair();
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();

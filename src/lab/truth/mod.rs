@@ -20,7 +20,7 @@ const MAX_SAMPLES: u32 = 1 << 20;
 
 /// Draws a scene by a path tracer, with area lights, light between surfaces, and caustics
 ///
-/// Prints the error of the `default` picture, and the standard error of the path tracer.
+/// Prints the error of the `default` picture, and the path tracer's standard error.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Removes effects that are no light transport: captions, copper bars, film, glow.
+/// Removes effects other than light transport.
 fn transported(mut scene: Scene) -> Scene {
     scene.captions.clear();
     scene.copper_bars.clear();
@@ -68,12 +68,12 @@ fn transported(mut scene: Scene) -> Scene {
 #[derive(Clone, Copy, Debug)]
 pub struct Estimate {
     pub mean: DVec3,
-    /// The square of the standard error of `mean`.
+    /// The squared standard error of `mean`.
     pub variance: DVec3,
 }
 
 impl Estimate {
-    /// Averages the radiances of two or more independent paths (Welford, 1962).
+    /// Averages two or more independent paths (Welford, 1962).
     fn of(paths: impl Iterator<Item = DVec3>) -> Self {
         let (mut count, mut mean, mut squares) = (0.0, DVec3::ZERO, DVec3::ZERO);
         for radiance in paths {
@@ -95,7 +95,7 @@ impl Estimate {
     }
 }
 
-/// Estimates every pixel. The result depends only on the arguments.
+/// The result depends only on the arguments.
 pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate> {
     let tracer = PathTracer::new(scene, size);
     let bar = progress::bar(size.height);
@@ -118,10 +118,10 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
     rows.concat()
 }
 
-/// The difference between a picture and the path tracer's, in 255ths.
+/// In 255ths.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// The root mean square difference, noise included.
+    /// The root mean square, noise included.
     pub error: f64,
     /// The root mean square of the standard errors.
     pub noise: f64,
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Noise above white is invisible; the error of a pixel is at most 1.
+            // Noise above white is invisible; errors are at most 1.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();

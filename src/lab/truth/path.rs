@@ -1,7 +1,7 @@
-//! Light paths from the eye: an unbiased estimate of the rendering equation (Kajiya, 1986).
+//! An unbiased estimate of the rendering equation (Kajiya, 1986).
 //!
-//! Each hit of a rough surface samples every light. So a scattered path adds a light that it hits only after a mirror or glass, where a
-//! hit samples no lights.
+//! Hits of rough surfaces sample every light. So a scattered path adds a light that it hits only after a mirror or glass, which sample no
+//! lights.
 
 use super::light::{SphereLight, around};
 use crate::arguments::Size;
@@ -13,9 +13,9 @@ use eightfold_tracer::glam::{DVec2, DVec3};
 use eightfold_tracer::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
-/// The number of bounces before Russian roulette.
+/// Bounces before Russian roulette.
 const SURE_BOUNCES: u32 = 4;
-/// The largest probability of survival, so that paths between perfect mirrors end.
+/// Ends paths between perfect mirrors.
 const MAX_SURVIVAL: f64 = 0.95;
 
 pub struct PathTracer<'a> {
@@ -34,12 +34,12 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns the radiance of a path through a point of the picture, in pixels.
+    /// Returns the radiance of a path through a point in pixels.
     pub fn follow(&self, x: f64, y: f64, random: &mut Random) -> DVec3 {
         let mut ray = self.oracle.ray(x, y);
         let mut found = DVec3::ZERO;
         let mut throughput = DVec3::splat(self.exposure);
-        // The length since the last scattering; `None` before the first one.
+        // Since the last scattering; `None` before the first one.
         let mut length: Option<f64> = None;
         let mut bounces = 0;
         loop {
@@ -89,14 +89,12 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns the colour of the visible light along a camera ray, nearer than `limit`.
     fn seen_light(&self, ray: Ray, limit: f64) -> Option<DVec3> {
         let seen = self.lights.iter().filter_map(|light| light.seen(ray));
         let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0))?;
         (nearest.0 < limit).then_some(nearest.1)
     }
 
-    /// Returns the direct light that a surface reflects along the path.
     fn direct(&self, surface: &Surface<'_>, random: &mut Random) -> DVec3 {
         let here = surface.hit.ray;
         let mut sum = DVec3::ZERO;
@@ -115,7 +113,7 @@ impl<'a> PathTracer<'a> {
     }
 }
 
-/// A hit with the real-time model's coefficients, scaled down where they would add energy.
+/// The real-time model's coefficients, scaled down where they would add energy.
 struct Surface<'a> {
     hit: &'a Hit<'a>,
     albedo: f64,
@@ -127,7 +125,7 @@ struct Surface<'a> {
 struct Next {
     d: DVec3,
     weight: DVec3,
-    /// Whether a rough surface scattered the path.
+    /// By a rough surface.
     is_scattered: bool,
 }
 
@@ -155,7 +153,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Returns the reflected radiance per irradiance on a surface that faces the direction `d`.
+    /// Returns the reflected radiance per irradiance on a surface that faces `d`.
     fn reflected(&self, d: DVec3) -> DVec3 {
         if self.hit.n.dot(d) <= 0.0 {
             return DVec3::ZERO;
@@ -163,7 +161,7 @@ impl<'a> Surface<'a> {
         self.scale / PI * self.hit.reflected(d).0
     }
 
-    /// Samples the next segment; `None` if the path ends.
+    /// Returns the next segment; `None` if the path ends.
     fn scatter(&self, random: &mut Random) -> Option<Next> {
         let (choice, u) = (random.unit(), random.units());
         if self.albedo == 0.0 {
@@ -198,7 +196,7 @@ impl<'a> Surface<'a> {
     }
 }
 
-/// Samples the hemisphere about a unit axis, with the density cosine / pi.
+/// The density is cosine / pi.
 fn cosine_hemisphere(axis: DVec3, u: DVec2) -> DVec3 {
     (axis + around(axis, 1.0 - 2.0 * u.x, u.y)).normalize_or(axis)
 }

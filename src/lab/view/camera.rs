@@ -1,12 +1,12 @@
 use eightfold_tracer::glam::{Quat, Vec2};
 use eightfold_tracer::scene::Camera;
 
-/// The largest cosine of the angle between the viewing direction and `up`; at 1 the camera has no right vector.
+/// The largest cosine between the view and `up`; at 1 there is no right vector.
 const STEEPEST: f32 = 0.998;
 
 const NOTCH: f32 = 1.1;
 
-/// Rotates a camera about the point that it looks at, by angles in radians.
+/// Rotates about the target, by angles in radians.
 pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     let up = camera.up.normalize();
     let around = Quat::from_axis_angle(up, -left) * (camera.eye - camera.look_at);
@@ -17,7 +17,7 @@ pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     camera.eye = camera.look_at + if is_too_steep { around } else { over };
 }
 
-/// Moves a camera sideways by fractions of the picture's height, so that the point that it looks at follows the pointer.
+/// Moves sideways by fractions of the picture's height, so that the target follows the pointer.
 pub fn pan(camera: &mut Camera, by: Vec2) {
     let picture = camera.raster(1, 1);
     let distance = (camera.look_at - camera.eye).length();
@@ -31,7 +31,7 @@ pub fn zoom(camera: &mut Camera, notches: i32) {
     camera.eye = camera.look_at + away * NOTCH.powi(-notches);
 }
 
-/// Formats a camera as a field of a scene file, exact to the bit.
+/// Formats the scene file's field, exact to the bit.
 pub fn ron(camera: &Camera) -> String {
     let [eye, look_at, up] = [camera.eye, camera.look_at, camera.up].map(|vector| {
         let [x, y, z] = vector.to_array();

@@ -1,12 +1,12 @@
 use crate::arguments::NamedQuality;
 use eightfold_window::input::Press;
 
-/// Frames per second, at most; a step is one frame.
+/// The maximum; a step is one frame.
 pub const FPS: f64 = 60.0;
 
-/// The rays per point that are shown in white: about the maximum of the model scene, where glass and mirror meet.
+/// The rays per point shown in white: about the maximum of the model scene, where glass and mirror meet.
 pub const MOST_RAYS: u32 = 24;
-/// The error that is shown in white, in 255ths: four times the threshold of the tables.
+/// The error shown in white, in 255ths: four times the tables' threshold.
 pub const MOST_ERROR: u32 = 32;
 
 pub const KEYS: [(&str, &str); 17] = [
@@ -67,9 +67,9 @@ impl Overlay {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controls {
-    /// The position in frames, fractional while the scene plays.
+    /// Fractional while the scene plays.
     pub frame: f64,
-    /// The length of the scene in frames; it repeats.
+    /// In frames; the scene repeats.
     pub length: f64,
     pub is_paused: bool,
     pub quality: NamedQuality,
@@ -104,7 +104,7 @@ impl Controls {
         self.frame = frame;
     }
 
-    /// Selects a quality, or an overlay; removes the current overlay.
+    /// Removes the current overlay if chosen again.
     fn choose(&mut self, key: char) {
         let number = key.to_digit(10).map(|digit| digit as usize);
         if let Some(quality) = number.and_then(|number| NamedQuality::all().nth(number - 1)) {

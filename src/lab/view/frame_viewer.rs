@@ -9,7 +9,7 @@ use eightfold_tracer::{Frame, Probes};
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 
-/// The probes of 1.7 s at 60 frames per second; then their weight is halved.
+/// 1.7 s at 60 frames per second; then their weight is halved.
 const MOST_PROBES: u64 = 8000;
 
 pub struct FrameViewer {
@@ -17,7 +17,7 @@ pub struct FrameViewer {
     isa: Isa,
     drawn: Option<(Controls, u64, Size)>,
     probes: Probes,
-    /// The seed of the last frame's probes.
+    /// The seed of the probes.
     number: u32,
     pub picture: Vec<u32>,
     pub figures: Figures,
@@ -25,11 +25,11 @@ pub struct FrameViewer {
 
 #[derive(Clone, Copy, Default)]
 pub struct Figures {
-    /// The time to draw it without the overlay.
+    /// Without the overlay.
     pub time: Duration,
-    /// Traced points per pixel.
+    /// Per pixel.
     pub points: f64,
-    /// The PSNR to the exhaustive frame in dB, and half the width of its 95 % interval, 0 if all pixels were compared.
+    /// In dB to the exhaustive frame, and half its 95 % interval, 0 if all pixels were compared.
     pub psnr: Option<(f64, f64)>,
 }
 
@@ -46,10 +46,8 @@ impl FrameViewer {
         }
     }
 
-    /// Draws the selected frame. Returns false if nothing changes.
-    ///
-    /// While the scene plays, probes estimate the error. While it is paused, the next call measures the error by an exhaustive frame,
-    /// so that the picture appears earlier.
+    /// Returns false if nothing changes. Probes estimate the error while the scene plays. While it is paused, the next call
+    /// measures the error by an exhaustive frame, so that the picture appears earlier.
     pub fn draw(&mut self, controls: &Controls, subject: &Subject, size: Size) -> bool {
         let wanted = Some((*controls, subject.version, size));
         let is_drawn = self.drawn == wanted;
@@ -97,7 +95,6 @@ impl FrameViewer {
         true
     }
 
-    /// Draws the frame again, observed, for overlays of its points and squares.
     fn draw_trace(&mut self, scene: &Scene, controls: &Controls, size: Size) {
         if matches!(controls.overlay, Overlay::None | Overlay::Error) {
             return;

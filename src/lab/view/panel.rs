@@ -8,7 +8,7 @@ const LINE: usize = 18;
 const GAP: usize = 8;
 const COLUMN: usize = 128;
 
-/// White text on black at the top of a picture, and its bitmap.
+/// White text on black at the top of a picture.
 #[derive(Default)]
 pub struct Panel {
     rows: Vec<(String, String)>,
@@ -17,7 +17,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Draws rows over a picture `width` pixels wide: bold text, and its explanation.
+    /// Draws rows: bold text, and its explanation.
     pub fn show(&mut self, rows: Vec<(String, String)>, picture: &mut [u32], width: usize) {
         if rows.is_empty() {
             return;

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// The time between updates of the title: short enough to follow, long enough to read.
+/// Short enough to follow, long enough to read.
 const TITLE_EVERY: Duration = Duration::from_millis(500);
 
 pub struct Session {
@@ -45,10 +45,7 @@ impl Session {
         }
     }
 
-    /// Plays until the user quits.
-    ///
-    /// # Errors
-    /// If the window is lost, or standard output is closed.
+    /// Fails if the window is lost, or standard output is closed.
     pub fn play(&mut self) -> Result<()> {
         let mut last = Instant::now();
         let (mut counted_from, mut shown, mut fps) = (last, 0, None);
@@ -98,7 +95,7 @@ impl Session {
         Ok(())
     }
 
-    /// Draws the frame and text into the window. Returns false if the frame and its measurements are unchanged.
+    /// Returns false if the frame and its measurements are unchanged.
     fn draw(&mut self) -> bool {
         let (width, height) = fit(self.window.size(), (MAX_WIDTH, MAX_HEIGHT));
         let size = Size::new(width, height);

@@ -9,11 +9,11 @@ use std::f32::consts::PI;
 pub struct Subject {
     name: SceneName,
     file: Option<Watched>,
-    /// The camera, if the mouse moved it.
+    /// Set by the mouse.
     camera: Option<Camera>,
-    /// The pressed button, and the last position of the pointer.
+    /// With the last position of the pointer.
     pressed: Option<(Button, Vec2)>,
-    /// Changes with the scene and with the camera.
+    /// Changes with scene and camera.
     pub version: u64,
 }
 
@@ -64,7 +64,7 @@ impl Subject {
         self.version += 1;
     }
 
-    /// Moves the camera by the mouse, at a time in seconds. `height` is the window's, in pixels.
+    /// `time` is in seconds, the window's `height` in pixels.
     pub fn point(&mut self, mouse: Mouse, time: f32, height: usize) {
         let at = vec2(mouse.x as f32, mouse.y as f32);
         match mouse.action {
@@ -91,7 +91,7 @@ impl Subject {
         }
     }
 
-    /// Changes the camera if the result is valid.
+    /// Ignores invalid results.
     fn move_camera(&mut self, time: f32, change: impl FnOnce(&mut Camera)) {
         let mut scene = self.at(time);
         change(&mut scene.camera);

@@ -2,12 +2,11 @@ use crate::scenes;
 use eightfold_scene_file::SceneFile;
 use std::path::Path;
 
-/// A scene file that is read again whenever it changes.
 pub struct Watched {
     pub scene: SceneFile,
-    /// The last text, or the error of reading it; `None` before the first look.
+    /// The last text, or a read error; `None` before the first look.
     text: Option<Result<String, String>>,
-    /// The mistake in a text that was read once: the file may be half written.
+    /// A mistake that was read once: the file may be half written.
     suspect: Option<String>,
     pub mistake: Option<String>,
 }
@@ -22,8 +21,8 @@ impl Watched {
         }
     }
 
-    /// Reads the file. Returns true if the scene has changed. Compares texts: modification times are too coarse for two quick writes, and
-    /// a file that replaces another one can be older.
+    /// Returns true if the scene has changed. Compares texts: modification times are too coarse for two quick writes, and a replacing file
+    /// can be older.
     pub fn look(&mut self) -> bool {
         let name = &self.scene.name;
         let text = scenes::text(Path::new(name));

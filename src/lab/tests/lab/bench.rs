@@ -1,4 +1,4 @@
-//! `lab bench`: consistent figures. No test depends on measured times.
+//! No test depends on measured times.
 
 use super::{cells, lab, printed, render, stderr};
 use eightfold_lab::error::Difference;
@@ -6,7 +6,7 @@ use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::path::Path;
 
-/// Runs a short bench with small frames. Returns its table and rows.
+/// Returns the table and rows of small frames.
 fn bench(more: &str) -> (String, Vec<Value>) {
     let output = lab(&format!("bench --frames 3 --views 2 --json - {more}"));
     let table = stderr(&output);

@@ -10,7 +10,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
-/// Returns a command line, by default with small frames of the model scene.
+/// By default with small frames of the model scene.
 fn line(arguments: &str) -> String {
     let defaults = [("--size", "48x32"), ("--scene", "model")];
     let mut line = format!("capture {arguments}");
@@ -87,7 +87,7 @@ fn supersampled_pixel_is_mean_of_parts() {
     assert!(far.count() <= 2);
 }
 
-/// A white sphere 10 units away that moves 4 units to the right within a second, and two at rest 5 and 20 units away.
+/// White spheres: one 10 units away moves right by 4 units per second; two rest 5 and 20 units away.
 const SCENE: &str = "Scene(
     length: 2.0,
     camera: (eye: (0.0, 0.0, 10.0), look_at: (0.0, 0.0, 0.0), field_of_view: 0.4),
@@ -101,7 +101,7 @@ const SCENE: &str = "Scene(
     motions: [(of: \"spheres[0].centre\", keys: [(0.0, (-2.0, 0.0, 0.0)), (1.0, (2.0, 0.0, 0.0))])],
 )";
 
-/// Returns the brightness of the pixels of [`SCENE`].
+/// Returns brightnesses of [`SCENE`].
 fn frame(more: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("scene.ron");
@@ -168,7 +168,7 @@ fn sheet_shows_frames_at_even_intervals() {
 fn sound_matches_frames() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("part.wav");
-    // The machine begins at 56 s. The sound of a frame begins at the next sample.
+    // The machine begins at 56 s. A frame's sound begins at the next sample.
     for (more, from, to) in [
         (
             "show:machine --fps 50 --from 25 --to 75",

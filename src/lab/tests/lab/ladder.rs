@@ -13,7 +13,7 @@ fn number(cell: &str) -> f64 {
     number.unwrap_or_else(|| panic!("not a number: {cell}"))
 }
 
-/// Returns the allowed difference to a documented figure: one unit of its last digit, as both figures are rounded, and a share.
+/// Allows one unit of the last digit, as both figures are rounded, and a share.
 fn tolerance(cell: &str, share: f64) -> f64 {
     let digits = cell.split(' ').next().and_then(|text| text.split_once('.'));
     let last = 0.1_f64.powi(digits.map_or(0, |(_, digits)| digits.len() as i32));
@@ -28,7 +28,7 @@ fn errors_match_documentation_and_increase() {
         .split_once("<!-- lab report ladder -->")
         .expect("a part");
     let documented = cells(part.split("<!--").next().expect("its text"));
-    // One view saves time: the figures of views are not compared.
+    // One view saves time: views are not compared.
     let text = printed("trade --ladder --views 1");
     let measured = cells(&text);
     assert_eq!(documented.len(), 1 + 2 + Quality::LADDER.len());

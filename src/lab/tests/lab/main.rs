@@ -16,7 +16,7 @@ use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// Returns the command of a line. `""` is an empty argument.
+/// `""` is an empty argument.
 fn command(line: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
     command.args(line.split_whitespace().map(|word| word.trim_matches('"')));
@@ -43,7 +43,7 @@ fn printed_bytes(line: &str) -> Vec<u8> {
     output.stdout
 }
 
-/// Returns the cells of the tables in a text by line, without the rules.
+/// Returns table cells by line, without rules.
 fn cells(text: &str) -> Vec<Vec<&str>> {
     let lines = text.lines();
     let lines = lines.filter(|line| line.starts_with('|') && !line.starts_with("| -"));
@@ -59,7 +59,7 @@ fn render(out: &Path, more: &str) -> Output {
     ))
 }
 
-/// Asserts that a command failed with an exit code and one line with some words, without a temporary name.
+/// Asserts an exit code and one line with some words, without a temporary name.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = stderr(output);
@@ -80,7 +80,7 @@ fn signal(process: &str, name: &str) -> bool {
     status.unwrap().success()
 }
 
-/// Starts a command, and interrupts it as soon as it handles the signal.
+/// Interrupts the command as soon as it handles the signal.
 #[cfg(target_os = "linux")]
 fn interrupted(command: &mut Command) -> Output {
     let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -97,7 +97,7 @@ fn interrupted(command: &mut Command) -> Output {
     child.wait_with_output().unwrap()
 }
 
-/// Runs a command that can write files of 1 KiB at most, without the signal.
+/// Limits files to 1 KiB, without the signal.
 fn limited(line: &str) -> Output {
     let mut sh = Command::new("bash");
     sh.args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""])

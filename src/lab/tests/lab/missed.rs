@@ -16,7 +16,7 @@ fn counts(hidden: Hidden, quality: Quality) -> Counts {
 #[test]
 #[ignore = "many scenes by chance"]
 fn random_scenes_have_effects_of_their_kind() {
-    // The largest share that is missed; 1 if unguarded.
+    // The largest missed share; 1 if unguarded.
     for (hidden, kind, most) in [
         (Hidden::POINT, Kind::PlaneShadow, 0.0),
         (Hidden::BALL, Kind::PlaneShadow, 0.04),

@@ -1,5 +1,3 @@
-//! `lab report`: changes only the marked parts of pages.
-
 use super::{assert_one_line, lab, stderr};
 use eightfold_stage::reader::read_png;
 use std::fs;

@@ -65,7 +65,7 @@ fn pixel_pops_if_reference_stays() {
     assert_eq!(count([dark, dark + 5], [dark, light]), 0);
 }
 
-/// Returns the errors of two qualities in the model scene. The first is the reference.
+/// The first quality is the reference.
 fn seen_of(qualities: [Quality; 2], times: [f32; 2]) -> [Seen; 2] {
     let named = |it: Quality| Technique::new("", it, it.antialias, Sampling::Full);
     let techniques = qualities.map(named);

@@ -1,4 +1,4 @@
-//! `lab trade`: complete files, consistent figures. No test depends on measured times.
+//! No test depends on measured times.
 
 use super::{cells, printed, stderr};
 use serde_json::Value;

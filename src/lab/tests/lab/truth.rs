@@ -11,7 +11,7 @@ use eightfold_tracer::scene::{
 const WHITE: Material = Material::matt(Vec3::ONE, 1.0);
 const COLOUR: Vec3 = vec3(0.9, 0.6, 0.3);
 
-/// Asserts that an estimate is within five standard errors, and these within `most`, of a closed form.
+/// Asserts an error of at most five standard errors, and these below `most`.
 #[track_caller]
 fn assert_near(estimate: Estimate, known: DVec3, most: f64) {
     // Scenes are in f32.
@@ -27,7 +27,7 @@ fn seen(scene: &Scene, samples: u32) -> Estimate {
     draw(scene, Size::new(1, 1), samples, 1)[0]
 }
 
-/// A white floor at y = 0 under a light. The camera sees the origin from the side.
+/// A white floor at y = 0. The camera sees the origin from the side.
 fn floor(light: Light) -> Scene {
     Scene {
         camera: Camera::new(vec3(4.0, 0.6, 0.0), Vec3::ZERO, 1e-4),
@@ -124,7 +124,7 @@ fn surface_reflects_share_of_sky() {
 
 #[test]
 fn ball_hides_share_of_light() {
-    // The ball and the light are concentric discs, with areas as the squared sines.
+    // Ball and light are concentric discs, with areas as the squared sines.
     let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
     scene
         .spheres

@@ -31,7 +31,7 @@ pub const SCENE: &str = r#"Scene(
 "#;
 
 impl View {
-    /// Starts the model scene at 2 s. `None` without display tools.
+    /// `None` without display tools.
     pub fn new() -> Option<View> {
         View::of("--scene model --time 2")
     }
@@ -72,7 +72,7 @@ impl View {
         text.split('"').nth(1).unwrap_or_default().to_owned()
     }
 
-    /// Presses a key and waits for words in the title, which is set after the frame.
+    /// Waits for words in the title, which is set after the frame.
     #[track_caller]
     pub fn press(&self, key: &str, words: &str) {
         self.key(key);
@@ -83,7 +83,7 @@ impl View {
         self.server.xdotool(&format!("key {key}"));
     }
 
-    /// Moves the pointer in the window, and waits for some frames.
+    /// Moves the pointer, and waits for some frames.
     fn point(&self, [x, y]: [i32; 2]) {
         let [left, top, ..] = self.place();
         let command = format!("mousemove {} {}", left + x, top + y);
