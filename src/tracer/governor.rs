@@ -1,4 +1,4 @@
-//! Governors, which select the preset that holds a frame rate or an accuracy. They have no clock: equal times or probes give equal
+//! Governors select the preset that holds a frame rate or an accuracy. They have no clock: equal times or probes give equal
 //! presets.
 
 use crate::counts::Probes;
@@ -9,15 +9,15 @@ const SECOND: u64 = 1_000_000_000;
 
 const PRESETS: usize = Quality::LADDER.len();
 
-/// The number of late frames before a step down: 0.1 s at 60 frames per second. A frame that takes the time of several counts as
-/// several.
+/// The number of late frames before a step down: 0.1 s at 60 frames per second. A frame that takes several periods counts several
+/// times.
 const TOO_LATE: u64 = 6;
 
-/// Limits the number of late frames that one frame counts as, so that a single outlier causes no step.
+/// The largest number of late frames that one frame counts as: a single outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
-/// The nanoseconds for which a finer preset must look possible. With the delay of [`Governor::mean`] a step up takes half a second
-/// at 30 frames per second.
+/// The nanoseconds for which a finer preset must look possible. With the delay of `mean` a step up takes half a second at 30 frames
+/// per second.
 const CALM: u64 = SECOND / 5;
 
 /// The number of frames after a step down that are compared with those before it.
@@ -25,12 +25,12 @@ const COMPARED: u64 = 8;
 
 /// Selects presets of [`Quality::LADDER`] to hold a frame rate.
 ///
-/// It steps down when frames are late, and up when the next finer preset would leave a sixth of the time unused. The last step down
-/// shows the ratio of both presets' times.
+/// It steps down when frames are late, and up when the next finer preset would leave a sixth of the time unused, by the times'
+/// ratio at the last step down.
 ///
 /// The preset is stable under a constant load, even if times vary. After a change of the load the first step follows within half a
-/// second, or within two frames if these are longer. A load that falls within eight frames of a step down looks like the effect of
-/// the step: the preset may then stay too fast until the load changes again.
+/// second, or two frames if these are longer. If the load falls within eight frames of a step down, the preset may stay too fast
+/// until it changes again: the fall looks like the effect of the step.
 ///
 /// ```
 /// use core::time::Duration;
@@ -44,15 +44,15 @@ const COMPARED: u64 = 8;
 /// assert_ne!(governor.quality(), &Quality::LADDER[0]);
 /// ```
 pub struct Governor {
-    /// In nanoseconds, as all times.
+    /// Times are in nanoseconds.
     budget: u64,
     preset: usize,
-    /// The late frames since the last step, minus the frames in time.
+    /// Late frames since the last step, minus those in time.
     late: u64,
-    /// The successive frames in which the next finer preset looked possible.
+    /// Successive frames in which the next finer preset looked possible.
     calm: u64,
     age: u64,
-    /// The time of a frame: an exponential moving average, mostly of the last four.
+    /// An exponential moving average, mostly of the last four frames.
     mean: u64,
     /// The mean before a step down; 0 after a step up.
     before: u64,
@@ -61,7 +61,7 @@ pub struct Governor {
 }
 
 impl Governor {
-    /// Returns a governor for frames of this duration, at most one second. It starts at the finest preset.
+    /// Returns a governor at the finest preset, for frames of this duration, at most one second.
     #[must_use]
     #[inline]
     pub fn new(budget: Duration) -> Self {
@@ -136,7 +136,7 @@ impl Governor {
 /// The least number of probes for a step: 13 frames of [`Frame::PROBES`](crate::Frame::PROBES).
 const MIN_PROBES: u64 = 1_000;
 
-/// The number of probes, 1.7 s at 60 frames per second, above which their weight is halved.
+/// The number of probes above which their weight is halved: 1.7 s at 60 frames per second.
 const MAX_PROBES: u64 = 8_000;
 
 /// The expected loss from a preset to the next faster one, in dB: the ladder's least, and more than its largest.
@@ -147,26 +147,23 @@ const RETRY_GAIN: f32 = 0.5;
 
 /// Selects presets of [`Quality::LADDER`] to hold an accuracy.
 ///
-/// From the results of [`Frame::with_probes`](crate::Frame::with_probes), it steps to a finer preset when frames are certainly less
-/// accurate, and to a faster one when that is certainly accurate enough, by the difference that the last step to a finer preset
-/// showed.
+/// It steps to a finer preset when frames are certainly less accurate, and to a faster one when that is certainly accurate enough,
+/// by the gain of the last step to a finer preset.
 ///
-/// A few pixels make most of the error, so a second of frames is uncertain by some dB. A difference of 6 dB causes a step within
-/// one or two seconds. The preset is stable while the accuracy is constant. Except at the finest preset, the accuracy is up to 1 dB
-/// below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
+/// A difference of 6 dB causes a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the
+/// finest preset, the accuracy is up to 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
 pub struct AccuracyGovernor {
-    /// In dB to exhaustive frames.
     target: f32,
     preset: usize,
     probes: Probes,
-    /// The dB before the last step to a finer preset, until the gain is known.
+    /// The dB before the last step to a finer preset, until its gain is known.
     before: Option<f32>,
     /// For each preset, the dB above which the next faster one looks accurate enough.
     threshold: [f32; PRESETS],
 }
 
 impl AccuracyGovernor {
-    /// Returns a governor that holds a peak signal-to-noise ratio to exhaustive frames, in dB. It starts at the finest preset.
+    /// Returns a governor at the finest preset, for a peak signal-to-noise ratio to exhaustive frames in dB.
     #[must_use]
     pub fn new(target: f32) -> Self {
         Self {
@@ -190,7 +187,7 @@ impl AccuracyGovernor {
         self.preset
     }
 
-    /// Records the probes of the last frame.
+    /// Records the probes ([`Frame::with_probes`](crate::Frame::with_probes)) of the last frame.
     pub fn frame(&mut self, probes: Probes) {
         self.probes += probes;
         if self.probes.pixels < MIN_PROBES {

@@ -1,36 +1,4 @@
-//! A real-time ray tracer for the CPU. It traces few of the pixels, and fills the squares between them.
-//!
-//! # Quick start
-//!
-//! A [`Renderer`] draws a [`Scene`](scene::Scene) into a [`Frame`] at a [`Quality`]. It uses the best instruction set of the CPU
-//! and all of its cores:
-//!
-//! ```
-//! use eightfold_tracer::glam::vec3;
-//! use eightfold_tracer::scene::{Light, Material, Scene, Sphere};
-//! use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
-//!
-//! // The default camera is at z = 1 and looks at the origin.
-//! let mut scene = Scene::default();
-//! let red = Material::matt(vec3(1.0, 0.3, 0.1), 0.8);
-//! scene.spheres.push(Sphere::new(vec3(0.0, 0.0, -1.0), 0.5, red));
-//! scene.lights.push(Light::default());
-//!
-//! let (width, height) = (400, 225);
-//! let mut pixels = vec![0; width * height];
-//! let frame = Frame::new(width, height, &mut pixels);
-//! let mut renderer = Renderer::detect();
-//! let mut threads = ScopedThreads::new();
-//! let counts = renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?;
-//!
-//! // The sphere is red, the corner is black, and few pixels are traced.
-//! let [_, red, green, _] = pixels[height / 2 * width + width / 2].to_be_bytes();
-//! assert!(red > 100 && green < red / 2);
-//! assert_eq!(pixels[0], 0);
-//! assert!(counts.points < 400 * 225 / 10);
-//! # Ok::<(), eightfold_tracer::Error>(())
-//! ```
-//!
+#![doc = include_str!("README.md")]
 #![doc = concat!("![A red sphere](data:image/webp;base64,", include_str!("pictures/first.txt"), ")")]
 //!
 //! # Shapes, materials and lights
@@ -64,25 +32,12 @@
 //!
 #![doc = concat!("![A glass ball and a golden cube on checkers](data:image/webp;base64,", include_str!("pictures/table.txt"), ")")]
 //!
-//! [`Renderer::render`] calls [`Scene::validate`](scene::Scene::validate), which reports the first number that is out of range.
-//!
 //! # How it works
 //!
-//! The picture is divided into squares of 8 pixels, and their corners are traced. If the corners have similar colours and show the
-//! same objects in the same light, the square is filled by interpolation. Otherwise it is split into four, down to single pixels. A
-//! square is also split if conservative bounds show that an object, a shadow on a plane, a reflection in the first plane or a
-//! highlight may be visible in it although none of its corners shows it. To draw the squares over a picture, set its
-//! [`Method`](scene::Method):
-//!
-//! ```
-//! # use eightfold_tracer::scene::*;
-//! # let mut scene = Scene::default();
-//! scene.method = Method {
-//!     squares: 0.5,
-//!     picture: 0.7,
-//!     ..Method::PLAIN
-//! };
-//! ```
+//! If the corners of a square have similar colours and show the same objects in the same light, the square is filled by
+//! interpolation. Otherwise it is split into four, down to single pixels. A square is also split if conservative bounds show that
+//! an object, a shadow on a plane, a reflection in the first plane or a highlight may be visible between its corners. To draw the
+//! outlines of the filled squares over a picture, set [`Method::squares`](scene::Method::squares):
 //!
 #![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
 //!
@@ -91,31 +46,25 @@
 //! # Quality
 //!
 //! [`Quality::EXHAUSTIVE`] traces every pixel. [`Quality::LADDER`] has seven presets, from one that looks almost the same to one
-//! for slow machines, with [`Quality::DEFAULT`] in the middle. A [`Governor`] selects presets to hold a frame rate. A frame can
-//! measure its own error ([`Frame::with_probes`]); an [`AccuracyGovernor`] selects presets to hold an accuracy. See [`limits`] for
-//! the accuracy in figures.
+//! for slow machines. A [`Governor`] selects presets to hold a frame rate, an [`AccuracyGovernor`] to hold an accuracy, which
+//! frames measure with [`Frame::with_probes`]. See [`limits`] for the accuracy in figures.
 //!
 //! # Memory and threads
 //!
 //! Rendering never allocates. A renderer has a [`Memory`] of [`Memory::BYTES`] bytes, and each thread a [`Worker`] of
 //! [`Worker::BYTES`] bytes, for pictures of any size: under 8 MiB with sixteen threads. [`Renderer::detect`], [`ScopedThreads`] and
-//! [`Worker::several`] allocate them on the heap in place, so that threads with small stacks can call them, in unoptimised
-//! programs, too.
-//!
-//! [`ScopedThreads`] are threads of the standard library, and a single worker is the caller's thread. Implement [`Threads`] for
-//! your own thread pool.
+//! [`Worker::several`] allocate them on the heap in place, so threads with small stacks can call them, in unoptimised programs, too.
+//! A single worker is the caller's thread. Implement [`Threads`] for your own thread pool.
 //!
 //! # Without std
 //!
-//! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Provide
-//! memory and workers as `static`s, for example, and pass the memory to [`Renderer::with_memory`]. They are zero at first, so they
-//! take no space in an executable file.
+//! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Pass the
+//! memory to [`Renderer::with_memory`]. Memory and workers are zero at first, so `static`s take no space in an executable file.
 //!
 //! # Scenes as data
 //!
 //! The feature `serde` implements serialisation of a [`Scene`](scene::Scene) and a [`Quality`]. Missing fields get their defaults;
-//! objects need a position, a size and a material. Call [`Scene::validate`](scene::Scene::validate) after reading. Some qualities
-//! have infinite numbers, which JSON lacks.
+//! objects need a position, a size and a material. Some qualities have infinite numbers, which JSON lacks.
 //!
 //! # Conventions
 //!
@@ -125,13 +74,12 @@
 //!
 //! # Determinism
 //!
-//! A frame depends on the scene, the size, the quality, the offset of samples and the instruction set only. Its bits are the same
-//! for any number of threads, and after any other frames. Between instruction sets pixels differ by at most 1/255, except on
-//! silhouettes.
+//! A frame depends on the scene, the size, the quality, the offset of samples and the instruction set only, not on the number of
+//! threads or earlier frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
 //!
 //! # Compatibility
 //!
-//! Minor versions may add fields to [`Scene`](scene::Scene), the structs in it, and [`Quality`]. Their defaults keep pictures the
+//! Minor versions may add fields to [`Scene`](scene::Scene), the structs in it, and [`Quality`]; their defaults keep pictures the
 //! same. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`, so that they still compile.
 //! [`Counts`], [`Error`] and [`Frame`] are `#[non_exhaustive]`.
 //!
@@ -140,8 +88,8 @@
 //!
 //! # Errors
 //!
-//! [`Renderer::render`] returns an [`Error`] that names the value and its range. [`Renderer::render_valid`] skips the checks of a
-//! scene that is known to be valid.
+//! [`Renderer::render`] checks the scene and returns an [`Error`] that names the value and its range. [`Renderer::render_valid`]
+//! skips the checks of a scene that is known to be valid.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -187,8 +135,3 @@ pub use render::{Error, Job, Memory, Renderer, Threads};
 pub const MAX_WIDTH: usize = 3840;
 /// The maximum height of a picture, in pixels.
 pub const MAX_HEIGHT: usize = 2160;
-
-/// Runs the example of the README.
-#[cfg(doctest)]
-#[doc = include_str!("README.md")]
-struct Readme;

@@ -2,17 +2,10 @@
 //!
 //! # Ranges
 //!
-//! | input | range |
-//! | --- | --- |
-//! | numbers of a scene | see [`Scene::validate`](crate::scene::Scene::validate) |
-//! | lengths in scene units | [`MIN_LENGTH`](crate::scene::MIN_LENGTH) to [`MAX_LENGTH`](crate::scene::MAX_LENGTH) |
-//! | size in pixels | 1x1 to 3840x2160 |
-//! | eye | outside a sphere, inside, on its surface, and looking along it |
-//! | angles from a time | an error of 1e-6 up to 1e6 rad |
-//!
-//! `validate` rejects NaN and infinity. The tracer accepts them: the picture has the same bits on any number of threads, takes at
-//! most 2.5 times the work of the valid scene, and differs only where rays meet the invalid number. A point takes at most `2^(depth
-//! + 1) - 1` rays, and one shadow ray per light for each of them.
+//! [`Scene::validate`](crate::scene::Scene::validate) checks a scene's ranges and rejects NaN and infinity. The tracer accepts
+//! these: the picture has the same bits on any number of threads, takes at most 2.5 times the work of the valid scene, and differs
+//! only where rays meet the invalid number. Pictures have 1x1 to 3840x2160 pixels. The eye may be outside a sphere, inside, on its
+//! surface, or look along it. A point takes at most `2^(depth + 1) - 1` rays, each with one shadow ray per light.
 //!
 //! # Rays
 //!
@@ -30,15 +23,15 @@
 //! | bits of a ray's result that depend on its lane or on other rays, also with invalid numbers | 0 |
 //! | PSNR of a scene scaled by 1e-8 to 1e8 against the original | 50 dB |
 //!
-//! Figures of random rays were checked with 13 seeds on each instruction set. For another seed, run `RAY_SEED=1 cargo test -p
-//! eightfold-tracer trace`.
+//! Random rays were checked with 13 seeds on each instruction set. For another seed, run `RAY_SEED=1 cargo test -p eightfold-tracer
+//! trace`.
 //!
-//! A hit is projected back to its sphere, so its error is the rounding of the sphere's own coordinates. A ray that starts within
-//! this error starts on the sphere: outward it misses the sphere, inward it hits the far side. Points on a plane are exact. Hits
-//! have no minimal distance, so a scene may have any scale.
+//! A hit is projected back to its sphere, so its error is the rounding of the sphere's coordinates. A ray that starts within this
+//! error misses the sphere if it goes outward, and hits the far side if inward. Points on a plane are exact. Hits have no minimal
+//! distance, so a scene may have any scale.
 //!
-//! Rays that wrongly hit or miss a sphere, by the distance in radii: the mean per million, measured with twelve million rays of
-//! sixty seeds; the bound on that mean; and the number among 200,000 rays of a seed that fewer than one seed in a million exceeds.
+//! Rays that wrongly hit or miss a sphere, by the distance in radii: the mean per million of twelve million rays (sixty seeds), its
+//! bound, and the number among 200,000 rays that fewer than one seed in a million exceeds.
 //!
 //! | distance | sphere at the origin, AVX2 and AVX-512 | at the origin, SSE2 | anywhere |
 //! | ---: | ---: | ---: | ---: |
@@ -50,14 +43,13 @@
 //! | 100,000 | 13; 16; 15 | 14; 20; 17 | 890; 930; 254 |
 //! | 1,000,000 | 1,322; 1,400; 363 | 1,556; 1,650; 420 | 9,490; 9,700; 2,153 |
 //!
-//! "Anywhere" is up to twice as far from the origin as from the eye: the vector from the eye to the centre is rounded. To measure
-//! again, run `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of a hit's distance is
-//! at most 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the sphere's disc. At 3840x2160, a sphere 1,000
-//! radii away in the model scene is 5 pixels wide.
+//! "Anywhere" is up to twice as far from the origin as from the eye: the vector from the eye to the centre is rounded. The command
+//! is `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of a hit's distance is at most
+//! 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the sphere's disc. At 3840x2160, a sphere 1,000 radii
+//! away in the model scene is 5 pixels wide.
 //!
-//! Coordinates have a relative error of 6e-8, so keep scenes near the origin: the tracer does not move them to the eye. The model
-//! scene, 24 units wide and moved away from the origin, has this PSNR in dB, with every pixel traced at 320x240, against an oracle
-//! that draws the same numbers in f64:
+//! Coordinates have a relative error of 6e-8, so keep scenes near the origin. The model scene, 24 units wide, has this PSNR in dB
+//! at 320x240, every pixel traced, to an oracle that draws the same numbers in f64:
 //!
 //! | distance from the origin | PSNR, at least | measured, at 0 and 2.5 s |
 //! | ---: | ---: | ---: |
@@ -74,19 +66,19 @@
 //! | error | figure |
 //! | --- | --- |
 //! | missed objects that a pixel shows directly | 0 |
-//! | missed shadows of spheres on planes by point lights that darken a pixel by 2/255, with the exceptions below | 0 |
-//! | holes of 4 connected pixels or more in objects 1 to 5 pixels wide, in their shadows on a plane by a point light, and in their images in the first plane, jagged or antialiased | 0 |
+//! | missed shadows of spheres on planes by point lights that darken a pixel by 2/255, except as below | 0 |
+//! | holes of 4 connected pixels or more in objects 1 to 5 pixels wide, their shadows on a plane by a point light, and their images in the first plane, jagged or antialiased | 0 |
 //! | missed images in the first plane of spheres and boxes that show in 2x2 pixels | 0 |
-//! | missed highlights, seen directly, of five pixels and more that include the point that mirrors the light | 0 |
+//! | missed highlights, seen directly, of five pixels and more around the point that mirrors the light | 0 |
 //! | pixels of shadows of spheres that the default quality draws lit, and their largest patch | 0.4 %, 20 |
-//! | the same by a sun, a spotlight and a ball | 0.6 %, 0.4 % and 0.3 % |
-//! | the same for thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
+//! | by a sun, a spotlight and a ball | 0.6 %, 0.4 % and 0.3 % |
+//! | of thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
-//! | dB to exhaustive of any field of up to 320 spheres at the default quality, 1024x768 | 42 dB |
-//! | dB to exhaustive of crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, at the default quality, 640x480 | 42 dB |
-//! | dB to exhaustive of crowds of 20 spheres and 4 to 64 blocks without mirrors, at the default quality, 640x480, with the exceptions below | 42 dB |
-//! | dB to exhaustive of floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, at the default quality, 480x270 | 42 dB |
+//! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
+//! | crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480 | 42 dB |
+//! | crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
+//! | floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, 480x270 | 42 dB |
 //! | the guard's share of the default quality's time in the model scene (measured by `lab trade`) | 10 % |
 //!
 //! # Approximations
@@ -96,7 +88,7 @@
 //! | `pow(x, h)` | x 1e-6 to 1.001, h 1 to 1000 | 1e-6 + 1.2e-7 h \|log2 x\|, relative |
 //! | `sin`, `cos` | to 1e6 rad | 1e-6 |
 //! | `root_below(x, h)` | x 1e-4 to 1, h 1 to 1000 | 0 to 20 % below |
-//! | one Newton step that normalises a direction | directions after a reflection | 5e-7 of the squared length |
+//! | Newton step that normalises a direction | after a reflection | 5e-7 of the squared length |
 //!
 //! Square roots and quotients are correctly rounded, since fast approximations differ between CPUs.
 //!
@@ -104,24 +96,23 @@
 //!
 //! - Coincident surfaces, such as two planes at the same height: rounding decides which one a ray hits.
 //! - Chords of a sphere shorter than the rounding error: the ray misses.
-//! - Shadows between corners. The guard tests shadows on planes, and light between them. A shadow of a sphere by a point light
-//!   makes one corner right, but that corner may be dark without the shadow, too, when a light low above a plane lights only a few
-//!   pixels. Then a shadow wider than a square can be missed. Bright lights cause no misses. Other shadows on planes are rarely
-//!   missed.
+//! - Shadows between corners. The guard tests shadows on planes, and light between them. Where a light low above a plane lights
+//!   only a few pixels, the corner that identifies a sphere's shadow by a point light may be dark anyway: a shadow wider than a
+//!   square can be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
 //! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and in thin shadows by
-//!   lights with a diameter, whose soft edges are not guarded.
-//! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB, with
-//!   41.0 dB, because of a bright slit on a block's face.
+//!   lights with a diameter: soft edges are not guarded.
+//! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
+//!   a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
 //!   both.
 //! - dB to exhaustive of other scenes: 38.8 for crowds of glass in glass, 40.3 for mirrors in mirrors, 39.0 for coincident faces;
 //!   less for an eye inside glass, extreme scales and the fastest quality.
 //! - Thin bright or dark strips in such images, in slits of light on blocks, and in waves: the show has patches of up to 229
 //!   pixels.
-//! - Highlights in mirrors, on waves, and seen from inside a sphere, a cylinder or a capsule. Highlights without the point that
-//!   mirrors the light: it is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its
-//!   object, but neither the face nor the light there: a slit of light between shadows, the lit rim of a sphere, or the narrow side
-//!   of a flat cylinder can lose its highlight, whatever its length.
+//! - Highlights in mirrors, on waves, seen from inside a sphere, a cylinder or a capsule, and without the point that mirrors the
+//!   light: it is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its object, but
+//!   neither face nor light: a slit of light between shadows, the lit rim of a sphere, or the narrow side of a flat cylinder can
+//!   lose its highlight, whatever its length.
 //! - Reflections other than in the first plane without waves, and refractions: they are not guarded.
-//! - The position of hits on a sphere whose radius is below the rounding error of its coordinates, about 1e-6 of the largest. Rays
-//!   that leave it still never hit it again.
+//! - The position of hits on a sphere whose radius is below about 1e-6 of its largest coordinate, the rounding error. Rays that
+//!   leave it still never hit it again.

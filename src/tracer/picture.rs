@@ -6,14 +6,14 @@ use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::ops::Range;
 use glam::{Vec2, vec2};
 
-/// The destination of a picture: its pixels, its size and the position of its samples.
+/// The destination of a picture.
 #[non_exhaustive]
 pub struct Frame<'a> {
     /// Pixels in a row, 1 to [`MAX_WIDTH`].
     pub width: usize,
     /// Rows, 1 to [`MAX_HEIGHT`].
     pub height: usize,
-    /// `0x00RRGGBB`, row by row from the top. Pixels between rows and after the last one stay unchanged.
+    /// `0x00RRGGBB`, row by row from the top. Pixels outside the rows stay unchanged.
     pub pixels: &'a mut [u32],
     /// The distance between the starts of two rows in pixels, at least `width`.
     pub stride: usize,
@@ -33,12 +33,11 @@ pub struct Probing {
 }
 
 impl<'a> Frame<'a> {
-    /// A number of probes that takes less than 1 % of the time of a default frame of 1024x768: with AVX2, callgrind counts 0.8 %
-    /// more instructions for the model scene, 0.6 and 0.3 % for the show at 20 and at 76 s.
+    /// A number of probes that takes less than 1 % of a default frame of 1024x768: with AVX2, callgrind counts 0.8 % more
+    /// instructions for the model scene, 0.6 and 0.3 % for the show at 20 and at 76 s.
     pub const PROBES: u16 = 80;
 
-    /// Returns a frame of `width` by `height` pixels without gaps between rows. [`Renderer::render`](crate::Renderer::render)
-    /// checks the sizes.
+    /// Returns a frame without gaps between rows. [`Renderer::render`](crate::Renderer::render) checks the sizes.
     #[must_use]
     pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
         Self {
@@ -51,7 +50,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// Sets the distance between the starts of two rows, in pixels, at least `width`, to draw into a larger picture or padded rows.
+    /// Sets the [stride](Frame::stride), to draw into a larger picture or padded rows.
     #[must_use]
     pub const fn with_stride(self, stride: usize) -> Self {
         Self { stride, ..self }
@@ -67,15 +66,14 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// Probes `count` pixels: traces them as an exhaustive frame does, and compares them with the frame. The results are in
+    /// Probes `count` pixels: traces them as [`Quality::reference`] does, and compares them with the frame. The results are in
     /// [`Counts::probes`]; the picture stays the same.
     ///
     /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Captions and copper bars
-    /// are not compared. A frame with a [`Method`](crate::scene::Method) overlay, or one that stays coarse, has no probes.
+    /// are not compared. A frame with a [`Method`](crate::scene::Method) overlay or coarse squares has no probes.
     ///
-    /// The estimated mean squared error is unbiased, with an uncertainty of [`Probes::margin`](crate::Probes::margin). A few pixels
-    /// make most of the error, so add the probes of many frames: at 60 frames a second, one second is accurate to 1 or 2 dB, one
-    /// minute to some tenths of a dB.
+    /// The estimated mean squared error is unbiased. A few pixels make most of the error, so add the probes of many frames: at 60
+    /// frames a second, one second is accurate to 1 or 2 dB, one minute to some tenths of a dB.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self {
@@ -117,8 +115,8 @@ pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
-/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough, so that neighbouring pixels may differ by an edge.
-/// In smooth cells, and across their common border, they never do.
+/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. In smooth cells, and across their common border,
+/// neighbouring pixels never differ by an edge.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
@@ -129,7 +127,7 @@ pub struct Band<'a> {
     pub(crate) width: usize,
     pub(crate) stride: usize,
     pub(crate) pixels: &'a mut [u32],
-    /// The work of drawing the band. The frame's counts are the sum over its bands.
+    /// The work of drawing the band.
     pub counts: Counts,
     pub(crate) rough: &'a mut [RoughRow],
 }
@@ -151,13 +149,12 @@ impl Band<'_> {
         (self.pixels.len() + self.stride - self.width) / self.stride
     }
 
-    /// Returns the rows with their indices in the band.
     pub(crate) fn rows(&mut self) -> impl Iterator<Item = (usize, &mut [u32])> {
         let rows = self.pixels.chunks_mut(self.stride.max(1));
         rows.map(|row| &mut row[..self.width]).enumerate()
     }
 
-    /// Sets a pixel, if it is inside the band.
+    /// Ignores pixels outside the band.
     #[inline(always)]
     pub(crate) fn put(&mut self, x: usize, y: usize, pixel: u32) {
         let place = self.pixels.get_mut(y * self.stride + x);

@@ -5,13 +5,13 @@ use crate::range_error::{Checked, Range, RangeError};
 /// Settings that trade accuracy for speed: the refinement of squares, and the depth of rays.
 ///
 /// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
-/// it is split. Corners with equal *keys*, which show the same objects in the same light, have another tolerance than corners with
-/// different keys. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for
-/// squares of 4 pixels, where an error covers a quarter of the pixels, and so on.
+/// it is split. Corners with equal *keys* show the same objects in the same light. A tolerance is the largest difference in a
+/// channel, in units of 1/255, for squares of 8 pixels. It doubles for squares of 4 pixels, where an error covers a quarter of the
+/// pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
-    /// The side of the largest squares in pixels: a power of two up to [`Quality::MAX_SQUARE`]. 1 traces every pixel.
+    /// The side of the largest squares in pixels: a power of two up to [`Quality::MAX_SQUARE`].
     pub square: usize,
     /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
@@ -21,16 +21,15 @@ pub struct Quality {
     /// it, the midpoint is their mean.
     pub tolerance_side: f32,
     /// Whether a square is also split if an object, the shadow of a sphere on a plane, an image in a flat first plane, or a
-    /// highlight may be visible between its corners. [`limits`](crate::limits) lists exceptions. All presets and
-    /// [`Quality::THESIS`] are guarded. For the original rules of 2008, which miss objects between corners, use `Quality { guarded:
-    /// false, ..Quality::THESIS }`.
+    /// highlight may be visible between its corners, except as [`limits`](crate::limits) lists. Only the original rules of 2008 are
+    /// unguarded: `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
-    /// The largest depth of rays whose objects are part of the key. Primary rays have depth 0.
+    /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
-    /// The least weight of rays whose objects are part of the key, 0 to infinity, for mirrors and glass, but not weak reflections
-    /// of a floor. A ray's weight is the product of `kr`, `kt` and the haze along its path. If it is above 0 and a scene has twelve
-    /// strong mirrors or glass solids, all points of these have different keys, and squares have 4 pixels at most: reflections in a
-    /// dense cluster are tiny.
+    /// The least weight of rays whose objects are part of the key, 0 to infinity, to exclude weak reflections of a floor. A ray's
+    /// weight is the product of `kr`, `kt` and the haze along its path. If it is above 0 and a scene has twelve strong mirrors or
+    /// glass solids, all their points have different keys, and squares have 4 pixels at most: reflections in a dense cluster are
+    /// tiny.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
@@ -38,17 +37,17 @@ pub struct Quality {
     pub highlight: f32,
     /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`].
     pub depth: u32,
-    /// The least weight of secondary rays, 0 to infinity. A ray's weight is the product of `kr` and `kt` along its path.
+    /// The least weight of secondary rays, 0 to infinity: the product of `kr` and `kt` along the path.
     pub least_contribution: f32,
     /// Whether edges are antialiased. Where neighbouring pixels differ by 20/255 or more in a channel, the point half-way between
-    /// them is traced and mixed into both; up to two more points for each pixel find the edge by bisection.
+    /// is traced and mixed into both; up to two more points per pixel find the edge by bisection.
     pub antialias: bool,
 }
 
 impl Quality {
     /// The largest [`Quality::square`], the capacity of the working memory.
     pub const MAX_SQUARE: usize = 32;
-    /// The largest [`Quality::depth`]: paths in ray trees have 8 bits.
+    /// The largest [`Quality::depth`]: paths have 8 bits.
     pub const MAX_DEPTH: u32 = 7;
 
     /// Every pixel traced: the reference for other qualities.
@@ -67,8 +66,8 @@ impl Quality {
         antialias: false,
     };
 
-    /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in all objects of the ray tree and in the
-    /// lights' states at the primary hit, whatever their colours.
+    /// The rules of the 2008 thesis, guarded: squares of 8 pixels are filled if the corners agree in all objects of the ray tree
+    /// and in the lights' states at the primary hit, whatever their colours.
     pub const THESIS: Self = Self {
         square: 8,
         tolerance_agreeing: f32::INFINITY,
@@ -84,9 +83,8 @@ impl Quality {
     /// measured by `cargo lab trade --ladder`.
     ///
     /// They lie on the front of time against FLIP and pops (pixels that jump between frames while the exhaustive frame's stay),
-    /// which `cargo lab trade` prints. By PSNR only, the default had a tolerance of 9 and a least contribution of 0.02; now it
-    /// takes a tenth more time in the model scene, for a third of the pops, most of which were in squares of 2, and two thirds of
-    /// the FLIP error.
+    /// which `cargo lab trade` prints. The optimum by PSNR only, a default with a tolerance of 9 and a least contribution of 0.02,
+    /// takes a tenth less time in the model scene, but has three times the pops and 1.5 times the FLIP error.
     ///
     /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
     pub const LADDER: &'static [Self; 7] = &[
@@ -107,8 +105,8 @@ impl Quality {
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",
     ];
 
-    /// Returns a quality with one tolerance. Keys have the objects of the primary hit and of its stronger reflections and
-    /// refractions, and the lights' states, lit or dark.
+    /// Returns a quality with one tolerance. Keys have the objects of the primary hit and of its stronger secondary rays, and the
+    /// lights' states, lit or dark.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,
@@ -146,7 +144,7 @@ impl Quality {
         }
     }
 
-    /// Checks every parameter against its documented range.
+    /// Checks every parameter's range.
     ///
     /// # Errors
     /// The first parameter that is out of range.
@@ -173,7 +171,7 @@ impl Quality {
         Ok(())
     }
 
-    /// Returns whether the capacity of the working memory suffices. Invalid tolerances do no harm.
+    /// Returns whether the working memory suffices. Invalid tolerances do no harm.
     pub(crate) fn is_drawable(&self) -> bool {
         self.is_square_drawable() && self.depth <= Self::MAX_DEPTH
     }
@@ -182,7 +180,7 @@ impl Quality {
         self.square.is_power_of_two() && self.square <= Self::MAX_SQUARE
     }
 
-    /// Returns the level of the largest squares: the base-2 logarithm of their side.
+    /// Returns the level of the largest squares.
     pub(crate) fn top_level(&self) -> usize {
         self.square.trailing_zeros() as usize
     }

@@ -1,21 +1,21 @@
 //! Error bounds of single-precision geometry.
 //!
-//! Rounding has a relative error of at most `u` = 2^-24. Each bound here is the sum of the errors of its operations, in `u` of
-//! their largest number, and some room above. Tests check the bounds with millions of rays (see [`limits`](crate::limits)).
+//! Rounding has a relative error of at most `u` = 2^-24. A bound is the sum of the errors of its operations, in `u` of their
+//! largest number, plus some margin. Tests check the bounds with millions of rays (see [`limits`](crate::limits)).
 //!
 //! # Shadows of spheres by point lights
 //!
 //! All pixels of a sphere's shadow on a plane lie inside the shadow's cone in the picture, and a point that is certainly inside
 //! (see [`UNSURE`]) is dark. Let `h` be the sphere's hit error and `e` its distance from the light times [`HIT`]. Shadow rays meet
-//! a sphere with the radius reduced by `h + e` (see `ShadowCone::r2`); the cone encloses a sphere with the radius enlarged by `h`;
-//! a point is certain inside the cone of a sphere with the radius reduced by `2 h + 3 e`. This leaves `2 h + e` outside and `h + 2
-//! e` inside for these errors at the sphere:
+//! a sphere with the radius reduced by `h + e` (see `ShadowCone::r2`), the cone's radius is enlarged by `h`, and the cone of
+//! certain points has a radius reduced by `2 h + 3 e`. This leaves `2 h + e` outside and `h + 2 e` inside for these errors at the
+//! sphere:
 //!
 //! - The vector from the light and the perpendicular: some `u` of the distance from the light, less than `e / 2`.
 //! - The coordinates of the point on the plane: less than `h / 3` from the sphere's coordinates and `e / 3` from the distance to
-//!   it, since an error at the far end of a ray from the light is smaller at the sphere. (Points are computed from the plane's
-//!   centre, which must not be much farther from the eye.)
-//! - The distance of the point from the eye: some `u` of it, and [`SIDE`] is 1e-5 of it, as a side's terms are scaled by the
+//!   it, since an error at the far end of a ray from the light is smaller at the sphere. (The plane's centre, from which points are
+//!   computed, must not be much farther from the eye.)
+//! - The distance of the point from the eye: some `u` of it; [`SIDE`] is 1e-5 of it, since a side's terms are scaled by the
 //!   distance from the light to the eye's mirror image, which exceeds the eye's height.
 //! - The cone's own terms: below [`SIDE`], and [`WIDE`] covers the cosine.
 
@@ -23,31 +23,31 @@ use glam::Vec3A;
 
 /// The largest distance of a computed hit from its sphere, relative to the sphere's largest coordinate.
 ///
-/// In units of `u` the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5 for
-/// the ray's length, and 2.8 for the next ray's vector from the centre, its square and the discriminant: 8.5 in total. Hundreds of
-/// millions of rays had at most 5 (`sphere_is_not_hit_by_leaving_rays`).
+/// In units of `u` the errors are 1.7 (the root of 3) for the point's coordinates, 2.5 for its distance from the centre, 1.5 for
+/// the ray's length, and 2.8 for the next ray's vector from the centre, its square and the discriminant: 8.5 in total. Rays had at
+/// most 5 (`sphere_is_not_hit_by_leaving_rays`).
 pub(crate) const HIT: f32 = 10.0 / (1 << 24) as f32;
 
 pub(crate) fn hit_error(centre: Vec3A, radius: f32) -> f32 {
     HIT * (centre.abs().max_element() + radius)
 }
 
-/// The error of a [`Chord`](crate::shapes::sphere::Chord)'s squared perpendicular without fused multiply-add, before it is refined,
-/// relative to the square of `t_mid`.
+/// The error of a [`Chord`](crate::shapes::sphere::Chord)'s squared perpendicular without FMA, before it is refined, relative to
+/// the square of `t_mid`.
 ///
 /// Rounding the product `d t_mid` moves the perpendicular by `u t_mid`, and rounding `t_mid` lengthens it along the ray by less
 /// than `5 u t_mid`. For a ray that meets a sphere of radius `r`, `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`. With `m =
-/// 0.001`, which [`BOUND`] covers, and the square of the 5, that is `(1001 + 25) u^2 = 3.6e-12`.
+/// 0.001`, which [`BOUND`] covers, the error is `(1001 + 5^2) u^2 = 3.6e-12`.
 pub(crate) const UNREFINED: f32 = 4e-12;
 
 /// The largest distance of a hit from its sphere, in radii, that one Newton step reduces to rounding errors.
 pub(crate) const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
-/// The largest depth in a sphere of a point that counts as on it, relative to the largest coordinate: four times [`HIT`].
+/// The largest depth in a sphere of a point that counts as on it, relative to the largest coordinate: nearly four times [`HIT`].
 pub(crate) const DEEP: f32 = 2e-6;
 
 /// The offset of secondary rays from a block's surface, relative to the sum of its coordinates and half extents: many times the
-/// rounding error, so that rays start beyond a coincident face of another block.
+/// rounding error, to start beyond a coincident face of another block.
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
 /// The relative enlargement of a block's bounding sphere: many times the rounding of its corners.
@@ -56,49 +56,48 @@ pub(crate) const BLOCK_BOUND: f32 = 1e-4;
 /// The error of the dot product of two directions: some 10 roundings.
 pub(crate) const COSINE: f32 = 1e-6;
 
-/// The error of the squared dot product of two directions.
+/// The error of [`COSINE`]'s square.
 pub(crate) const COSINE2: f32 = 4e-6;
 
 /// The relative enlargement of bounding spheres: more than the rounding error of a ray from a thousand radii away.
 pub(crate) const BOUND: f32 = 1e-3;
 
-/// The enlargement of a sphere before its bounding cone is computed: the cosine grows by more than its rounding error, however flat
-/// the cone is.
+/// The enlargement of a sphere before its bounding cone is computed: the cosine of any cone grows by more than its rounding error.
 pub(crate) const WIDE: f32 = 1.0 + 1e-6;
 
 /// The addend to the sine of a cone before its tangent planes are computed: more than their rounding error.
 pub(crate) const WIDER: f32 = 1e-4;
 
-/// The multiple of a shadow's errors, above, within which a point is uncertain: 1 for the wider cone, 1 for the smaller radius of
-/// shadow rays, and less than 1/3 for the origins of these.
+/// The multiple of a shadow's errors within which a point is uncertain: 1 for the wider cone, 1 for the smaller radius of shadow
+/// rays, and less than 1/3 for their origins.
 pub(crate) const UNSURE: f32 = 3.0;
 
 /// The error of the inequality of an outline's side, whose terms are below twice the picture's largest u or v.
 pub(crate) const SIDE: f32 = 1e-5;
 
-/// The usual part of [`SIDE`]: some 5 roundings. It suffices for soft shadows, and leaves a certain part of shadows by lights a
-/// thousand times as far away.
+/// The usual part of [`SIDE`], some 5 roundings: enough for soft shadows, and small enough for certain points in shadows by lights
+/// a thousand times as far away.
 pub(crate) const USUAL: f32 = 0.03;
 
 /// The largest error of a block's corner, relative to its distance and size: the error of axes that
-/// [`Scene::validate`](crate::scene::Scene::validate) accepts, which is far more than rounding, and a tenth of a pixel.
+/// [`Scene::validate`](crate::scene::Scene::validate) accepts, far above rounding; a tenth of a pixel.
 pub(crate) const CORNER: f32 = 2e-4;
 
 /// The largest error of a block's corner seen from a light, which may be a thousand times as far away: two roundings.
 pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
-/// The share of the largest coordinate by which a point on an object may be off it where it is computed again from the picture: `u` of
-/// a few operations, as for [`BLOCK_HIT`].
+/// The largest distance from its object of a point that is computed again from the picture, relative to the largest coordinate:
+/// some `u`.
 pub(crate) const SEEN: f32 = 1e-5;
 
 /// Within this many hit errors of a sphere, the eye may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
-/// The least height of the eye and of a light above a plane, relative to the distance from the light to the eye's mirror image:
-/// below, the bounds of shadows are unreliable.
+/// The least height of the eye and of a light above a plane, relative to the distance from the light to the eye's mirror image, for
+/// reliable bounds of shadows.
 pub(crate) const LEAST_HEIGHT: f32 = 0.01;
 
-/// The margin of a bounding rectangle in the picture, in pixels, far more than its rounding error.
+/// The margin of a bounding rectangle in pixels, far above rounding.
 pub(crate) const PIXELS_AROUND: f32 = 0.5;
 
 /// The largest error of the ends of a range of squares, in pixels.

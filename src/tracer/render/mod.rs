@@ -47,12 +47,11 @@ impl Frame<'_> {
 
 /// Renders frames, with one instruction set and one [`Memory`].
 ///
-/// With the feature `std` the memory is on the heap. Without, pass a `&'static mut Memory` to [`Renderer::with_memory`].
+/// Without the feature `std`, pass a `&'static mut Memory` to [`Renderer::with_memory`].
 ///
 /// # Measuring the error of a frame
 ///
-/// [`Frame::with_probes`] traces some pixels of a frame as [`Quality::reference`] does, and compares them with the frame. The
-/// probes of several frames estimate the accuracy of this scene at this quality:
+/// The [probes](Frame::with_probes) of several frames estimate the accuracy of this scene at this quality:
 ///
 /// ```
 /// # use eightfold_tracer::glam::{Vec3, vec3};
@@ -87,7 +86,7 @@ pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature =
 
 #[cfg(feature = "std")]
 impl Renderer {
-    /// Returns a renderer for an instruction set, with its own memory of [`Memory::BYTES`] bytes.
+    /// Returns a renderer for an instruction set, with its own memory.
     ///
     /// [`Level::baseline`] is the instruction set that the program is compiled for.
     #[must_use]
@@ -132,8 +131,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// Renders a frame, and returns its work.
     ///
     /// # Errors
-    /// If the frame's size, stride or number of pixels, or a number of the quality or the scene, is out of range. The pixels then
-    /// stay unchanged.
+    /// If the frame's size, stride or number of pixels, or a number of the quality or the scene, is out of range: the pixels stay
+    /// unchanged.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -145,8 +144,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(self.render_valid(scene, quality, frame, threads))
     }
 
-    /// Renders a frame like [`Renderer::render`], with the same result, and reports its points and squares to an observer. Points
-    /// of antialiasing are not reported.
+    /// Renders the same frame as [`Renderer::render`], and reports its points and squares, except points of antialiasing, to an
+    /// observer.
     ///
     /// # Errors
     /// Like [`Renderer::render`].
@@ -164,7 +163,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(memory.render_observed(&plan, scene, frame, threads, observer))
     }
 
-    /// Renders a frame without checking the scene. An invalid one gives some picture, in bounded time.
+    /// Renders a frame without checking the scene. An invalid scene gives some picture, in bounded time.
     ///
     /// # Panics
     /// If the frame's size, stride or number of pixels is out of range, or the quality's [`square`](Quality::square) or

@@ -1,7 +1,6 @@
 //! The scene description: camera, shapes, materials, lights, captions and copper bars.
 //!
-//! Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the brightest displayed value; y is up.
-//! [`Scene::validate`] checks every number against its documented range.
+//! Units are in [the crate's conventions](crate#conventions).
 
 mod block;
 pub(crate) mod camera;
@@ -52,15 +51,15 @@ pub const MAX_LETTERS: usize = 32;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Scene {
-    /// The camera.
+    /// The viewpoint.
     pub camera: Camera,
     /// The colour of the background at the horizon and below, 0 to 1e9 in each channel.
     pub background: Vec3,
-    /// The difference between the zenith and the horizon, which may be negative; the sum is 0 to 1e9 in each channel. A ray whose
-    /// direction, of length 1, rises by y sees it with the weight `y (2 - y)`.
+    /// The difference between the zenith and the horizon, which may be negative; the sum is 0 to 1e9 in each channel. Its weight
+    /// for a ray whose direction, of length 1, rises by y is `y (2 - y)`.
     pub sky: Vec3,
-    /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`,
-    /// and the background the rest.
+    /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`;
+    /// the background has the rest.
     pub haze: f32,
     /// The factor on all light of the picture, 0 to 11.
     pub exposure: f32,
@@ -80,7 +79,7 @@ pub struct Scene {
     pub blocks: List<Block, MAX_BLOCKS>,
     /// The lights.
     pub lights: List<Light, MAX_LIGHTS>,
-    /// The text over the picture.
+    /// Text over the picture.
     pub captions: List<Caption, MAX_CAPTIONS>,
     /// The bars over the picture, behind the captions.
     pub copper_bars: List<CopperBar, MAX_COPPER_BARS>,
@@ -164,10 +163,10 @@ pub struct Material {
     pub exponent: f32,
     /// The tint of highlights by the surface's colour, from 0 for plastic to 1 for metal. Mirror images keep their colours.
     pub metallic: f32,
-    /// The spread of highlights by fine grooves in circles around the object's own y axis, as on a lathe, 0 to 1. The y axis of
-    /// spheres and planes is vertical. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference between the
-    /// directions of the light and of the mirrored ray; the square of d's part across the grooves is multiplied by `1 -
-    /// anisotropy`. 1 is close to the thread model (Kajiya and Kay: Rendering Fur with Three Dimensional Textures, SIGGRAPH 1989).
+    /// The spread of highlights by grooves in circles around the object's own y axis (vertical for spheres and planes), 0 to 1. The
+    /// cosine of Phong's model is `1 - d.d / 2`, where d is the difference between the directions of the light and of the mirrored
+    /// ray; the square of d's part across the grooves is multiplied by `1 - anisotropy`. 1 is close to the thread model (Kajiya and
+    /// Kay: Rendering Fur with Three Dimensional Textures, SIGGRAPH 1989).
     pub anisotropy: f32,
     /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
@@ -179,7 +178,7 @@ pub struct Material {
     pub kt: f32,
     /// The refractive index of the inside relative to the outside, 0.1 to 10.
     pub index: f32,
-    /// The colour of the object's shadow by lights with a [`Light::diameter`], 0 to 1 in each channel. Black is a full shadow.
+    /// The colour of the object's shadow by lights with a [`Light::diameter`], 0 to 1 in each channel; black for a full shadow.
     pub tint: Vec3,
     /// The texture.
     pub pattern: Pattern,
@@ -208,7 +207,7 @@ impl Material {
         pattern: Pattern::NONE,
     };
 
-    /// Returns a diffuse material with a colour and a diffuse coefficient, 0 to 1.
+    /// Returns a diffuse material.
     #[must_use]
     pub const fn matt(colour: Vec3, kd: f32) -> Self {
         Self {
@@ -218,14 +217,13 @@ impl Material {
         }
     }
 
-    /// Returns a mirror that reflects the share `kr` of light, 0 to 1.
+    /// Returns a black mirror.
     #[must_use]
     pub const fn mirror(kr: f32) -> Self {
         Self { kr, ..Self::BLACK }
     }
 
-    /// Returns clear glass with a refractive index, 0.1 to 10, by Schlick's approximation of Fresnel's equations. Window glass has
-    /// 1.5.
+    /// Returns clear glass with a refractive index, 0.1 to 10: 1.5 for window glass.
     #[must_use]
     pub const fn glass(index: f32) -> Self {
         let root = (index - 1.0) / (index + 1.0);
@@ -288,8 +286,8 @@ impl Material {
     }
 }
 
-/// A sphere. Shadow rays treat it as hollow: a light wholly inside illuminates its inside, and the outside only through the
-/// material's `tint` (see [`Light::diameter`]).
+/// A sphere. Shadow rays treat it as hollow: a light wholly inside illuminates its inside, and the outside only through
+/// [`Material::tint`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -336,7 +334,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// Returns a rectangle with half its extents along x and z.
+    /// Returns a rectangle.
     #[must_use]
     pub const fn new(centre: Vec3, half_x: f32, half_z: f32, material: Material) -> Self {
         Self {
@@ -380,16 +378,15 @@ pub struct Light {
     /// The radius of the visible light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 for an invisible one. It casts no shadow, and haze does
     /// not dim it.
     pub drawn_radius: f32,
-    /// Whether the rays are nearly parallel, as sunlight: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
-    /// the light is invisible.
+    /// Whether the rays are nearly parallel: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and the light is
+    /// invisible.
     pub parallel: bool,
-    /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, spheres cast penumbrae, and a material's `tint` colours its shadow,
-    /// black for glass without a tint. At 0 shadows are hard and black. A light illuminates the inside of a sphere if it is wholly
-    /// inside.
+    /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, spheres cast penumbrae, and a material's `tint` colours its shadow.
+    /// At 0 shadows are hard and black.
     pub diameter: f32,
-    /// The radius of the glow, 0 to [`MAX_LENGTH`]; 0 for none. The glow has the light's colour where a ray passes through the
-    /// position, half of it at this distance, and falls off with the squared distance far away. An object in front of the light
-    /// hides the half behind it. The glow of parallel lights is the sun's disc.
+    /// The radius of the glow, 0 to [`MAX_LENGTH`]. A ray through the position sees the light's colour, a ray at this distance half
+    /// of it; far away the glow falls off with the squared distance. An object in front of the light hides the half behind it. The
+    /// glow of parallel lights is the sun's disc.
     pub glow: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
@@ -446,28 +443,24 @@ impl Light {
         }
     }
 
-    /// Returns the factor on lengths.
     fn far(&self) -> f32 {
         if self.parallel { Self::FAR } else { 1.0 }
     }
 
-    /// Returns the target of shadow rays.
     pub(crate) fn shadow_position(&self) -> Vec3A {
         Vec3A::from(self.position) * self.far()
     }
 
-    /// Returns the diameter at [`Light::shadow_position`].
     pub(crate) fn shadow_diameter(&self) -> f32 {
         self.diameter * self.far()
     }
 
-    /// Returns the radius of the glow at [`Light::shadow_position`].
     pub(crate) fn glow_radius(&self) -> f32 {
         self.glow * self.far()
     }
 
-    /// Returns the upper limit of the width of a penumbra at its occluder. For parallel rays it is the width at four times the
-    /// distance of `position`, since their penumbrae grow without end.
+    /// Returns the upper limit of a penumbra's width at its occluder: for parallel rays, whose penumbrae grow without end, the
+    /// width at four times the distance of `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel {
             4.0 * self.diameter
@@ -476,7 +469,7 @@ impl Light {
         }
     }
 
-    /// Returns whether the light is a point that shines in all directions: its shadows are hard.
+    /// Returns whether shadows are hard.
     pub(crate) fn is_point(&self) -> bool {
         self.diameter == 0.0 && !self.parallel && self.spot.is_none()
     }
@@ -499,21 +492,20 @@ impl Light {
 
 /// The cone of a spotlight, with a soft edge.
 ///
-/// The brightness is 1 within `inner_angle` of `aim`, 0 beyond `outer_angle`, and `s^2 (3 - 2 s)` between, where s rises linearly
-/// with the cosine of the angle.
+/// Between the angles the brightness is `s^2 (3 - 2 s)`, where s rises linearly with the cosine of the angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Spot {
     /// The direction of the light, of any length above 0.
     pub aim: Vec3,
-    /// The angle from `aim` to the inner edge in radians, at least 0 and below `outer_angle`.
+    /// The angle from `aim` in radians up to which the brightness is 1, at least 0 and below `outer_angle`.
     pub inner_angle: f32,
-    /// The angle from `aim` to the outer edge in radians, up to pi.
+    /// The angle from `aim` in radians from which the brightness is 0, up to pi.
     pub outer_angle: f32,
 }
 
-/// A cone of 60 degrees that points down.
+/// Points down, with an outer angle of 30 degrees.
 impl Default for Spot {
     fn default() -> Self {
         Self::new(Vec3::NEG_Y, PI / 6.0)
@@ -521,7 +513,7 @@ impl Default for Spot {
 }
 
 impl Spot {
-    /// Returns a cone with a direction of any length, and its outer angle in radians. The inner angle is three quarters of it.
+    /// Returns a cone whose inner angle is three quarters of the outer one.
     #[must_use]
     pub const fn new(aim: Vec3, outer_angle: f32) -> Self {
         Self {
