@@ -1,5 +1,3 @@
-//! The command line's flags, and the text of `--help`.
-
 use eightfold::show;
 use eightfold_window::{cpu, line::Writer};
 
@@ -7,7 +5,6 @@ use super::qualities::NAMED;
 
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 
-/// The keys, as `--help` lists them.
 const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -33,7 +30,7 @@ pub enum Switch {
 pub struct Flag {
     pub switch: Switch,
     pub name: &'static str,
-    /// The name of its value in `--help`; empty without a value.
+    /// The value's name in `--help`; empty without a value.
     pub value: &'static str,
     /// The effect, the range of the value, and the default in brackets.
     help: &'static str,
@@ -68,7 +65,7 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
     }
 }
 
-/// The width in characters of the column for flags and values in `--help`.
+/// Of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
 // Check the order, the column, and the show's length in the help.

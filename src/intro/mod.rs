@@ -18,10 +18,9 @@ use options::{Options, Task};
 
 const SHOW_NANOSECONDS: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
 
-/// The exit code after losing the screen or failing to write the output.
+/// The exit code after losing the screen or failing to write.
 const FAILURE: i32 = 1;
 
-/// The exit code for an invalid command line.
 const MISUSE: i32 = 2;
 
 /// Runs the program. Returns its exit code, 0 for success.
@@ -47,7 +46,7 @@ fn print(write: impl FnOnce(&mut Writer)) -> i32 {
     exit_code(output.flush())
 }
 
-/// Returns the exit code after writing to standard output, and reports an error on standard error.
+/// Returns the exit code, and reports an error on standard error.
 fn exit_code(is_written: bool) -> i32 {
     if is_written {
         return 0;

@@ -12,25 +12,22 @@ use super::{
     qualities,
 };
 
-/// The maximum number of threads, which the memory for workers limits.
+/// Limited by the memory for workers.
 pub const MAX_THREADS: usize = 64;
 
 const MAX_FPS: usize = 1000;
 
 const MAX_PSNR: usize = 99;
 
-/// The maximum number of seconds, about 30 years: sums of such times in nanoseconds stay far below 2^64.
+/// About 30 years: sums of such times in nanoseconds stay far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
 #[derive(Clone, Copy)]
 pub enum Task {
-    /// Plays the show.
     Play,
-    /// Writes the frame at a time in nanoseconds, below [`SHOW_NANOSECONDS`].
+    /// In nanoseconds, below [`SHOW_NANOSECONDS`].
     Still(u64),
-    /// Prints the help.
     Help,
-    /// Prints the version.
     Version,
 }
 
@@ -39,36 +36,31 @@ pub struct Options {
     /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
     pub size: (usize, usize),
     pub is_fullscreen: bool,
-    /// The number of threads that draw, 1 to [`MAX_THREADS`]; `None` means one for each processor.
+    /// 1 to [`MAX_THREADS`]; `None` means one for each processor.
     pub threads: Option<usize>,
     pub isa: Isa,
-    /// The time until the end in nanoseconds, above 0; `None` means the length of the show.
+    /// In nanoseconds, above 0; `None` means the show's length.
     pub length: Option<u64>,
     pub is_looping: bool,
-    /// The frame rate to hold, 1 to [`MAX_FPS`].
+    /// 1 to [`MAX_FPS`].
     pub fps: u64,
-    /// Whether the user gave a frame rate.
     pub has_fps: bool,
     /// In dB to exhaustive frames, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
     pub psnr: Option<u64>,
-    /// The fixed quality, as an index in [`qualities::NAMED`]; with `None` the governor chooses.
+    /// The fixed quality's index in [`qualities::NAMED`]; with `None` the governor chooses.
     pub quality: Option<usize>,
     pub is_uncapped: bool,
-    /// Whether the numbers over the picture are shown from the start.
+    /// Shows the numbers from the start.
     pub has_hud: bool,
     pub is_silent: bool,
 }
 
 #[derive(Clone, Copy)]
 pub enum Misuse {
-    /// An unknown flag.
     UnknownFlag(&'static [u8]),
-    /// A flag without its value, at the end of the command line.
     NoValue(&'static Flag),
-    /// An invalid value.
     BadValue(&'static Flag, &'static [u8]),
     NotInThisCpu(&'static [u8]),
-    /// Two different qualities.
     TwoQualities,
 }
 
@@ -92,7 +84,6 @@ impl Misuse {
 }
 
 impl Options {
-    /// Returns the defaults.
     fn new() -> Options {
         Options {
             task: Task::Play,

@@ -20,7 +20,6 @@ use super::{
     tally::Tally,
 };
 
-/// The soundtrack.
 struct Music(Synthesizer);
 
 static MUSIC: StaticCell<Music> = StaticCell::new(Music(Synthesizer::new()));

@@ -2,7 +2,7 @@ use eightfold_tracer::Quality;
 
 const PRESETS: usize = Quality::LADDER.len();
 
-/// The named qualities: the ladder from the finest preset to the fastest, then two for comparison.
+/// The presets from the finest to the fastest, then two for comparison.
 pub static NAMED: [(&str, Quality); PRESETS + 2] = {
     let mut named = [("exhaustive", Quality::EXHAUSTIVE); _];
     named[PRESETS] = ("thesis", Quality::THESIS);

@@ -1,4 +1,4 @@
-//! Writes one frame as a binary PPM file: a header with the size, then bytes for red, green and blue of every pixel.
+//! Binary PPM: a header with the size, then bytes for red, green and blue of every pixel.
 
 use eightfold_tracer::Frame;
 use eightfold_window::{

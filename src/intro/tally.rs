@@ -7,19 +7,19 @@ use eightfold_tracer::{
 
 use super::{options::Options, qualities::NAMED};
 
-/// Statistics of a run. Times are in nanoseconds.
+/// Times are in nanoseconds.
 #[derive(Default)]
 pub struct Tally {
     frames: u64,
-    /// The time from the start to the last frame, or to the end.
+    /// From the start to the last frame, or to the end.
     time: u64,
-    /// The number of frames in the slowest complete second.
+    /// Frames in the slowest complete second.
     slowest: Option<u64>,
     second: u64,
     frames_in_second: u64,
     /// Frames in the last complete second.
     rate: u64,
-    /// The probes' results in the whole run, and recently: the weight of a second halves with the next.
+    /// Of the whole run, and recent ones: the weight of a second halves with the next.
     probes: Probes,
     recent: Probes,
     size: (usize, usize),
@@ -69,7 +69,6 @@ impl Tally {
         self.time = time;
     }
 
-    /// Writes the statistics and unmet requests in one line.
     pub fn report(&self, output: &mut Writer, threads: usize, options: &Options) {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);
@@ -91,7 +90,7 @@ impl Tally {
         output.text("\n");
     }
 
-    /// Writes the accuracy with its 95 % interval, and unmet requests, at a mean rate in tenths of a frame per second.
+    /// Writes the accuracy with its 95 % interval, and unmet requests. `rate` is in tenths of a frame per second.
     fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {

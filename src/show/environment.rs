@@ -11,7 +11,7 @@ pub(super) struct Environment {
     pub film: Film,
     /// The floor is a square about the origin at y = 0.
     pub floor: &'static Material,
-    /// Half the side of the floor, in scene units.
+    /// Half its side, in scene units.
     pub floor_half: f32,
     /// See [`Waves::slope`].
     pub swell: f32,
@@ -24,8 +24,8 @@ pub(super) struct Environment {
     pub procedural: Option<fn(f32, &mut Scene)>,
 }
 
-/// The show's film: highlights above four fifths roll off, and the corners of a wide picture are a quarter darker, which guides the
-/// eye to the centre.
+/// Highlights above four fifths roll off, and the corners of a wide picture are a quarter darker, which guides the eye to the
+/// centre.
 pub(super) const SHOW: Film = Film {
     shoulder: 0.8,
     vignette: 0.08,
@@ -36,8 +36,7 @@ pub(super) const SHOW: Film = Film {
 /// Half the side of a seemingly endless floor, whose edge haze hides.
 pub(super) const FAR: f32 = 100.0;
 
-/// The length of the longest waves in scene units: the spectrum includes a letter's size, and lengths that are visible up to the
-/// horizon.
+/// The longest waves in scene units: the spectrum includes a letter's size, and lengths that are visible up to the horizon.
 const SWELL: f32 = 9.0;
 /// The waves' speed, in wavelengths per beat.
 const PACE: f32 = 0.1;

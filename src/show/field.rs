@@ -7,7 +7,7 @@ use glam::{Vec3, vec3};
 
 /// The side of a full field, in scene units. The floor's side is 24.
 const SIDE: f32 = 16.0;
-/// The maximum side of a sphere's cell in scene units, which keeps a few spheres in the centre of the picture.
+/// The maximum side of a sphere's cell in scene units, which keeps a few spheres near the centre.
 const CELL: f32 = 4.0;
 /// The minimum radius, and the maximum random addition, in scene units. Even 320 of the largest spheres fit.
 const RADIUS: (f32, f32) = (0.2, 0.2);

@@ -11,7 +11,7 @@ pub const MODEL_LENGTH: f32 = 8.0 * core::f32::consts::PI;
 
 pub(super) const ORBIT_SPEED: f32 = 0.25;
 
-/// Sets a scene to the model scene at `time` seconds. The camera's path repeats every [`MODEL_LENGTH`].
+/// Sets the model scene at `time` seconds. The camera's path repeats every [`MODEL_LENGTH`].
 pub fn model(time: f32, scene: &mut Scene) {
     scenes::model::ENVIRONMENT.apply(time / BEAT, scene);
     scene.camera = orbit(vec3(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
@@ -20,7 +20,7 @@ pub fn model(time: f32, scene: &mut Scene) {
     scene.captions.clear();
 }
 
-/// Returns the model scene at `time` seconds, see [`model`].
+/// Returns the scene of [`model`].
 #[must_use]
 pub fn model_scene(time: f32) -> Scene {
     let mut scene = Scene::default();

@@ -1,5 +1,3 @@
-//! The camera's path: a curve through a shot's keyframes, in scene coordinates.
-
 use eightfold_tracer::maths::{cos, sin};
 use eightfold_tracer::scene::{Camera, Method, Scene};
 use glam::{FloatExt, Vec3, Vec4, vec3, vec4};
@@ -7,14 +5,13 @@ use glam::{FloatExt, Vec3, Vec4, vec3, vec4};
 /// The camera, relative to its target, and the overlay at a time of a shot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Keyframe {
-    /// The point in the centre of the picture, in scene units.
+    /// In scene units.
     look_at: Vec3,
     /// The angle about the y axis in radians, where 0 looks along z; the horizontal distance and the height in scene units; the
     /// roll as the slope of the horizon, positive if lower on the left.
     away: Vec4,
-    /// The points, squares, picture and coarseness of a [`Method`].
+    /// Points, squares, picture and coarseness of a [`Method`].
     overlay: Vec4,
-    /// The front of a [`Method`].
     front: f32,
 }
 
@@ -44,7 +41,6 @@ impl Keyframe {
         Self { front, ..self }
     }
 
-    /// Adds a roll.
     pub const fn rolled(self, roll: f32) -> Self {
         let [angle, distance, height, _] = self.away.to_array();
         Self {
@@ -54,8 +50,8 @@ impl Keyframe {
     }
 }
 
-/// Sets a scene's camera and overlay to a shot at `time`, 0 to 1 from its start to its end. `push` is the fraction by which the
-/// camera moves closer to its target.
+/// Sets camera and overlay to a shot at `time`, 0 to 1 from its start to its end. `push` is the fraction by which the camera moves
+/// closer to its target.
 ///
 /// Keyframes are evenly spaced in time, on a Catmull-Rom spline with continuous speed. The first and last keyframes count twice:
 /// the camera starts and arrives at about half of its speed, and does not stand still at a cut. Overlay and front change linearly.
@@ -92,7 +88,7 @@ fn catmull_rom(u: f32) -> [f32; 4] {
     ]
 }
 
-/// Returns a camera that looks at a point from a [`Keyframe`]'s angle, distance and height.
+/// Returns a camera with a [`Keyframe`]'s angle, distance and height.
 pub(super) fn orbit(look_at: Vec3, angle: f32, distance: f32, height: f32) -> Camera {
     let away = vec3(distance * sin(angle), height, -distance * cos(angle));
     Camera::new(look_at + away, look_at, core::f32::consts::FRAC_PI_4)

@@ -1,5 +1,3 @@
-//! Spheres, boxes, cylinders and rods in rows, and their motion. Coordinates are the scene's.
-
 use core::f32::consts::TAU;
 use eightfold_tracer::maths::{cos, round, sin, smooth_step};
 use eightfold_tracer::scene::{self, Block, Material, Scene, Sphere};
@@ -9,12 +7,12 @@ pub(super) struct Prop {
     shape: Shape,
     material: &'static Material,
     motion: Motion,
-    /// The centre of the first object, in scene units.
+    /// Of the first object, in scene units.
     centre: Vec3,
-    /// The extents along the object's axes in scene units; a sphere's are its diameter.
+    /// Extents along the object's axes in scene units; a sphere's are its diameter.
     size: Vec3,
     count: [u8; 2],
-    /// The spacing along x and z, in scene units.
+    /// Along x and z, in scene units.
     spacing: [f32; 2],
 }
 
@@ -107,7 +105,7 @@ pub(super) fn add_sphere(centre: Vec3, radius: f32, material: &Material, scene: 
     scene.spheres.push(Sphere::new(centre, radius, *material));
 }
 
-/// Adds a capsule with its axis between two points; `side` is a direction perpendicular to it.
+/// Adds a capsule with its axis between two points; `side` is perpendicular to it.
 pub(super) fn add_rod(
     [from, to]: [Vec3; 2],
     side: Vec3,

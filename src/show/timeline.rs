@@ -16,13 +16,12 @@ const PUSH: f32 = 0.02;
 
 const BEATS: f32 = BEATS_PER_BAR as f32;
 
-/// Sets a scene to the show at `time` seconds, 0 to [`LENGTH`].
+/// Sets the show's scene at `time` seconds, 0 to [`LENGTH`].
 pub fn at(time: f32, scene: &mut Scene) {
     transition(without_transition(time, scene), scene);
 }
 
-/// Sets a scene like [`at`], without the coarse squares of a transition between scenes. Returns the transition's number of
-/// halvings.
+/// Sets a scene like [`at`], without a transition's coarse squares. Returns the transition's halvings.
 pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
     let (shown, bar) = playing(&ALL, |scene| scene.bars(), time / BAR);
     shown
@@ -54,8 +53,7 @@ fn transition(halvings: f32, scene: &mut Scene) {
     method.squares = method.squares.max(side / 128.0);
 }
 
-/// Returns the item, a scene or a shot, at a bar counted from the start of the first, and the bars since its own start. `bars`
-/// returns an item's length. The last one has no end.
+/// Returns the scene or shot at a bar counted from the start of the first, and the bars since its own start. The last one has no end.
 fn playing<T>(all: &[T], bars: impl Fn(&T) -> u32, mut bar: f32) -> (&T, f32) {
     let mut playing = &all[0];
     for next in &all[1..] {

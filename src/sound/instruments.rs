@@ -7,10 +7,9 @@ pub(super) enum Notes {
     /// This note; the digit is its loudness, 1 to 15.
     Drum(u8),
     Scale,
-    /// A note of the bar's chord, this number of semitones up: digits 1 to 4 are the chord's notes from the root up, 5 to 8 the
-    /// same an octave higher, and so on.
+    /// A note of the bar's chord, this number of semitones up: digits 1 to 4 count from its root, 5 to 8 an octave higher, and so on.
     Tone(u8),
-    /// Four notes at once: the one of [`Notes::Tone`], and the three above it.
+    /// The note of [`Notes::Tone`], and the three above it.
     Chord(u8),
 }
 
@@ -20,37 +19,37 @@ pub(super) struct Instrument {
     pub saw: f32,
     pub sine: f32,
     pub noise: f32,
-    /// The detuning of the outermost oscillators, as a fraction of the pitch.
+    /// Of the outermost oscillators, as a fraction of the pitch.
     pub detune: f32,
-    /// The initial deviation from the note, as a fraction of the pitch.
+    /// Initial deviation, as a fraction of the pitch.
     pub bend: f32,
-    /// The initial modulation index: the amplitude, in turns, by which another sine modulates the sine's phase.
+    /// Initial modulation index: the amplitude, in turns, by which another sine modulates the sine's phase.
     pub index: f32,
-    /// The modulating sine's pitch, as a multiple of the note's.
+    /// The modulating sine's pitch relative to the note's.
     pub ratio: f32,
-    /// The inverses of the time constants of attack, decay (while the note is held) and release, in samples.
+    /// Inverse time constants in samples. The level decays while the note is held.
     pub attack: f32,
     pub decay: f32,
     pub release: f32,
-    /// The duration of a note, in beats.
+    /// The note's duration in beats.
     pub gate: f32,
-    /// The inverse of the time constant of pitch, modulation index and filter, in samples.
+    /// The inverse time constant of pitch, modulation index and filter, in samples.
     pub sweep: f32,
-    /// The filter's initial and final cutoff frequencies, as angles: pi is the sampling rate.
+    /// The filter's cutoff frequencies, as angles: pi is the sampling rate.
     pub cutoff_start: f32,
     pub cutoff_end: f32,
-    /// The effect of the bar's brightness on the filter: full brightness multiplies the cutoff by 1 + this.
+    /// Full brightness of the bar multiplies the cutoff by 1 + this.
     pub light: f32,
-    /// The filter's damping: 2 has no resonance, values towards 0 whistle.
+    /// 2 has no resonance, values towards 0 whistle.
     pub damping: f32,
-    /// The fraction of high pass in the filter's output, 0 to 1; the rest is low pass.
+    /// The fraction of high pass, 0 to 1; the rest is low pass.
     pub high: f32,
-    /// The fraction of the distance to its note that the pitch glides in each [chunk](super::CHUNK).
+    /// The fraction of the way to its note that the pitch glides in each [chunk](super::CHUNK).
     pub glide: f32,
-    /// The amplitudes of the inputs of echo and reverberation.
+    /// Amplitudes of the effects' inputs.
     pub echo: f32,
     pub room: f32,
-    /// The fraction by which a kick attenuates it, 0 to 1.
+    /// A kick's attenuation, 0 to 1.
     pub duck: f32,
 }
 

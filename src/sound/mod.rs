@@ -14,13 +14,13 @@ pub use synthesizer::Synthesizer;
 
 use crate::grid;
 
-/// The sampling rate, in samples per second and channel.
+/// Samples per second and channel.
 pub const RATE: u32 = 48_000;
 
-/// The length of a sixteenth, the song's shortest step, in samples: 6,000.
+/// A sixteenth, the song's shortest step, in samples: 6,000.
 pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
 
-/// Samples in a chunk: a millisecond. Slow parameters, such as the filters', are updated once per chunk.
+/// Samples of a millisecond. Slow parameters, such as the filters', are updated once per chunk.
 const CHUNK: usize = 48;
 
 const STEPS_PER_BAR: u32 = 16;

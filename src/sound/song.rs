@@ -12,7 +12,7 @@ pub(super) const TRACKS: usize = 14;
 /// The kick drum's track, which attenuates the others.
 pub(super) const KICK: usize = 0;
 
-/// The length of the song in bars. The compiler checks it against every track, and against the show.
+/// The song's length, which the compiler checks against every track and the show.
 pub(super) const BARS: usize = letters(HARMONY_TEXT);
 
 /// Chords as MIDI notes: the bass, and three upper voices that move little from chord to chord. 33 is A1, 55 Hz.
@@ -38,16 +38,15 @@ static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 static LIGHT: [u8; BARS] = indices_of(
     b"012246 445678 66778898 54456789 889aab 99aabb 543468 eeffff b86421", DIGITS);
 
-/// The MIDI notes of the melody's digits 1 to f: A minor from A4 up. Digit 0 has none.
+/// MIDI notes of the melody's digits 1 to f: A minor from A4 up.
 static SCALE: [u8; 16] = [
     0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93,
 ];
 
-/// A track: for each bar a pattern of sixteen digits, one for each step.
-///
-/// A digit from 1 to 15 starts a note, by the instrument's [`Notes`](super::instruments::Notes); 0 does not.
+/// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start a note, by the instrument's
+/// [`Notes`](super::instruments::Notes); 0 does not.
 struct Part {
-    /// The number of each bar's pattern, counted from 1; 0 is silence.
+    /// Each bar's pattern, counted from 1; 0 is silence.
     bars: [u8; BARS],
     patterns: &'static [[u8; STEPS]],
 }
@@ -162,7 +161,7 @@ static PARTS: [Part; TRACKS] = [
 
 const DIGITS: &[u8] = b"0123456789abcdef";
 
-/// Returns the digit of a track at a step of the song; 0 after its end.
+/// Returns a track's digit; 0 after the song's end.
 pub(super) fn step(track: usize, step: u32) -> u8 {
     let part = &PARTS[track];
     match part.bars.get((step / STEPS_PER_BAR) as usize) {

@@ -1,16 +1,16 @@
 use super::{STEP, voice::Mix};
 use glam::{Vec4, Vec4Swizzles};
 
-/// The length of the echo's ring buffer in samples: above [`DELAY`], and a power of two for fast remainders.
+/// The echo's ring buffer in samples: above [`DELAY`], and a power of two for fast remainders.
 const ECHO: usize = 1 << 15;
 
-/// The delay of the echo in samples: three sixteenths, between the beats.
+/// The echo's delay in samples: three sixteenths, between the beats.
 const DELAY: usize = 3 * STEP as usize;
 
-/// The amplitude of each echo relative to the previous one.
+/// The amplitude of an echo relative to the previous one.
 const FEEDBACK: f32 = 0.5;
 
-/// The length of the reverberation's ring buffers in samples, above the longest of [`LENGTHS`].
+/// The reverberation's ring buffers in samples, above the longest of [`LENGTHS`].
 const ROOM: usize = 1 << 12;
 
 /// The reverberation's delays in samples, 30 to 83 ms: primes, whose echoes rarely coincide.

@@ -7,7 +7,7 @@ use glam::{Vec4, Vec4Swizzles};
 /// The delay of every other sixteenth, in chunks: a slight swing.
 const SWING: u32 = 8;
 
-/// The fraction of the distance to the bar's brightness in each chunk: 63 % in a second.
+/// The fraction of the way to the bar's brightness in each chunk: 63 % in a second.
 const BRIGHTENING: f32 = 0.001;
 
 /// The maximum sample: -1.3 dB of full scale.
@@ -16,14 +16,14 @@ const CEILING: f32 = 0.86;
 /// A synthesizer of the song, with 1 MB of memory, initially zero.
 pub struct Synthesizer {
     mood: Mood,
-    /// A running mean of the output, subtracted to remove the DC offset.
+    /// A running mean, subtracted to remove the DC offset.
     mean: Vec4,
-    /// The position of the next chunk in the song, in samples.
+    /// Of the next chunk, in samples.
     position: u32,
     step: u32,
     wait: u32,
     seed: i32,
-    /// The number of samples in `chunk` that [`Synthesizer::play`] has returned.
+    /// Samples in `chunk` that [`Synthesizer::play`] has returned.
     taken: usize,
     chunk: [[f32; 2]; CHUNK],
     voices: [Voice; song::TRACKS],
@@ -65,10 +65,8 @@ impl Synthesizer {
         }
     }
 
-    /// Moves to a position of the song, in samples from its start.
-    ///
-    /// A sound depends on all sound before it. So the song is synthesized up to there, which takes some milliseconds for each of
-    /// its seconds.
+    /// Moves to a position in samples from the song's start. A sound depends on all sound before it, so this synthesizes the song
+    /// up to there, which takes some milliseconds for each of its seconds.
     pub fn seek(&mut self, position: u32) {
         *self = const { Self::new() };
         for _ in 0..position % SONG_LENGTH {
@@ -76,7 +74,7 @@ impl Synthesizer {
         }
     }
 
-    /// Returns the next chunk of a millisecond: a faster alternative to [`Synthesizer::play`]. The song repeats.
+    /// Returns the next millisecond, faster than [`Synthesizer::play`]. The song repeats.
     pub fn chunk(&mut self) -> &[[f32; 2]] {
         if self.position == SONG_LENGTH {
             *self = const { Self::new() };

@@ -8,9 +8,7 @@ use glam::{Vec4, vec4};
 /// The sum of all voices for one sample. Lanes 0 and 2 are left, 1 and 3 right.
 #[derive(Clone, Copy)]
 pub(super) struct Mix {
-    /// The direct sound.
     pub dry: Vec4,
-    /// The echo's input.
     pub echo: Vec4,
     /// The reverberation's input.
     pub room: Vec4,
@@ -39,11 +37,11 @@ pub(super) struct Mood {
 /// The state of an instrument's four oscillators, one in each lane; zero before the first note.
 #[derive(Clone, Copy)]
 pub(super) struct Voice {
-    /// The oscillators' phases, in turns from -1/2 to 1/2.
+    /// In turns from -1/2 to 1/2.
     phase: Vec4,
-    /// The phases of the modulating sines, in turns.
+    /// Phases of the modulating sines, in turns.
     modulator: Vec4,
-    /// The oscillators' pitches, in turns per sample.
+    /// In turns per sample.
     pitch: Vec4,
     target: Vec4,
     /// The filter's band-pass and low-pass integrators.
@@ -56,7 +54,7 @@ pub(super) struct Voice {
     age: f32,
 }
 
-/// Below this level, -100 dB, a voice is not computed.
+/// Below this level, -100 dB, voices are not computed.
 const SILENCE: f32 = 1e-5;
 
 /// The oscillators' detuning, as multiples of [`Instrument::detune`].

@@ -19,7 +19,7 @@ use share::Share;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// The working memory of an instance. It is initially zero, so it takes no space in the module's file.
+/// Initially zero, so it takes no space in the module's file.
 struct Workspace {
     memory: Memory,
     worker: Worker,
@@ -33,7 +33,7 @@ struct State {
     width: usize,
     height: usize,
     pixels: Vec<u32>,
-    /// The results of the last [`draw`], see [`figures`].
+    /// See [`figures`].
     figures: [f64; 7],
     governor: Option<Governor>,
     text: Vec<u8>,
@@ -49,7 +49,7 @@ impl State {
     }
 }
 
-/// The maximum number of samples of [`play`], which is the number that browsers request.
+/// The maximum for [`play`]; browsers request this number.
 const SAMPLES: usize = 128;
 
 static WORKSPACE: Mutex<Workspace> = Mutex::new(Workspace {

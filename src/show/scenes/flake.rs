@@ -49,7 +49,7 @@ static SHOTS: &[Shot] = &[
     ]),
 ];
 
-/// The radius of the first sphere; each generation has half the radius of the one before.
+/// The radius of the first sphere; each generation halves it.
 const RADIUS: f32 = 1.1;
 const GENERATIONS: u8 = 3;
 /// The beats between generations, which grow within a beat: on bars.

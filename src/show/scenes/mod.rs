@@ -1,4 +1,4 @@
-//! The show's scenes, a file for each, and their list. The show's length, its cuts and its scenes' names follow from the list.
+//! The show's scenes, a file for each. The show's length, cuts and scenes' names follow from the list.
 
 mod colonnade;
 mod finale;

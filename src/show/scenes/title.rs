@@ -60,15 +60,15 @@ static CAPTIONS: &[Cue] = &[
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
 
-/// The distance between neighbouring letters, in units of the font's grid.
+/// Between neighbouring letters, in units of the font's grid.
 const ADVANCE: f32 = 3.0;
 const WIDTH: f32 = ADVANCE * WORD.len() as f32 - 1.0;
 /// A grid unit in scene units.
 const STEP: f32 = 0.5;
 /// Half the width of a letter's first stroke, in scene units.
 const RADIUS: f32 = 0.15;
-/// The ratio of a stroke's width to the previous one, which hides the end of a bar in its stem: with equal widths, rounding would
-/// select one of two coincident surfaces.
+/// A stroke's width relative to the previous one, which hides the end of a bar in its stem: with equal widths, rounding would select
+/// one of two coincident surfaces.
 const NARROWER: f32 = 0.99;
 
 const BEATS: f32 = 1.5;
