@@ -49,9 +49,8 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// The errors of probed pixels, which estimate the error of all pixels.
-///
-/// The error is the difference from the frame at [`Quality::reference`](crate::Quality::reference).
+/// The errors of probed pixels, the differences from [`Quality::reference`](crate::Quality::reference), which estimate the error of
+/// all pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probes {
     /// The number of probed pixels.
@@ -62,9 +61,8 @@ pub struct Probes {
     pub fourths: u64,
 }
 
-/// A squared error that is added to the mean, weighted by itself, for rare pixels with large errors that no probe met. Without it
-/// 80 of 100 confidence intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of probes. The show's mean
-/// is 20 to 20,000.
+/// A squared error added to the mean, weighted by itself, for rare large errors that no probe met. Without it 80 of 100 confidence
+/// intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of probes. The show's mean is 20 to 20,000.
 const UNSEEN: f32 = 500.0;
 
 impl Probes {
@@ -75,7 +73,7 @@ impl Probes {
         fourths: 0,
     };
 
-    /// Halves the weight of these probes against later ones.
+    /// Halves these probes' weight against later ones.
     pub fn halve(&mut self) {
         self.pixels /= 2;
         self.squares /= 2;
@@ -124,7 +122,7 @@ impl Probes {
         1.96 * 10.0 * LOG10_E * sqrt(variance)
     }
 
-    /// Returns the [`Probes::margin`] for a still picture of `pixels` pixels, each probed at most once; 0 once all were probed.
+    /// Returns the [`Probes::margin`] for a still picture of `pixels` pixels, each probed at most once.
     #[must_use]
     pub fn margin_at_rest(&self, pixels: u64) -> f32 {
         let unknown = 1.0 - self.pixels as f32 / pixels as f32;

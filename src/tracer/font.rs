@@ -2,15 +2,8 @@
 
 use glam::{Vec2, vec2};
 
-/// The capitals, each as the points that a pen visits; a space lifts the pen. The grid's points are
-///
-/// ```text
-/// a b c
-/// d e f
-/// g h i
-/// j k l
-/// m n o
-/// ```
+/// The capitals, each as the points that a pen visits; a space lifts the pen. The grid's rows are `abc`, `def`, `ghi`, `jkl`,
+/// `mno`.
 #[rustfmt::skip]
 static CAPITALS: [&str; 26] = [
     "mdbfo gi", // A
@@ -41,7 +34,7 @@ static CAPITALS: [&str; 26] = [
     "acmo", // Z
 ];
 
-/// A full stop, ± at the slash, and the digits, in the same notation.
+/// A full stop, ± at the slash, and the digits.
 #[rustfmt::skip]
 static DIGITS: [&str; 12] = [
     "kn", // .
@@ -58,8 +51,8 @@ static DIGITS: [&str; 12] = [
     "nlfbdgi", // 9
 ];
 
-/// Returns the strokes of an ASCII capital, digit or full stop, and of ± for a slash; none for other bytes. Both ends are in grid
-/// units from the letter's upper left, x to the right and y down.
+/// Returns the strokes of an ASCII capital, digit or full stop, and of ± for a slash; none for other bytes. Ends are in grid units
+/// from the letter's upper left, y down.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     points(letter)
         .windows(2)

@@ -3,8 +3,8 @@
 //!
 //! # Shapes, materials and lights
 //!
-//! Shapes are spheres, boxes, cylinders, capsules and planes. Materials are matt, mirrors, metal, glass and patterns. Lights are
-//! points, suns, spotlights and balls with soft shadows.
+//! Shapes are spheres, boxes, cylinders, capsules and planes; materials matt, mirrors, metal, glass and patterns; lights points,
+//! suns, spotlights and balls with soft shadows.
 //!
 //! ```
 //! use eightfold_tracer::glam::{Mat3, Vec3, vec3};
@@ -45,16 +45,16 @@
 //!
 //! # Quality
 //!
-//! [`Quality::EXHAUSTIVE`] traces every pixel. [`Quality::LADDER`] has seven presets, from one that looks almost the same to one
-//! for slow machines. A [`Governor`] selects presets to hold a frame rate, an [`AccuracyGovernor`] to hold an accuracy, which
-//! frames measure with [`Frame::with_probes`]. See [`limits`] for the accuracy in figures.
+//! [`Quality::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A
+//! [`Governor`] selects presets to hold a frame rate, an [`AccuracyGovernor`] to hold an accuracy, which frames measure with
+//! [`Frame::with_probes`]. See [`limits`] for the accuracy in figures.
 //!
 //! # Memory and threads
 //!
 //! Rendering never allocates. A renderer has a [`Memory`] of [`Memory::BYTES`] bytes, and each thread a [`Worker`] of
 //! [`Worker::BYTES`] bytes, for pictures of any size: under 8 MiB with sixteen threads. [`Renderer::detect`], [`ScopedThreads`] and
-//! [`Worker::several`] allocate them on the heap in place, so threads with small stacks can call them, in unoptimised programs, too.
-//! A single worker is the caller's thread. Implement [`Threads`] for your own thread pool.
+//! [`Worker::several`] allocate them on the heap in place, so threads with small stacks can call them, in unoptimised programs,
+//! too. Implement [`Threads`] for your own thread pool.
 //!
 //! # Without std
 //!
@@ -69,13 +69,13 @@
 //! # Conventions
 //!
 //! Coordinates are right-handed with y up, in scene units of any size. Angles are in radians, times in seconds. Pixel (0, 0) is the
-//! upper left one, with x to the right and y down, and is sampled at its centre. Colours are linear RGB, 1 the brightest displayed
-//! value. Pixels are `0x00RRGGBB`: colours clamped to 0 to 1, times 255, rounded, without gamma. Vectors are [`glam`]'s.
+//! upper left one, sampled at its centre. Colours are linear RGB, 1 the brightest displayed value. Pixels are `0x00RRGGBB`: colours
+//! clamped to 0 to 1, times 255, rounded, without gamma.
 //!
 //! # Determinism
 //!
-//! A frame depends on the scene, the size, the quality, the offset of samples and the instruction set only, not on the number of
-//! threads or earlier frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
+//! A frame depends on the scene, the size, the quality, the samples' offset and the instruction set only, not on threads or earlier
+//! frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
 //!
 //! # Compatibility
 //!
@@ -85,11 +85,6 @@
 //!
 //! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of [`Quality::LADDER`] may change. A
 //! breaking version of `glam` or `fearless_simd` ([`Level`]) makes a breaking version of this crate.
-//!
-//! # Errors
-//!
-//! [`Renderer::render`] checks the scene and returns an [`Error`] that names the value and its range. [`Renderer::render_valid`]
-//! skips the checks of a scene that is known to be valid.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

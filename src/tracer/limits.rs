@@ -1,4 +1,4 @@
-//! The accuracy of the tracer in figures, with their conditions. Tests check every figure.
+//! The tracer's accuracy in figures. Tests check every one.
 //!
 //! # Ranges
 //!
@@ -45,8 +45,8 @@
 //!
 //! "Anywhere" is up to twice as far from the origin as from the eye: the vector from the eye to the centre is rounded. The command
 //! is `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of a hit's distance is at most
-//! 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the sphere's disc. At 3840x2160, a sphere 1,000 radii
-//! away in the model scene is 5 pixels wide.
+//! 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the disc. A sphere 1,000 radii away in the model scene at
+//! 3840x2160 is 5 pixels wide.
 //!
 //! Coordinates have a relative error of 6e-8, so keep scenes near the origin. The model scene, 24 units wide, has this PSNR in dB
 //! at 320x240, every pixel traced, to an oracle that draws the same numbers in f64:
@@ -79,7 +79,7 @@
 //! | crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480 | 42 dB |
 //! | crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
 //! | floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, 480x270 | 42 dB |
-//! | the guard's share of the default quality's time in the model scene (measured by `lab trade`) | 10 % |
+//! | the guard's share of the time in the model scene (by `lab trade`), default quality | 10 % |
 //!
 //! # Approximations
 //!
@@ -94,7 +94,7 @@
 //!
 //! # Known limitations
 //!
-//! - Coincident surfaces, such as two planes at the same height: rounding decides which one a ray hits.
+//! - Coincident surfaces: rounding decides which one a ray hits.
 //! - Chords of a sphere shorter than the rounding error: the ray misses.
 //! - Shadows between corners. The guard tests shadows on planes, and light between them. Where a light low above a plane lights
 //!   only a few pixels, the corner that identifies a sphere's shadow by a point light may be dark anyway: a shadow wider than a
@@ -103,16 +103,16 @@
 //!   lights with a diameter: soft edges are not guarded.
 //! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
 //!   a bright slit on a block's face.
-//! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
+//! - Images of cylinders and capsules in the first plane, and partly covered ones: a corner inside two outlines counts as showing
 //!   both.
 //! - dB to exhaustive of other scenes: 38.8 for crowds of glass in glass, 40.3 for mirrors in mirrors, 39.0 for coincident faces;
 //!   less for an eye inside glass, extreme scales and the fastest quality.
-//! - Thin bright or dark strips in such images, in slits of light on blocks, and in waves: the show has patches of up to 229
-//!   pixels.
+//! - Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 229 pixels in the
+//!   show.
 //! - Highlights in mirrors, on waves, seen from inside a sphere, a cylinder or a capsule, and without the point that mirrors the
 //!   light: it is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its object, but
 //!   neither face nor light: a slit of light between shadows, the lit rim of a sphere, or the narrow side of a flat cylinder can
 //!   lose its highlight, whatever its length.
-//! - Reflections other than in the first plane without waves, and refractions: they are not guarded.
+//! - Reflections except in the first plane without waves, and refractions: they are unguarded.
 //! - The position of hits on a sphere whose radius is below about 1e-6 of its largest coordinate, the rounding error. Rays that
 //!   leave it still never hit it again.

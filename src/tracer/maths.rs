@@ -16,7 +16,7 @@ pub fn sqrt(x: f32) -> f32 {
     f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
 
-/// Returns the sine of an angle in radians, to 1e-6 up to 1e6; NaN for NaN and infinity.
+/// Returns the sine of an angle in radians, accurate to 1e-6 up to 1e6; NaN for NaN and infinity.
 ///
 /// `libm` is accurate for larger angles, too, but needs 2.8 kB of digits of pi, which cannot be compressed.
 #[must_use]

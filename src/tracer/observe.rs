@@ -1,4 +1,4 @@
-//! Callbacks for the points and squares of a frame, for statistics and visualisation.
+//! Callbacks for statistics and visualisation.
 
 use crate::counts::Counts;
 
@@ -23,11 +23,11 @@ pub trait Observer: Copy + Sync {
 /// The reason why a square was split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Split {
-    /// An object may be visible that none of its corners shows (see [`Quality::guarded`](crate::Quality::guarded)).
+    /// An object may be visible between its corners, see [`Quality::guarded`](crate::Quality::guarded).
     Uncovered,
-    /// Its corners show different objects or light, in colours beyond the tolerance for that.
+    /// Its corners have different keys, and colours beyond [`tolerance_differing`](crate::Quality::tolerance_differing).
     Keys,
-    /// Its corners show the same objects in the same light, in colours beyond the tolerance for that.
+    /// Its corners have equal keys, and colours beyond [`tolerance_agreeing`](crate::Quality::tolerance_agreeing).
     Colours,
 }
 

@@ -1,7 +1,7 @@
 //! Copper bars and captions over a finished picture.
 //!
-//! A caption's coverage is computed from the distance of a pixel to the nearest stroke, in units of the font's grid, so edges are
-//! antialiased at any size.
+//! Coverage is computed from a pixel's distance to the nearest stroke, in units of the font's grid: edges are antialiased at any
+//! size.
 
 use crate::font::strokes;
 use crate::maths::{round, sqrt};
@@ -93,8 +93,7 @@ impl Overlay<'_> {
 }
 
 impl Frame<'_> {
-    /// Draws captions over a finished picture, aligned to its left side. The signs `#`, `$`, `%` and `&` show the digits of the
-    /// four numbers, see [`Caption::letters`].
+    /// Draws captions over a finished picture, aligned to its left side, with the digits of four numbers, see [`Caption::letters`].
     ///
     /// # Panics
     /// If the frame has too few pixels.

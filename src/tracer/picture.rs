@@ -1,4 +1,4 @@
-//! Frames, and the bands of them that threads draw.
+//! Frames, and the bands that threads draw.
 
 use crate::counts::Counts;
 use crate::quality::Quality;
@@ -56,8 +56,8 @@ impl<'a> Frame<'a> {
         Self { stride, ..self }
     }
 
-    /// Moves all samples `x` pixels right and `y` pixels down, -0.5 to 0.5 each. For supersampling, average frames whose offsets
-    /// cover a pixel evenly.
+    /// Moves samples `x` pixels right and `y` down, -0.5 to 0.5 each. For supersampling, average frames whose offsets cover a pixel
+    /// evenly.
     #[must_use]
     pub const fn with_offset(self, x: f32, y: f32) -> Self {
         Self {

@@ -50,7 +50,7 @@ impl Quality {
     /// The largest [`Quality::depth`]: paths have 8 bits.
     pub const MAX_DEPTH: u32 = 7;
 
-    /// Every pixel traced: the reference for other qualities.
+    /// Every pixel traced.
     pub const EXHAUSTIVE: Self = Self {
         square: 1,
         tolerance_agreeing: 0.0,
@@ -77,10 +77,8 @@ impl Quality {
     /// The middle preset.
     pub const DEFAULT: Self = Self::within(8, 7.5).followed(5, 0.015).antialiased();
 
-    /// The presets from the finest to the fastest.
-    ///
-    /// The first four are antialiased, which takes a third to a half more time. `docs/accuracy.md` has their speed and errors,
-    /// measured by `cargo lab trade --ladder`.
+    /// The presets from the finest to the fastest. The first four are antialiased, which takes a third to a half more time.
+    /// `docs/accuracy.md` has their speed and errors, measured by `cargo lab trade --ladder`.
     ///
     /// They lie on the front of time against FLIP and pops (pixels that jump between frames while the exhaustive frame's stay),
     /// which `cargo lab trade` prints. The optimum by PSNR only, a default with a tolerance of 9 and a least contribution of 0.02,
@@ -100,7 +98,7 @@ impl Quality {
     /// The index of [`Quality::DEFAULT`] in [`Quality::LADDER`].
     pub const DEFAULT_PRESET: usize = 3;
 
-    /// The names of the presets, in the order of [`Quality::LADDER`].
+    /// The presets' names.
     pub const NAMES: [&'static str; Self::LADDER.len()] = [
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",
     ];
@@ -147,7 +145,7 @@ impl Quality {
     /// Checks every parameter's range.
     ///
     /// # Errors
-    /// The first parameter that is out of range.
+    /// The first number out of range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let quality = Checked::one("quality");
         let is_side = self.is_square_drawable();

@@ -9,11 +9,11 @@ use glam::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RangeError {
-    /// The field of the scene, such as "spheres", or "quality".
+    /// A scene's field, such as "spheres", or "quality".
     pub object: &'static str,
     /// The item's index, if the field is a list.
     pub index: Option<usize>,
-    /// The field of the object, such as "material.kd"; empty if the object itself is the number.
+    /// The field of the object, such as "material.kd"; empty for the object itself.
     pub field: &'static str,
     /// The value.
     pub found: Found,
@@ -83,7 +83,6 @@ impl Range {
     }
 }
 
-/// A field of a scene, an item of a list, or a quality.
 #[derive(Clone, Copy)]
 pub(crate) struct Checked {
     pub object: &'static str,

@@ -11,7 +11,7 @@
 //! certain points has a radius reduced by `2 h + 3 e`. This leaves `2 h + e` outside and `h + 2 e` inside for these errors at the
 //! sphere:
 //!
-//! - The vector from the light and the perpendicular: some `u` of the distance from the light, less than `e / 2`.
+//! - The vector from the light and the perpendicular: some `u` of the light's distance, below `e / 2`.
 //! - The coordinates of the point on the plane: less than `h / 3` from the sphere's coordinates and `e / 3` from the distance to
 //!   it, since an error at the far end of a ray from the light is smaller at the sphere. (The plane's centre, from which points are
 //!   computed, must not be much farther from the eye.)
@@ -50,7 +50,7 @@ pub(crate) const DEEP: f32 = 2e-6;
 /// rounding error, to start beyond a coincident face of another block.
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
-/// The relative enlargement of a block's bounding sphere: many times the rounding of its corners.
+/// The relative enlargement of a block's bounding sphere: many times its corners' rounding.
 pub(crate) const BLOCK_BOUND: f32 = 1e-4;
 
 /// The error of the dot product of two directions: some 10 roundings.
@@ -65,7 +65,7 @@ pub(crate) const BOUND: f32 = 1e-3;
 /// The enlargement of a sphere before its bounding cone is computed: the cosine of any cone grows by more than its rounding error.
 pub(crate) const WIDE: f32 = 1.0 + 1e-6;
 
-/// The addend to the sine of a cone before its tangent planes are computed: more than their rounding error.
+/// The addend to a cone's sine before its tangent planes are computed: more than their rounding error.
 pub(crate) const WIDER: f32 = 1e-4;
 
 /// The multiple of a shadow's errors within which a point is uncertain: 1 for the wider cone, 1 for the smaller radius of shadow
@@ -83,14 +83,14 @@ pub(crate) const USUAL: f32 = 0.03;
 /// [`Scene::validate`](crate::scene::Scene::validate) accepts, far above rounding; a tenth of a pixel.
 pub(crate) const CORNER: f32 = 2e-4;
 
-/// The largest error of a block's corner seen from a light, which may be a thousand times as far away: two roundings.
+/// The largest error of a block's corner seen from a light, up to a thousand times as far away: two roundings.
 pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
 /// The largest distance from its object of a point that is computed again from the picture, relative to the largest coordinate:
 /// some `u`.
 pub(crate) const SEEN: f32 = 1e-5;
 
-/// Within this many hit errors of a sphere, the eye may be inside or outside.
+/// The hit errors within which the eye may be inside or outside a sphere.
 pub(crate) const TOUCHING: f32 = 4.0;
 
 /// The least height of the eye and of a light above a plane, relative to the distance from the light to the eye's mirror image, for
@@ -103,5 +103,5 @@ pub(crate) const PIXELS_AROUND: f32 = 0.5;
 /// The largest error of the ends of a range of squares, in pixels.
 pub(crate) const COLUMN: f32 = 0.02;
 
-/// The least determinant of a highlight's ellipse, relative to the product of its diagonal: longer ellipses are unreliable.
+/// The least determinant of a highlight's ellipse, relative to its diagonal's product: longer ellipses are unreliable.
 pub(crate) const DRAWN_OUT: f32 = 1e-6;

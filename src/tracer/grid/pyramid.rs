@@ -7,7 +7,7 @@ use crate::trace::{Layers, Sample};
 
 pub(crate) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
 
-/// The grids of all levels except level 0, whose pixels are drawn when they are traced.
+/// The grids of all levels except level 0, whose pixels are drawn at once.
 ///
 /// A grid is row-major. The corners of the square (x, y) are the points (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1).
 pub(crate) struct Pyramid {

@@ -9,7 +9,7 @@ pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand where the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
-    /// Moves the lanes in `mask` to the first places, in order. The default moves lane by lane, in little code.
+    /// Moves the lanes in `mask` to the first places, in order. The default is small, but slow.
     #[inline(always)]
     fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
         let mut rest = mask.to_bitmask();

@@ -1,10 +1,9 @@
 //! Vectors with a ray per lane.
 //!
-//! A kernel is generic over the instruction set `S` and inlined into one function per set: four lanes for SSE2, eight for AVX2,
-//! sixteen for AVX-512. A lane's result never depends on its neighbours.
+//! A kernel is generic over the instruction set `S` and inlined into one function per set. A lane's result never depends on its
+//! neighbours.
 //!
-//! Kernels call small functions marked `#[inline(always)]`: a closure that is not inlined loses the instruction set, and with it
-//! the speed.
+//! Functions that kernels call need `#[inline(always)]`: a closure that is not inlined loses the instruction set.
 
 mod isa;
 mod pow;
@@ -12,8 +11,8 @@ mod vec3x;
 
 /// Evaluates an expression with AVX2, or with the baseline without AVX2.
 ///
-/// Only rays use AVX-512, see [`trace_wide`](crate::trace::trace_wide): squares are judged and filled by rows of eight pixels, one
-/// AVX2 register, and wider rows cost the intro 1,335 packed bytes without a gain.
+/// Only rays use AVX-512, see [`trace_wide`](crate::trace::trace_wide): eight pixels, the row of a square, fit an AVX2 register,
+/// and wider rows cost the intro 1,335 packed bytes without a gain.
 macro_rules! by_isa {
     ($isa:expr, $simd:ident => $expression:expr) => {
         match crate::lanes::avx2($isa) {

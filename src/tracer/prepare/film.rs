@@ -6,7 +6,7 @@ use crate::scene::camera::pixels;
 use fearless_simd::{f32x4, u16x8, u64x2};
 use glam::{Vec2, vec2};
 
-/// Colours are in output steps, 255 the brightest; positions in pixels.
+/// Colours are in output steps of 1/255; positions in pixels.
 pub(crate) struct Film {
     pub is_plain: bool,
     shoulder: f32,

@@ -22,7 +22,7 @@ pub(crate) struct PreparedLight {
     pub is_point: bool,
     /// The first object that is listed as an occluder. A faster test decides the hard shadows of the spheres before it.
     pub listed_from: ObjectId,
-    /// Of the tree's solid nodes, in the same order.
+    /// In the order of the tree's solid nodes.
     pub shadow_cones: [ShadowCone; MAX_NODES],
 }
 
@@ -55,8 +55,7 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere: a point in it is inside a cone around the sphere with its apex at the light, no nearer to the
-/// light than the sphere.
+/// The shadow of a node's sphere: the part of a cone around it, with the apex at the light, that is no nearer than the sphere.
 ///
 /// Unaligned vectors make it fit a cache line of 64 bytes: a frame has up to 2,572 cones.
 #[derive(Clone, Copy)]
@@ -65,7 +64,7 @@ pub(crate) struct ShadowCone {
     pub axis: Vec3,
     /// The squared chord between the axis and the side of the cone, on the unit sphere.
     pub chord2: f32,
-    /// The distance from the light at which it may begin.
+    /// The least distance of the shadow from the light.
     pub from: f32,
     pub solids: u8,
     pub skip: u16,
@@ -74,11 +73,11 @@ pub(crate) struct ShadowCone {
     pub around_light: bool,
     /// The vector to the light.
     pub from_light: Vec3,
-    /// Reduced by the rounding error of the discriminant, so that a ray that leaves the sphere is not in its shadow; enlarged if
-    /// the light is inside.
+    /// Reduced by the discriminant's rounding error: a ray that leaves the sphere is not in its shadow. Enlarged if the light is
+    /// inside.
     pub r2: f32,
-    /// A block's shadow is between two planes through the light, at equal angles to the plane that contains the longer axis. This
-    /// is that plane's normal, of any length.
+    /// The normal, of any length, of the plane through the light and a block's longer axis. The block's shadow is between two
+    /// planes through the light at equal angles to it.
     pub side: Vec3,
     /// The squared sine of that angle, times the squared length of `side`.
     pub sine2: f32,
@@ -103,7 +102,6 @@ impl PreparedLight {
         shadow_cones: [ShadowCone::ZERO; MAX_NODES],
     };
 
-    /// Prepares a light of a scene with `spheres` spheres.
     pub fn set(&mut self, light: &Light, nodes: &[BvhNode], spheres: usize) {
         self.position = light.shadow_position();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));

@@ -103,7 +103,7 @@ impl Prepared {
         self.first_plane() + self.plane_count
     }
 
-    /// Prepares a scene for a picture of `width` by `height` pixels, with samples moved by `offset` pixels.
+    /// Prepares a scene for a picture with samples moved by `offset` pixels.
     pub fn prepare<'a>(
         &'a mut self,
         scene: &'a Scene,

@@ -63,21 +63,21 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The number of strong mirrors and glass solids that make a crowd. The show's scenes have six at most. With a lower number, one in
+/// The number of strong mirrors and glass solids that make a crowd. The show's scenes have six at most. With a lower number, one of
 /// fifty random scenes of 16 blocks is below 42 dB at the default quality.
 const CROWD: usize = 12;
 
 /// The least strong weight: the presets' `key_weight`.
 const STRONG: f32 = 0.3;
 
-/// The sine of half the viewing angle from which a glass sphere shows the crowd large enough.
+/// The sine of half the viewing angle at which a glass sphere shows the crowd large enough.
 const LARGE: f32 = 0.2;
 
 fn is_strong(material: &Material) -> bool {
     material.kr + material.kt >= STRONG
 }
 
-/// Returns whether a scene has a crowd of mirrors and glass, which needs small squares.
+/// Returns whether a crowd of mirrors and glass needs small squares.
 pub(crate) fn is_crowd(scene: &Scene) -> bool {
     let solids = (0..scene.solids()).map(ObjectId::new);
     let strong = solids.filter(|&id| is_strong(of(scene, id).1));

@@ -18,7 +18,7 @@ pub(crate) enum Parameter {
     InverseRadius = 3,
     /// 0 for visible lights and the background.
     IsLit = 4,
-    /// A colour: reflected ambient light, or the colour of a visible light or the background.
+    /// A colour: reflected ambient light, or of a visible light or the background.
     Emitted = 5,
     Diffuse = 8,
     /// A colour: the factor of highlights on a light's colour.
@@ -43,10 +43,10 @@ pub(crate) type PerLane = [f32; MAX_LANES];
 
 pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 
-/// Larger than any parameter of a valid scene; products of a few such numbers stay finite.
+/// Above any parameter of a valid scene; products of a few such numbers are finite.
 const LARGEST: f32 = 2e9;
 
-/// Returns a number, or 0 if it is NaN or above [`LARGEST`], which would spoil a point's sum even with the weight 0.
+/// Replaces NaN and numbers above [`LARGEST`], which spoil a point's sum even with the weight 0, by 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
@@ -95,8 +95,7 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
     surface.map(bounded)
 }
 
-/// Returns a lower bound of the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1: at least 0.8 times the
-/// root.
+/// Returns 0.8 to 1 times the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1.
 ///
 /// The bits of a float approximate its logarithm: `e + m` for `2^e (1 + m)` is too small by up to 0.09, and the inverse too large
 /// by up to a factor of 1.07.

@@ -1,5 +1,5 @@
-//! The bounding volume hierarchy of spheres and blocks (solids): an array of bounding spheres in depth-first order, in which a ray
-//! skips the descendants of those that it misses.
+//! The bounding volume hierarchy of spheres and blocks (solids): bounding spheres in depth-first order. A ray skips the descendants
+//! of missed nodes.
 
 use super::object::{self, Object, ObjectId};
 use crate::rounding::{BOUND, hit_error};
@@ -7,7 +7,7 @@ use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
 use glam::{Vec3, Vec3A};
 
-/// The number of groups of solids. Each tile has the set of groups that may be visible in it.
+/// Each tile has the set of groups of solids that may be visible in it.
 const SOLID_GROUPS: usize = 32;
 
 /// Solids' groups, in the tree's order, then one for each light.
@@ -24,8 +24,8 @@ pub(crate) struct VisibleGroups {
 
 /// The largest number of solids in a leaf.
 ///
-/// Shadow rays test all solids of a leaf without a branch: a mispredicted branch, frequent for packets at edges, takes as long as
-/// four tests. With 4 solids the show's title takes 8 % longer, with 16 a field of 64 spheres 7 %.
+/// Shadow rays test all solids of a leaf without a branch, since a mispredicted branch, frequent at edges, takes as long as four
+/// tests. With 4 solids the show's title takes 8 % longer, with 16 a field of 64 spheres 7 %.
 const LEAF: usize = 10;
 
 const UNSORTED: usize = 4;
@@ -52,7 +52,7 @@ pub(crate) struct BvhNode {
     /// The number of nodes to advance by if it is missed.
     pub skip: u16,
     pub is_bound: bool,
-    /// The number of solids in a leaf, which are the next nodes.
+    /// A leaf's solids are the next nodes.
     pub solids: u8,
     pub is_block: bool,
     /// The longer of a block's own y and z axes.
@@ -153,7 +153,7 @@ impl Tree {
         }
     }
 
-    /// Adds a bound of the balls from `first` to below `end`, and its descendants.
+    /// Adds a bound of the balls `first..end`, and its descendants.
     fn add_bound(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
         let balls = &self.balls[first..end];
@@ -164,7 +164,7 @@ impl Tree {
             radius = radius.max(centre.distance(ball.centre) + ball.radius);
         }
         radius *= 1.0 + BOUND;
-        // A NaN or infinite coordinate gives an infinite bound, so that rays still find the other solids in it.
+        // With NaN or infinity, rays must still find the other solids in it.
         if !(centre.abs().element_sum() + radius).is_finite() {
             (centre, radius) = (Vec3A::ZERO, UNBOUNDED);
         }

@@ -51,21 +51,18 @@ impl Frame<'_> {
 ///
 /// # Measuring the error of a frame
 ///
-/// The [probes](Frame::with_probes) of several frames estimate the accuracy of this scene at this quality:
+/// The [probes](Frame::with_probes) of several frames estimate the accuracy:
 ///
 /// ```
 /// # use eightfold_tracer::glam::{Vec3, vec3};
-/// # use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
+/// # use eightfold_tracer::scene::{Light, Material, Scene, Sphere};
 /// use eightfold_tracer::{Frame, Probes, Quality, Renderer, ScopedThreads};
 ///
-/// # let material = Material { colour: Vec3::ONE, kd: 0.8, ..Material::BLACK };
-/// # let sphere = |x| Sphere { centre: vec3(x, 0.0, 0.0), radius: 0.3, material };
-/// # let light = Light { position: vec3(-2.0, 3.0, 2.0), colour: Vec3::ONE, ..Light::DARK };
-/// let mut scene = Scene {
-///     spheres: List::of(&[-0.4, 0.0, 0.4].map(sphere)),
-///     lights: List::of(&[light]),
-///     ..Scene::default()
-/// };
+/// # let mut scene = Scene::default();
+/// # scene.lights.push(Light::default());
+/// # for x in [-0.4, 0.0, 0.4] {
+/// #     scene.spheres.push(Sphere::new(vec3(x, 0.0, 0.0), 0.3, Material::matt(Vec3::ONE, 0.8)));
+/// # }
 /// let mut pixels = [0; 160 * 120];
 /// let (mut renderer, mut threads) = (Renderer::detect(), ScopedThreads::new());
 /// let mut probes = Probes::NONE;
@@ -88,7 +85,7 @@ pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature =
 impl Renderer {
     /// Returns a renderer for an instruction set, with its own memory.
     ///
-    /// [`Level::baseline`] is the instruction set that the program is compiled for.
+    /// [`Level::baseline`] is the program's own instruction set.
     #[must_use]
     pub fn new(level: Level) -> Self {
         Self::with_memory(level, BoxedMemory::new())
@@ -102,7 +99,7 @@ impl Renderer {
 }
 
 impl<M: BorrowMut<Memory>> Renderer<M> {
-    /// Returns a renderer for an instruction set that uses the caller's memory.
+    /// Returns a renderer for an instruction set with the caller's memory.
     #[must_use]
     pub fn with_memory(level: Level, memory: M) -> Self {
         Self {
@@ -163,7 +160,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(memory.render_observed(&plan, scene, frame, threads, observer))
     }
 
-    /// Renders a frame without checking the scene. An invalid scene gives some picture, in bounded time.
+    /// Renders a frame without checking the scene. An invalid one gives some picture, in bounded time, see
+    /// [`limits`](crate::limits).
     ///
     /// # Panics
     /// If the frame's size, stride or number of pixels is out of range, or the quality's [`square`](Quality::square) or

@@ -1,5 +1,3 @@
-//! Threads that are started for each frame.
-
 use super::threads::{Job, Threads};
 use crate::picture::Band;
 use crate::refine::Worker;

@@ -1,11 +1,9 @@
-//! Boxes, cylinders and capsules with any orientation.
-
 use super::validate::{EXTENT, POINT, is_unit};
 use super::{Material, Shape};
 use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
-/// A box, a cylinder with flat ends, or a capsule with half spheres as ends. Transparent blocks refract rays at each side.
+/// A box, cylinder or capsule. Transparent blocks refract rays at each side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -16,8 +14,8 @@ pub struct Block {
     /// The centre in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
     pub centre: Vec3,
     /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH).
-    /// Cylinders and capsules are along the y axis; their radius is `half.x`, and `half.z` must be equal. `half.y` of a capsule
-    /// includes an end, so it is at least the radius.
+    /// Cylinders and capsules are along y; their radius is `half.x`, equal to `half.z`. A capsule's `half.y` includes an end, so it
+    /// is at least the radius.
     pub half: Vec3,
     /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity is aligned with the scene.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -27,7 +25,7 @@ pub struct Block {
 }
 
 impl Block {
-    /// Returns a block aligned with the scene, with half its extents.
+    /// Returns a block aligned with the scene.
     #[must_use]
     pub const fn new(shape: Shape, centre: Vec3, half: Vec3, material: Material) -> Self {
         Self {

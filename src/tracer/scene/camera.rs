@@ -4,7 +4,7 @@ use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::{FRAC_PI_4, PI};
 use glam::{Vec3, Vec3A};
 
-/// A pinhole camera with square pixels, sampled at their centres.
+/// A pinhole camera with square pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]

@@ -11,15 +11,15 @@ pub struct Film {
     /// The start of the roll-off of highlights, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`
     /// with `x = c - s`, a smooth curve below 1. A ray contributes 2 at most. 1 clips highlights.
     pub shoulder: f32,
-    /// The darkening towards the corners, 0 to 1: light is multiplied by `1 / (1 + vignette r^2)`, where r is the distance from the
-    /// picture's middle in halves of its height.
+    /// The darkening towards the corners, 0 to 1: the factor on light is `1 / (1 + vignette r^2)` at r half heights from the
+    /// picture's middle.
     pub vignette: f32,
     /// The range of the rounding thresholds of neighbouring pixels in steps of 1/255, 0 to 1. With 1, the means of squares of 4x4
     /// pixels have steps of 1/16, so that slow gradients show no bands. A pixel's threshold depends on its position only.
     /// Antialiased pixels keep their dither.
     pub dither: f32,
-    /// The factor on a [`Quality`](crate::Quality)'s tolerances for filling squares, 0 to 1. Use less than 1 for dark scenes with
-    /// dim edges, where the eye sees smaller steps.
+    /// The factor on a [`Quality`](crate::Quality)'s tolerances, 0 to 1: less for dark scenes with dim edges, where the eye sees
+    /// smaller steps.
     pub tolerance: f32,
 }
 

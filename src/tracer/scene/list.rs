@@ -1,5 +1,3 @@
-//! A list of fixed capacity, since the library never allocates.
-
 use core::fmt;
 use core::ops::{Deref, DerefMut};
 
@@ -15,7 +13,7 @@ use core::ops::{Deref, DerefMut};
 /// assert_eq!(result.unwrap_err().to_string(), "a list has 5 items; must be 0 to 4");
 /// ```
 ///
-/// An array that is too long does not compile:
+/// Longer arrays do not compile:
 ///
 /// ```compile_fail,E0080
 /// # use eightfold_tracer::scene::List;

@@ -3,7 +3,7 @@
 use super::validate::SHARE;
 use crate::range_error::{Checked, Range, RangeError};
 
-/// An overlay that shows the traced points and the filled squares, and the coarseness of the picture below.
+/// An overlay of the traced points and the filled squares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -18,8 +18,8 @@ pub struct Method {
     /// [`Quality::MAX_SQUARE`](crate::Quality::MAX_SQUARE); none below 2. The largest squares have at least this side, and a coarse
     /// picture is not antialiased.
     pub coarse: f32,
-    /// The position of a front that moves over the picture from the left, as a share of its width, 0 to 1. Left of it the picture
-    /// is finished: at full brightness and antialiased, without marks. The front itself is a bright line.
+    /// The position of a bright line as a share of the picture's width from the left, 0 to 1. Left of it the picture is finished:
+    /// at full brightness and antialiased, without marks.
     pub front: f32,
 }
 

@@ -92,7 +92,7 @@ impl Default for Scene {
 }
 
 impl Scene {
-    /// No objects. The unused memory of lists is zero.
+    /// Unused memory of lists is zero.
     const EMPTY: Self = {
         let material = Material {
             exponent: 0.0,
@@ -153,13 +153,13 @@ impl Scene {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Material {
-    /// The colour, 0 to 1e9 in each channel. Above 1 it reflects more light than it receives.
+    /// The colour, 0 to 1e9 in each channel. Above 1 it amplifies light.
     pub colour: Vec3,
     /// The diffuse coefficient, 0 to 1.
     pub kd: f32,
     /// The specular coefficient, 0 to 1.
     pub ks: f32,
-    /// The exponent of highlights, 1 to 1000. Larger exponents give smaller, sharper highlights.
+    /// The exponent of highlights, 1 to 1000.
     pub exponent: f32,
     /// The tint of highlights by the surface's colour, from 0 for plastic to 1 for metal. Mirror images keep their colours.
     pub metallic: f32,
@@ -170,9 +170,9 @@ pub struct Material {
     pub anisotropy: f32,
     /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
-    /// The increase of reflection at grazing angles, 0 to 1, by Schlick's approximation. At an angle with the cosine c, `f =
-    /// fresnel (1 - c)^5` changes the reflected weight to `kr + f (1 - kr)`, and the transmitted one to `kt (1 - f)`. 1 is a
-    /// polished surface.
+    /// The increase of reflection at grazing angles, from 0 to 1 (a polished surface), by Schlick's approximation. At an angle with
+    /// the cosine c, `f = fresnel (1 - c)^5` changes the reflected weight to `kr + f (1 - kr)`, and the transmitted one to
+    /// `kt (1 - f)`.
     pub fresnel: f32,
     /// The weight of the transmitted ray, 0 to 1. Above 0 the surface is transparent.
     pub kt: f32,
@@ -260,7 +260,7 @@ impl Material {
         Self { pattern, ..self }
     }
 
-    /// Returns whether the material reflects or transmits rays. Glass reflects even if `kr` is 0, at angles of total reflection.
+    /// Returns whether the material reflects or transmits rays. Glass reflects at angles of total reflection even if `kr` is 0.
     #[must_use]
     pub fn is_specular(&self) -> bool {
         self.kr + self.fresnel + self.kt > 0.0
@@ -327,7 +327,7 @@ pub struct Plane {
     pub centre: Vec3,
     /// Half the extent along x in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_x: f32,
-    /// Half the extent along z in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// Half the extent along z, in the same range.
     pub half_z: f32,
     /// The surface.
     pub material: Material,
@@ -360,7 +360,7 @@ pub enum Shape {
     /// A box.
     #[default]
     Box,
-    /// A cylinder along the block's own y axis.
+    /// A cylinder along the block's own y axis, with flat ends.
     Cylinder,
     /// A cylinder along the block's own y axis with a half sphere at each end.
     Capsule,
@@ -400,11 +400,11 @@ impl Default for Light {
 }
 
 impl Light {
-    /// The factor on lengths of parallel lights. Across a scene as wide as the distance to `position`, their rays differ in
-    /// direction by at most 0.001 radians.
+    /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, rays differ in direction by
+    /// at most 0.001 radians.
     pub const FAR: f32 = 1000.0;
 
-    /// A black, invisible point.
+    /// Black and invisible.
     pub const DARK: Self = Self {
         position: Vec3::ZERO,
         colour: Vec3::ZERO,
@@ -425,7 +425,7 @@ impl Light {
         }
     }
 
-    /// Returns a sun, whose rays come from the direction of `position` seen from the origin.
+    /// Returns a sun in the direction of `position` from the origin.
     #[must_use]
     pub const fn sun(position: Vec3, colour: Vec3) -> Self {
         Self {

@@ -27,7 +27,7 @@ pub struct Caption {
     /// The height of a letter relative to the picture's height, 0 to 1. Pictures narrower than 16:9 count as a 16:9 picture of the
     /// same width, so that lines fit.
     pub size: f32,
-    /// The opacity, from 0, invisible, to 1, white.
+    /// The opacity of the white letters, 0 to 1.
     pub brightness: f32,
 }
 
@@ -64,11 +64,11 @@ impl Caption {
 pub struct CopperBar {
     /// The middle of the bar, relative to the picture's height from the top, 0 to 1.
     pub middle: f32,
-    /// The height of the bar, relative to the picture's height, 0 to 1.
+    /// The height, relative to the picture's height, 0 to 1.
     pub height: f32,
     /// The colour of the middle, 0 to 1 in each channel. It fades to black at both sides.
     pub colour: Vec3,
-    /// The opacity, from 0, invisible, to 1, opaque.
+    /// The opacity, 0 to 1.
     pub brightness: f32,
 }
 

@@ -33,7 +33,6 @@ impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for
     }
 }
 
-/// Serialises a list of letters as text.
 pub(super) mod text {
     use super::*;
 

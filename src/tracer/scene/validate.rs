@@ -33,12 +33,10 @@ fn each<T>(
 }
 
 impl Scene {
-    /// Checks every number of the scene against its documented range.
-    ///
-    /// Valid scenes have the accuracy in [`crate::limits`]; others give some picture, in bounded time.
+    /// Checks the ranges of all numbers.
     ///
     /// # Errors
-    /// The first number that is out of range.
+    /// The first number out of range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let zenith = self.background + self.sky;
         let sky = "at least -background, at most 1e9 - background";

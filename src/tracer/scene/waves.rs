@@ -6,8 +6,8 @@ use crate::range_error::{Checked, Range, RangeError};
 /// Waves on the first plane of a scene, which turn a mirror into water. They tilt normals; the plane stays flat.
 ///
 /// There are six waves of equal slope, each [`Waves::SHORTER`] times as long as the previous one. The first travels along z, each
-/// other one in a direction turned by [`Waves::TURN`] radians from z towards x. At u wavelengths from a level point, -1/2 to 1/2,
-/// the slope is `8 u (1 - 2 |u|)` times the steepest one: two arcs of parabolas, nearly a sine.
+/// next one turned by [`Waves::TURN`] from z towards x. At u wavelengths from a level point, -1/2 to 1/2, the slope is
+/// `8 u (1 - 2 |u|)` times the steepest one, nearly a sine.
 ///
 /// Where a pixel covers w scene units, the slope of a wave of the length l is multiplied by `1 - w x / l`, at least 0, where x is
 /// [`Waves::PIXELS`]: distant water is calm.
@@ -17,28 +17,28 @@ use crate::range_error::{Checked, Range, RangeError};
 pub struct Waves {
     /// The steepest slope of each wave, 0 to 0.1. 0 turns waves off.
     pub slope: f32,
-    /// The length of the longest wave in scene units, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH); 0 is
-    /// allowed if `slope` is 0.
+    /// The length of the longest wave in scene units, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH), or 0
+    /// if `slope` is 0.
     pub length: f32,
-    /// The distance that the longest wave has travelled, in its lengths, -1e6 to 1e6. Each next wave travels [`Waves::FASTER`]
-    /// times as far in its own lengths, as on deep water.
+    /// The distance travelled by the longest wave in its lengths, -1e6 to 1e6. Each next wave travels [`Waves::FASTER`] times as
+    /// far in its own lengths, as on deep water.
     pub phase: f32,
 }
 
 impl Waves {
-    /// The ratio of the longest to the shortest wave is below this.
+    /// More than the ratio of the longest to the shortest wave.
     pub const FINEST: f32 = 20.0;
     /// The ratio of the lengths of a wave and the previous one.
     pub const SHORTER: f32 = 0.5625;
-    /// The ratio of the distances travelled by a wave and the previous one, in their lengths: the root of 1 / [`Waves::SHORTER`].
+    /// The root of 1 / [`Waves::SHORTER`].
     pub const FASTER: f32 = 4.0 / 3.0;
-    /// The angle between the directions of successive waves in radians: the golden angle, so that all directions differ.
+    /// The golden angle in radians, so that all directions differ.
     pub const TURN: f32 = 2.4;
     /// The length in pixels below which waves vanish: the corners of 8-pixel squares would sample them at random.
     pub const PIXELS: f32 = 10.0;
 
-    /// The limit of the total slope, relative to the amount by which a ray descends per unit of length: the water never faces away
-    /// from the ray, and never reflects it below the surface.
+    /// The limit of the total slope, relative to a ray's descent per unit of length: the water never faces away from the ray, and
+    /// never reflects it below the surface.
     pub const STEEPEST: f32 = 0.375;
 
     /// A flat mirror.

@@ -17,7 +17,7 @@ fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     }
 }
 
-/// Returns the distances at which rays hit a block, infinite for misses, and the mask of rays that start inside.
+/// Returns the distances of hits, infinite for misses, and the mask of rays that start inside.
 ///
 /// Rays of the mask `inward` start on the surface and hit the far side, whatever the rounding of their origin.
 #[inline(always)]
@@ -85,7 +85,7 @@ impl<S: Isa> BlockHit<S> {
     }
 }
 
-/// Returns the offset of secondary rays from the surface, see [`rounding::BLOCK_HIT`].
+/// See [`rounding::BLOCK_HIT`].
 pub(crate) fn hit_error(block: &Block) -> f32 {
     rounding::BLOCK_HIT * (Vec3A::from(block.centre).abs() + Vec3A::from(block.half)).element_sum()
 }
@@ -108,8 +108,8 @@ pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     }
 }
 
-/// Returns the rays along `d` that certainly miss a block's [`bounding_cylinder`], or hit beyond `limit`. The bounding sphere has
-/// the `radius` and `chord`.
+/// Returns the rays along `d` that certainly miss a block's [`bounding_cylinder`], or hit beyond `limit`. `radius` and `chord` are
+/// the bounding sphere's.
 #[inline(always)]
 pub(crate) fn is_off<S: Isa>(
     chord: &Chord<S>,
@@ -121,7 +121,7 @@ pub(crate) fn is_off<S: Isa>(
     let simd = chord.t_mid.token();
     let axis = Vec3x::splat(simd, axis);
     let (along, across) = (d.dot(axis), chord.l.dot(axis));
-    // The squared sine of the angle between ray and axis, reduced by the rounding error. Multiplying by it saves a division.
+    // The squared sine of the angle between ray and axis, reduced by the rounding error.
     let sine2 = splat::<S>(simd, 1.0 - rounding::COSINE2) - along * along;
     let beyond = chord.l2 - radius2;
     let is_off = (beyond * at_least::<S>(sine2, splat(simd, 0.0))).simd_gt(across * across);

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 /// The intervals of rays inside a convex shape.
 pub(super) struct Span<S: Isa> {
-    /// The distance at which a ray enters; above `far` for some rays that miss.
+    /// Above `far` for some rays that miss.
     pub near: F<S>,
     pub far: F<S>,
     pub is_met: M<S>,

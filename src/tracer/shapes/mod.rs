@@ -1,5 +1,5 @@
-//! Shapes: intersections, normals and texture coordinates. Boxes (`cuboid`), cylinders and capsules are blocks, which `block`
-//! intersects along their own axes.
+//! Intersections, normals and texture coordinates. `block` intersects boxes (`cuboid`), cylinders and capsules along their own
+//! axes.
 
 pub(crate) mod block;
 mod capsule;
@@ -10,7 +10,6 @@ pub(crate) mod sphere;
 
 use crate::lanes::*;
 
-/// The points of a packet at which textures are evaluated.
 pub(crate) struct TexturePoint<S: Isa> {
     /// Relative to the object's centre, along its own axes, in scene units.
     pub own: Vec3x<S>,

@@ -32,7 +32,7 @@ pub(crate) fn hit<S: Isa>(
     let t = (splat(simd, y) - o.y) / d.y;
     let across = t.mul_add(d.x, o.x - x).abs();
     let along = t.mul_add(d.z, o.z - z).abs();
-    // A ray that starts on the plane has t = 0, since its height is exact.
+    // Rays that start on the plane have t = 0: their height is exact.
     let hit = t.simd_gt(splat(simd, 0.0))
         & t.simd_lt(limit)
         & across.simd_le(splat(simd, plane.half_x))

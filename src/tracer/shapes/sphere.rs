@@ -6,9 +6,9 @@ use glam::Vec3A;
 
 pub(crate) struct Chord<S: Isa> {
     f: Vec3x<S>,
-    /// The distance along the ray to the middle of the chord.
+    /// The distance along the ray to the chord's middle.
     pub t_mid: F<S>,
-    /// The vector from the centre to the middle of the chord.
+    /// The vector from the centre to the chord's middle.
     pub l: Vec3x<S>,
     pub l2: F<S>,
 }
@@ -25,11 +25,11 @@ impl<S: Isa> Chord<S> {
         Self { f, t_mid, l, l2 }
     }
 
-    /// Recomputes the perpendicular without fused multiply-add as accurately as with it.
+    /// Recomputes the perpendicular as accurately as with FMA.
     ///
     /// Without FMA the product `d t_mid` is rounded before most of it cancels. Halves of 12 bits have exact products (Dekker: A
-    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last product is
-    /// rounded, which is smaller by 2^12.
+    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last product,
+    /// smaller by 2^12, is rounded.
     #[inline(always)]
     pub fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -66,7 +66,7 @@ impl<S: Isa> Chord<S> {
         (splat(simd, cull2) - self.l2).simd_ge(back2)
     }
 
-    /// Returns the nearest end of the chord that is ahead and nearer than `limit`.
+    /// Returns the nearest end of the chord ahead and within `limit`.
     ///
     /// An origin within `hit_error` of the sphere counts as on it: outward the ray misses, inward it hits the far side. `r2` is the
     /// squared radius, and `r2_error` its change if the radius changes by `hit_error`.
@@ -118,8 +118,7 @@ pub(crate) fn distance<S: Isa>(
     near.simd_gt(zero).select(near, far)
 }
 
-/// Returns the distance along each ray, within `length`, at which it is nearest to a sphere's centre, and its depth in the sphere
-/// there, negative outside.
+/// Returns the distance along each ray, within `length`, nearest to a sphere's centre, and the depth there, negative outside.
 #[inline(always)]
 pub(crate) fn deepest<S: Isa>(
     simd: S,

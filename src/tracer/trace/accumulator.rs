@@ -9,8 +9,7 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The light of a point on a patterned surface. Its colour is `rest + reflectance * untextured`; both change slowly along the
-/// surface.
+/// The light of a point on a patterned surface, whose colour is `rest + reflectance * untextured`. Both change slowly along it.
 ///
 /// The first four numbers are `rest`: highlights, reflection, transmission and haze. The others are `untextured`: ambient and
 /// diffuse light. Both are blue, green, red and 0, in steps of 1/255.
@@ -22,7 +21,7 @@ pub(crate) struct Accumulator {
     /// The terms of a packet of secondary rays.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
-    /// The untextured blue, green and red in output steps, and the reflectance, negative where the pattern is finer than squares.
+    /// The untextured blue, green and red in output steps, and the reflectance, negative where the pattern is fine.
     patterned: [[f32; 4]; BATCH],
     objects: [u32; BATCH],
 }
@@ -47,7 +46,6 @@ impl Accumulator {
         self.sums[i % BATCH][KEY] as u32
     }
 
-    /// Returns whether point `i` shows a pattern that is finer than squares.
     pub fn is_fine(&self, i: usize) -> bool {
         let [.., share] = self.patterned[i % BATCH];
         share.is_sign_negative()
@@ -81,7 +79,7 @@ impl Accumulator {
         objects.store_slice(&mut self.objects[packet::<S>(first)]);
     }
 
-    /// Adds a packet's contribution to the sums of its points. Primary rays, from point `first` on, start these sums.
+    /// Adds a packet's contribution to the sums of its points. Primary rays start the sums from point `first` on.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,
@@ -106,7 +104,7 @@ impl Accumulator {
         }
     }
 
-    /// Adds the terms of secondary rays. Lanes after the last ray have zero terms, so their stale slots do no harm.
+    /// Adds the terms of secondary rays. Lanes after the last ray have stale slots, but zero terms.
     #[inline(always)]
     fn add_terms<S: Isa>(&mut self, simd: S, rays: &Rays<S>) {
         let slots = rays.slots();
@@ -149,8 +147,8 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution, in full brightness: the sum over the 255 nodes of the deepest ray tree does not
-/// overflow, and the excess over 1 is invisible.
+/// The upper limit of a ray's contribution, in full brightness, for which the sum over the 255 nodes of the deepest ray tree does
+/// not overflow. The excess over 1 is invisible.
 const BRIGHTEST: f32 = 2.0;
 
 pub(super) struct Contribution<S: Isa> {

@@ -6,8 +6,8 @@ use crate::lanes::*;
 use crate::prepare::World;
 use glam::Vec3A;
 
-/// The density of haze added everywhere, in 1 / scene units: it hides everything at the distance of a miss, 1e30, so that the sky
-/// shows, and is invisible within a scene.
+/// The density of haze added everywhere, in 1 / scene units: invisible within a scene, it leaves only the sky at the distance of a
+/// miss, 1e30.
 const BACKGROUND_HAZE: f32 = 1e-20;
 
 pub(super) struct AirLanes<S: Isa> {

@@ -1,10 +1,9 @@
-//! Lists of solids that need an exact test after the traversal of the tree.
-
 use crate::lanes::*;
 use crate::prepare::ObjectId;
 use crate::scene::{List, MAX_SOLIDS};
 
-/// A solid that needs an exact test in some lanes. The other lanes ignore it, so that a ray's hit does not depend on its packet.
+/// A solid that needs an exact test in some lanes after the traversal. Other lanes ignore it, so that a hit does not depend on its
+/// packet.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Candidate {
     pub object: ObjectId,

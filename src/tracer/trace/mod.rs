@@ -1,8 +1,8 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Rays of any points travel in packets, one per lane. Secondary rays go to a stack of fixed capacity, and the next packet is
-//! popped as soon as it fills the lanes, so there is no recursion and few lanes are idle. Colours are integer sums, so a point's
-//! bits do not depend on the order of rays or on other points.
+//! Rays of any points travel in packets, one per lane. Secondary rays go to a stack instead of a recursion, and the next packet is
+//! popped as soon as it fills the lanes, so few lanes are idle. Colours are integer sums, so a point's bits do not depend on the
+//! order of rays or on other points.
 //!
 //! | step of a packet | module |
 //! | --- | --- |
@@ -74,7 +74,7 @@ impl Batch {
         }
     }
 
-    /// Forgets the surfaces of other frames, before a part of a picture.
+    /// Forgets the surfaces of other frames.
     #[inline(never)]
     pub fn begin(&mut self) {
         self.surfaces.clear();
@@ -89,7 +89,7 @@ impl Batch {
 
 #[derive(Clone, Copy)]
 pub(crate) struct Tracer<'a, I> {
-    /// A [`Level`], or the instruction set that a kernel is compiled for.
+    /// A [`Level`], or the kernel's instruction set.
     pub isa: I,
     pub world: World<'a>,
     pub quality: &'a Quality,

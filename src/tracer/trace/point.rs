@@ -22,8 +22,8 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub anisotropy: F<S>,
     /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
     pub reflectance: F<S>,
-    /// The limit for the cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere,
-    /// whose far side blocks all lights beyond it. A chord towards a light has the length of twice the cosine times the radius.
+    /// The least cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere, whose far
+    /// side blocks all lights beyond it. A chord towards a light is twice the cosine times the radius long.
     pub horizon: F<S>,
     pub inside: M<S>,
     pub shaded: M<S>,
@@ -61,7 +61,7 @@ impl<S: Isa> ShadingPoint<S> {
         let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
         let inverse_radius = surface.number(Parameter::InverseRadius);
         let is_plane = inverse_radius.simd_eq(zero);
-        // The hit is projected back to the sphere, so that secondary rays do not inherit the error of t.
+        // Projected back to the sphere: secondary rays do not inherit the error of t.
         let out = (rays.o - surface.vector(Parameter::Centre)).add_scaled(rays.d, t);
         let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
         let mut scale = square.mul_add(splat(simd, -0.5), is_plane.select(one, splat(simd, 1.5)));

@@ -67,8 +67,7 @@ impl Queue {
             .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
-    /// Returns the primary rays of a packet of points. Lanes after the last point have rays of an earlier batch, whose results are
-    /// ignored.
+    /// Returns the primary rays of a packet. Lanes after the last point have rays of an earlier batch, which are ignored.
     #[inline(always)]
     pub(super) fn primary_rays<S: Isa>(&self, simd: S, world: World<'_>, start: usize) -> Rays<S> {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);

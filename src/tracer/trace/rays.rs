@@ -10,9 +10,9 @@ pub(crate) struct Rays<S: Isa> {
     pub d: Vec3x<S>,
     /// The product of the coefficients along the path.
     pub weight: F<S>,
-    /// The index of the ray's point in the batch, and its node in that point's ray tree: `slot << PATH_BITS | path`. A primary ray
-    /// has the path 1; a ray with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the
-    /// ray's [`departure`] and the mark of mirrored rays.
+    /// The index of the point in the batch, and the node in its ray tree: `slot << PATH_BITS | path`. A primary ray has the path 1;
+    /// a ray with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the [`departure`] and
+    /// the mark of mirrored rays.
     pub slot_path: U<S>,
 }
 
@@ -40,7 +40,7 @@ pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> 
     [outward, outward | INWARD].map(|it| departures.simd_eq(U::<S>::splat(simd, it)))
 }
 
-/// The bits of a path: a leading 1, and one for each reflection or transmission.
+/// A leading 1, and one for each reflection or transmission.
 pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
 
 impl<S: Isa> Rays<S> {

@@ -2,8 +2,8 @@ use crate::lanes::*;
 use crate::prepare::ObjectId;
 use fearless_simd::{i16x8, i32x4, u64x2};
 
-/// The fractional bits of a sum of output steps: a colour half-way between two steps stays exact, and the rounding errors of a ray
-/// tree add up to less than 1/100 of a step.
+/// The fractional bits of a sum of output steps: half a step is exact, and a ray tree's rounding errors add up to less than 1/100
+/// of a step.
 pub(super) const STEP_BITS: i32 = 14;
 
 pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
@@ -11,9 +11,8 @@ pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 /// Blue, green, red, and the key.
 pub(super) type Sum = [i32; 4];
 
-/// A traced point's colour and object. Blue, green and red have 16 bits each, from the low bits up, in 128ths of an output step.
-/// The next 14 bits are the object's number plus one, or 0 if it is unknown. Bit 62 is set if the object's pattern there is finer
-/// than squares.
+/// A traced point: from the low bits up, blue, green and red with 16 bits each, in 128ths of an output step, and the object's
+/// number plus one with 14 bits, 0 if it is unknown. Bit 62 is set if the object's pattern there is finer than squares.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
@@ -60,8 +59,8 @@ impl Sample {
         Self(colour | object)
     }
 
-    /// Returns the colour as `0x00RRGGBB`. `threshold` has a word per channel that is added before truncation, 0 to 127 in 128ths
-    /// of a step; 64 rounds to nearest.
+    /// Returns the colour as `0x00RRGGBB`. The 16-bit words of `threshold` are added before truncation, 0 to 127 in 128ths of a
+    /// step; 64 rounds to nearest.
     pub fn pixel(self, threshold: u64) -> u32 {
         let steps = (self.0 + threshold) >> SAMPLE_BITS;
         (steps & 0xff | (steps >> 8) & 0xff00 | (steps >> 16) & 0x00ff_0000) as u32

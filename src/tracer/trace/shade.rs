@@ -64,8 +64,7 @@ pub(super) fn shade<S: Isa>(
     }
 }
 
-/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze in front of the surface; `marks` come from
-/// [`Rays::mirror_marks`].
+/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
 #[inline(always)]
 fn scatter<S: Isa>(
     tracer: Tracer<'_, S>,

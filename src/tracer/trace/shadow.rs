@@ -75,7 +75,7 @@ impl<S: Isa> ShadowRays<S> {
         let f = Vec3x::splat(simd, cone.from_light);
         let along = f.dot(d);
         let across = f.add_scaled(d, -along);
-        // Half of the penumbra is outside the sphere. All terms are multiplied by the distance, which saves a division.
+        // Half of the penumbra is outside the sphere. Terms are multiplied by the distance: no division.
         let share = at_least::<S>(distance - along, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
         let across2 = across.dot(across);
@@ -90,7 +90,7 @@ impl<S: Isa> ShadowRays<S> {
     #[inline(always)]
     fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let zero = splat(simd, 0.0);
-        // The distance from the light back along the ray to the point nearest to the sphere's centre.
+        // The distance from the light to the ray's point nearest to the sphere's centre.
         let f = Vec3x::splat(simd, cone.from_light);
         let along = f.dot(self.d);
         let across = f.add_scaled(self.d, -along);

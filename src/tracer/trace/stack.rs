@@ -3,8 +3,7 @@ use crate::lanes::*;
 
 /// The capacity, a power of two.
 ///
-/// A packet of depth d is replaced by at most two packets of depth d + 1. So at most two packets of each of the depths 1 to 7 wait
-/// at once.
+/// A packet of depth d is replaced by at most two of depth d + 1, so at most two of each depth, 1 to 7, wait at once.
 const CAPACITY: usize = 256;
 
 /// Longer than the capacity, so that a whole packet can be written at the top.
@@ -51,8 +50,7 @@ impl RayStack {
             y: load(simd, dy, start),
             z: load(simd, dz, start),
         };
-        // One Newton step normalises the direction. Otherwise its error would grow with each reflection, and after four of them
-        // exceed the hit error.
+        // One Newton step normalises the direction, whose error would exceed the hit error after four reflections.
         let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {
             o: Vec3x {

@@ -1,4 +1,4 @@
-//! Procedural textures, see [`crate::scene::Pattern`], and the directions of grooves.
+//! [`crate::scene::Pattern`]s and the directions of grooves.
 
 use super::rays::to_picture;
 use crate::lanes::*;
@@ -65,8 +65,8 @@ impl<'a> SeenPattern<'a> {
         }
     }
 
-    /// Returns the pattern's factor on the colour, 0 to 1, at four points (x, y) of the picture, in pixels; undefined at points
-    /// that show other objects.
+    /// Returns the factor on the colour, 0 to 1, at four points (x, y) of the picture, in pixels; undefined at points that show
+    /// other objects.
     #[inline(always)]
     pub fn at(&self, at: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let (simd, world) = (baseline(), self.world);
@@ -78,8 +78,8 @@ impl<'a> SeenPattern<'a> {
     }
 }
 
-/// Returns the rays from the eye to four points (x, y) of the picture, in pixels, and the distances of their hits on the object, in
-/// lengths of the rays.
+/// Returns the rays to four points (x, y) of the picture, in pixels, and the distances of their hits on the object, in lengths of
+/// the rays.
 #[inline(never)]
 pub(crate) fn seen_points(
     world: World<'_>,
@@ -103,8 +103,8 @@ pub(crate) fn seen_points(
     (d, t)
 }
 
-/// A pattern is fine where a sharp edge is narrower than this number of pixels: squares evaluate it at each pixel. Coarser patterns
-/// are interpolated, which halves the time of the marble in the show's colonnade.
+/// A pattern is fine, and evaluated at each pixel, where a sharp edge is narrower than this number of pixels. Interpolating the
+/// others halves the time of the marble in the show's colonnade.
 const FINE: f32 = 4.0;
 
 /// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long. It is

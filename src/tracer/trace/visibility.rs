@@ -113,8 +113,8 @@ fn transmittance<S: Isa>(
 
 /// Returns the share of a light that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
 ///
-/// The rays from the point to the light form a cone. At the distance `a`, where it passes the sphere, its width is `b = a diameter
-/// / distance`. While the sphere's edge crosses the cone, the share rises from 0 to 1.
+/// The cone from the point to the light has the width `b = a diameter / distance` at the distance `a` of the sphere. While the
+/// sphere's edge crosses it, the share rises from 0 to 1.
 #[inline(always)]
 fn sphere_covers<S: Isa>(
     simd: S,

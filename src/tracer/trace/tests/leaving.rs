@@ -9,7 +9,7 @@ const SHAPES: usize = 4000;
 const BLOCKS: usize = 2000;
 const RAYS: usize = 1000;
 
-/// The hit of a ray with a scene's only object.
+/// The hit of a scene's only object.
 struct Met {
     t: f32,
     p: Vec3,
@@ -37,7 +37,7 @@ impl Met {
     }
 }
 
-/// Calls `check` with the direction of each ray from a point, and the distance of its hit.
+/// Calls `check` with each ray's direction and the distance of its hit.
 #[inline(always)]
 fn each_ray<S: Isa>(
     simd: S,
@@ -193,7 +193,7 @@ fn outside(block: &Block, p: Vec3) -> f64 {
     }
 }
 
-/// Compact blocks anywhere, hit from nearby; or blocks of any proportions at the origin, hit from any distance.
+/// Compact blocks anywhere, hit from nearby; or any blocks at the origin, hit from any distance.
 struct Blocks {
     is_far: bool,
 }

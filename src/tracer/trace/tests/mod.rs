@@ -25,7 +25,7 @@ use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
 
-/// A property that holds on every instruction set. Implementations have to be inlined, as kernels are.
+/// A property of every instruction set. Inline implementations, as kernels are.
 trait Property {
     fn hold<S: Isa>(&self, simd: S, isa: &str);
 }
@@ -45,7 +45,7 @@ fn on_every_instruction_set(property: &impl Property) {
 struct Random(u64);
 
 impl Random {
-    /// Seeds a generator. The tests must pass with any `RAY_SEED`.
+    /// The tests must pass with any `RAY_SEED`.
     fn new(seed: u64) -> Self {
         let other = std::env::var("RAY_SEED").map_or(0, |seed| seed.parse().unwrap());
         Self(seed ^ other << 32)
@@ -127,10 +127,9 @@ fn prepared(scene: &Scene) -> Ready {
     Ready { scene, memory }
 }
 
-/// A ray: origin, direction and weight.
+/// Origin, direction and weight.
 type Ray = (Vec3, Vec3, f32);
 
-/// Returns a packet of the rays of each lane.
 #[inline(always)]
 fn gathered<S: Isa>(simd: S, ray: impl Fn(usize) -> Ray) -> Rays<S> {
     let vectors = |v: fn(Ray) -> Vec3| Vec3x {
@@ -146,7 +145,7 @@ fn gathered<S: Isa>(simd: S, ray: impl Fn(usize) -> Ray) -> Rays<S> {
     }
 }
 
-/// Returns a packet of rays with a common origin. Lanes beyond the slice repeat its last direction.
+/// Lanes beyond the slice repeat its last direction.
 #[inline(always)]
 fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
     gathered(simd, |i| (o, d[i.min(d.len() - 1)], 1.0))
@@ -160,7 +159,7 @@ fn hits<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
     hit
 }
 
-/// Returns the hits of a packet, their contributions, and the reflected and the transmitted ray of each lane.
+/// Returns hits, contributions, and each lane's reflected and transmitted ray.
 #[inline(always)]
 fn shaded<S: Isa>(
     simd: S,

@@ -45,7 +45,6 @@ fn ray(random: &mut Random) -> Ray {
     )
 }
 
-/// Returns a random ray with invalid components.
 fn nonsense(random: &mut Random) -> Ray {
     let mut bad = ray(random);
     let number = [

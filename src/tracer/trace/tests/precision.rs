@@ -1,5 +1,4 @@
-//! Small distant spheres. With `PRECISION_SEEDS=60` and `--nocapture` the test takes a minute, and prints the figures of
-//! [`crate::limits`].
+//! Small distant spheres. With `PRECISION_SEEDS=60` and `--nocapture` the test prints the figures of [`crate::limits`] in a minute.
 
 use super::*;
 
@@ -10,8 +9,8 @@ const SEEDS: u64 = 1;
 /// The probability that a seed exceeds its bound.
 const EXCEEDED: f64 = 1e-6;
 
-/// Distances in radii, and bounds on the wrong rays per million: for a sphere at the origin with fused multiply-add, without it,
-/// and for spheres up to twice as far from the origin.
+/// Distances in radii, and bounds on the wrong rays per million: for a sphere at the origin with FMA, without FMA, and for spheres
+/// up to twice as far from the origin.
 const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e0, [3.0, 4.0, 5.0]),
     (1e1, [1.0, 1.0, 1.0]),
@@ -22,7 +21,7 @@ const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e6, [1400.0, 1650.0, 9700.0]),
 ];
 
-/// The largest error of a hit's distance, relative to the distance and to the radius, without the outermost tenth of the sphere.
+/// The largest error of a hit's distance, relative to distance and radius, without the sphere's outermost tenth.
 const OFF: [f64; 2] = [4e-7, 1e-7];
 
 /// Returns the count that Poisson's distribution with a mean exceeds with a probability below [`EXCEEDED`].
@@ -112,8 +111,8 @@ impl Property for HitOrMiss {
     }
 }
 
-/// Returns the exact hit of a ray from `o`, relative to the sphere's centre: the distance in lengths of `d`, and the ray's distance
-/// from the centre in radii.
+/// Returns the exact hit of a ray from `o`, relative to the centre: the distance in lengths of `d`, and the ray's distance from the
+/// centre in radii.
 fn exact(o: DVec3, d: Vec3, radius: f64) -> Option<(f64, f64)> {
     let d = d.as_dvec3();
     let length = d.length();

@@ -1,5 +1,3 @@
-//! Scenes for the tests.
-
 use super::*;
 use crate::scene::{Block, Camera, Light, Plane, Shape, Spot, Waves};
 use glam::{Mat3, vec3};
