@@ -53,7 +53,13 @@ fn pulseaudio_plays_at_speed_one() {
     command.env_remove("DISPLAY");
     let (output, said) = run(command.env("ALSA_CONFIG_PATH", &configuration));
     assert_eq!(texts(&output).1, NO_SCREEN);
-    assert!(said.contains(" in 4.0"), "{said}");
+    // With the plugin's own buffer it took 5 s and more. A busy machine may be late by less.
+    let seconds = said
+        .split(" in ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next());
+    let seconds: f32 = seconds.expect("the report").parse().expect("seconds");
+    assert!((3.9..4.9).contains(&seconds), "{said}");
 }
 
 #[test]
