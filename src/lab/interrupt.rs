@@ -22,9 +22,10 @@ pub fn is_stopped() -> bool {
     STOPPED.load(SeqCst)
 }
 
+/// Fails once a signal has arrived.
 pub fn check(results: &str) -> Result<(), Exit> {
-    match is_stopped() {
-        true => Err(Exit::new(EXIT_CODE, format!("stopped early; {results}"))),
-        false => Ok(()),
+    if is_stopped() {
+        return Err(Exit::new(EXIT_CODE, format!("stopped early; {results}")));
     }
+    Ok(())
 }

@@ -125,7 +125,7 @@ impl Search<'_> {
     fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
         let (labels, shown) = self.squares.corners([x, y], id);
         let is_missed = match shown {
-            0 => !self.hide(labels, id, [x, y]),
+            0 => !self.is_hidden(labels, id, [x, y]),
             ALL => false,
             _ => self.is_thin,
         };
@@ -140,7 +140,12 @@ impl Search<'_> {
     /// Occluders are convex: if the eye is outside, everything in front of the occluder lies in the pyramid of the eye and the corners'
     /// points. A plane that separates `back` from the pyramid proves that it is hidden.
     #[inline(never)]
-    fn hide(&self, [front, others @ ..]: [usize; 4], back: ObjectId, square: [usize; 2]) -> bool {
+    fn is_hidden(
+        &self,
+        [front, others @ ..]: [usize; 4],
+        back: ObjectId,
+        square: [usize; 2],
+    ) -> bool {
         let &Squares {
             world, coverage, ..
         } = self.squares;
