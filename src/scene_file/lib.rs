@@ -6,7 +6,8 @@ mod node;
 use eightfold_tracer::glam::{EulerRot, Mat3};
 use eightfold_tracer::scene::{Camera, Material, Scene};
 use motion::Motion;
-use node::{Kind, Mistake, Node};
+use node::{Kind, Mistake, Node, UNKNOWN};
+use ron::error::SpannedError;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -20,7 +21,6 @@ const MAX_MESSAGE: usize = 600;
 /// Some editors begin a text with it. It has no column.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// A scene from a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneFile {
     pub name: String,
@@ -42,13 +42,19 @@ impl SceneFile {
             |line, column, message: &str| format!("{name}:{line}:{column}: {}", shortened(message));
         let tree = Node::read(text).map_err(|error| {
             let start = error.span.start;
-            located(start.line, start.col, &error.code.to_string())
+            located(start.line, start.col, &syntax_message(text, &error))
         })?;
         Self::of(name, tree).map_err(|mistake| {
-            let before = &text[..mistake.at.unwrap_or(0)];
+            let mut before = &text[..mistake.at.unwrap_or(0)];
+            let message = mistake.message.trim_start_matches('.');
+            if let Some((path, _)) = message.split_once(UNKNOWN) {
+                let name = path.rsplit('.').next().unwrap_or(path);
+                before = &before[..before.rfind(name).unwrap_or(before.len())];
+            }
+            let thing = ["", "value"][usize::from(message.starts_with(['[', ' ']))];
             let line = before.rsplit('\n').next().unwrap_or(before);
-            let lines = before.matches('\n').count();
-            located(lines + 1, line.chars().count() + 1, &mistake.message)
+            let (lines, column) = (before.matches('\n').count(), line.chars().count());
+            located(lines + 1, column + 1, &format!("{thing}{message}"))
         })
     }
 
@@ -58,7 +64,7 @@ impl SceneFile {
         if let Some(node) = tree.take("length") {
             length = f32::deserialize(&node)?;
             if !(length > 0.0 && length <= 3600.0) {
-                let message = format!("length is {length}, must be above 0, up to 3600");
+                let message = format!("length is {length}; must be above 0 to 3600");
                 return Err(Mistake::new(node.at, message));
             }
         }
@@ -92,7 +98,6 @@ impl SceneFile {
         Ok(file)
     }
 
-    /// Returns the scene at a time in seconds.
     pub fn at(&self, time: f32) -> Scene {
         let tree = self.tree_at(time);
         let scene = tree.and_then(|tree| Scene::deserialize(&tree));
@@ -104,7 +109,7 @@ impl SceneFile {
         let mut tree = self.tree.clone();
         for motion in &self.motions {
             let of = &motion.of;
-            let message = format!("motion is of {of:?}, must be of a value in the file");
+            let message = format!("path is {of:?}; must be of a value in the file");
             let (at, numbers) = motion.at(time);
             let place = tree.place(of, at);
             place.ok_or(Mistake::new(at, message))?.set(&numbers);
@@ -117,7 +122,7 @@ impl SceneFile {
                     && let Kind::Word(_) = material.kind
                 {
                     let name = String::deserialize(&*material)?;
-                    let message = format!("material is {name:?}, must be in materials");
+                    let message = format!("material is {name:?}; must be in materials");
                     let mistake = Mistake::new(material.at, message);
                     material.copy(materials.get(&name).ok_or(mistake)?);
                 }
@@ -128,6 +133,23 @@ impl SceneFile {
         }
         Ok(tree)
     }
+}
+
+fn syntax_message(text: &str, error: &SpannedError) -> String {
+    let why = error.code.to_string();
+    let expected = match &error.code {
+        ron::Error::Eof => return "file is incomplete".to_owned(),
+        ron::Error::TrailingCharacters => Some("the end of the file"),
+        _ => why.strip_prefix("Expected "),
+    };
+    let Some(expected) = expected.and_then(|words| words.split(" but found").next()) else {
+        return why;
+    };
+    let line = text.lines().nth(error.span.start.line - 1);
+    let rest = line.unwrap_or_default().chars();
+    let rest: String = rest.skip(error.span.start.col - 1).collect();
+    let found = rest.split_whitespace().next().unwrap_or_default();
+    format!("text is '{found}'; must be {expected}")
 }
 
 /// Joins lines, and cuts long words and quotations.

@@ -54,27 +54,33 @@ impl Motion {
         let mut motion = Self::deserialize(&node)?;
         for key in keys.iter().flat_map(|keys| &keys.parts) {
             let [time, value] = &key.parts[..] else {
-                return Err(Mistake::new(key.at, "key must be (seconds, value)"));
+                let message = format!(
+                    "key length is {}; must be 2: seconds, value",
+                    key.parts.len()
+                );
+                return Err(Mistake::new(key.at, message));
             };
             let at = key.at;
             let (time, numbers) = (f32::deserialize(time)?, numbers(value)?);
             let (before, count) = match motion.keys.last() {
                 Some(last) => (last.time, last.numbers.len()),
-                None => (f32::MIN, numbers.len()),
+                None => (f32::NEG_INFINITY, numbers.len()),
             };
-            if !(time > before && time.is_finite()) {
-                return Err(Mistake::new(
-                    at,
-                    format!("time is {time}, must be above {before}"),
-                ));
+            if !time.is_finite() {
+                return Err(Mistake::new(at, format!("time is {time}; must be finite")));
+            }
+            if time <= before {
+                let message = format!("time is {time}; must be above {before}");
+                return Err(Mistake::new(at, message));
             }
             if numbers.len() != count {
-                return Err(Mistake::new(at, format!("key must have {count} numbers")));
+                let message = format!("value length is {}; must be {count}", numbers.len());
+                return Err(Mistake::new(at, message));
             }
             motion.keys.push(Key { at, time, numbers });
         }
         if motion.keys.is_empty() {
-            return Err(Mistake::new(node.at, "motion must have a key"));
+            return Err(Mistake::new(node.at, "keys are missing"));
         }
         Ok(motion)
     }

@@ -4,10 +4,12 @@ use ron::error::SpannedError;
 use ron::value::RawValue;
 use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
 use serde::de::{self, Deserializer, Error as _, IntoDeserializer};
-use serde::de::{MapAccess, SeqAccess, Unexpected, Visitor};
+use serde::de::{Expected, MapAccess, SeqAccess, Unexpected, Visitor};
 use std::fmt;
 
-/// A value of a file or of a motion.
+/// Follows the name of an unknown field.
+pub const UNKNOWN: &str = " is unknown";
+
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Node {
     /// The name of the field or entry, or the index of the item.
@@ -45,7 +47,6 @@ impl Node {
         node
     }
 
-    /// Becomes a number or a list of numbers.
     pub fn set(&mut self, numbers: &[f32]) {
         let at = self.at;
         let number = |(i, &n): (usize, _)| Self::new(i.to_string(), at, Kind::Number(n));
@@ -103,7 +104,6 @@ fn steps(path: &str) -> impl Iterator<Item = &str> {
     steps.map(|step| step.trim_end_matches(']').trim_matches('"'))
 }
 
-/// Reads values from a text.
 #[derive(Clone, Copy)]
 struct Reader<'a>(&'a str);
 
@@ -161,6 +161,7 @@ impl<'de> Visitor<'de> for Reader<'_> {
 #[derive(Debug)]
 pub struct Mistake {
     pub at: Option<usize>,
+    /// Begins with a dot, bracket or space until its path is complete.
     pub message: String,
 }
 
@@ -168,6 +169,25 @@ impl Mistake {
     pub fn new(at: usize, message: impl Into<String>) -> Self {
         let (at, message) = (Some(at), message.into());
         Self { at, message }
+    }
+
+    /// Adds a node to the path. The innermost one is the place.
+    fn inside(self, node: &Node) -> Self {
+        let Self { at, message } = self;
+        let field = message.split(' ').next().unwrap_or_default();
+        let part = node.get(field.trim_start_matches('.')).unwrap_or(node);
+        let at = at.unwrap_or(part.at);
+        let name = &node.name;
+        if name.is_empty() || !message.starts_with(['.', '[', ' ']) {
+            return Self::new(at, message);
+        }
+        let is_index = name.parse::<usize>().is_ok();
+        let path = if is_index {
+            format!("[{name}]")
+        } else {
+            format!(".{name}")
+        };
+        Self::new(at, path + &message)
     }
 }
 
@@ -179,10 +199,40 @@ impl fmt::Display for Mistake {
     }
 }
 
+/// Translates serde's words for a type.
+fn plain(expected: &dyn Expected) -> String {
+    let text = expected.to_string().replace("struct ", "fields of ");
+    let text = text
+        .replace("f32 values", "numbers")
+        .replace("f32", "a number");
+    let text = text.replace("a boolean", "true or false");
+    text.replace("elements in sequence", "items")
+        .replace("sequence", "list")
+}
+
 impl de::Error for Mistake {
     fn custom<T: fmt::Display>(message: T) -> Self {
         let (at, message) = (None, message.to_string());
         Self { at, message }
+    }
+
+    fn invalid_type(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
+        let found = match found {
+            Unexpected::Float(number) => number.to_string(),
+            Unexpected::Seq => "a list".to_owned(),
+            other => other.to_string(),
+        };
+        Self::custom(format_args!(" is {found}; must be {}", plain(expected)))
+    }
+
+    fn invalid_length(length: usize, expected: &dyn Expected) -> Self {
+        let expected = plain(expected);
+        Self::custom(format_args!(" has length {length}; must be {expected}"))
+    }
+
+    fn unknown_variant(name: &str, known: &'static [&'static str]) -> Self {
+        let known = known.join(", ");
+        Self::custom(format_args!(" is {name}; must be one of {known}"))
     }
 
     fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
@@ -194,7 +244,17 @@ impl de::Error for Mistake {
             _ => "",
         };
         let known = known.join(", ");
-        Self::custom(format_args!("field is {name}, must be one of {known}{own}"))
+        Self::custom(format_args!(
+            ".{name}{UNKNOWN}; must be one of {known}{own}"
+        ))
+    }
+
+    fn missing_field(name: &'static str) -> Self {
+        Self::custom(format_args!(".{name} is missing"))
+    }
+
+    fn duplicate_field(name: &'static str) -> Self {
+        Self::custom(format_args!(".{name} is set twice"))
     }
 }
 
@@ -223,13 +283,7 @@ impl<'de> Deserializer<'de> for &Node {
                 MapDeserializer::new(fields).deserialize_any(visitor)
             }
         };
-        value.map_err(|Mistake { at, message }| {
-            let name = message
-                .strip_prefix("field is ")
-                .and_then(|message| message.split(',').next());
-            let part = name.and_then(|name| self.get(name));
-            Mistake::new(at.unwrap_or(part.unwrap_or(self).at), message)
-        })
+        value.map_err(|mistake| mistake.inside(self))
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mistake> {
@@ -247,10 +301,10 @@ impl<'de> Deserializer<'de> for &Node {
     ) -> Result<V::Value, Mistake> {
         let name = match &self.kind {
             Kind::Word(name) => name,
-            _ => "",
+            _ => "not a name",
         };
         let value = visitor.visit_enum(StrDeserializer::new(name));
-        value.map_err(|mistake: Mistake| Mistake::new(self.at, mistake.message))
+        value.map_err(|mistake: Mistake| mistake.inside(self))
     }
 
     serde::forward_to_deserialize_any! {

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 /// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of range.
 ///
-/// An example of its text: `spheres[3].material.kd is 1.5, must be 0 to 1`.
+/// An example of its text: `spheres[3].material.kd is 1.5; must be 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RangeError {
@@ -61,7 +61,7 @@ impl fmt::Display for RangeError {
         let dot = if self.field.is_empty() { "" } else { "." };
         write!(
             f,
-            "{dot}{} is {}, must be {}",
+            "{dot}{} is {}; must be {}",
             self.field, self.found, self.range
         )
     }

@@ -172,15 +172,15 @@ fn scene_or_quality_out_of_range_is_refused() {
     for (change, text) in [
         (
             (|scene| scene.spheres[2].material.kd = -0.5) as fn(&mut Scene),
-            "spheres[2].material.kd is -0.5, must be 0 to 1",
+            "spheres[2].material.kd is -0.5; must be 0 to 1",
         ),
         (
             |scene| scene.camera.up = scene.camera.look_at - scene.camera.eye,
-            "camera.up is [0, -1.2999998, 7.4999995], must be off the line of sight",
+            "camera.up is [0, -1.2999998, 7.4999995]; must be more than 0.001 radians off the line of sight",
         ),
         (
             |scene| scene.water.slope = 0.1,
-            "water.length is 0, must be 1e-9 to 1e9",
+            "water.length is 0; must be 1e-9 to 1e9",
         ),
     ] {
         let mut scene = scene.clone();

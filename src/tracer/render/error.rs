@@ -48,7 +48,7 @@ impl fmt::Display for Error {
                 write!(f, "frame stride is {stride}; must be {width} or more")
             }
             Self::Pixels { needed, given } => {
-                write!(f, "frame has {given} pixels; must have {needed} or more")
+                write!(f, "pixel count is {given}; must be {needed} or more")
             }
             Self::Range(error) => error.fmt(f),
         }

@@ -37,19 +37,17 @@ impl Block {
         }
     }
 
-    fn is_round(&self) -> bool {
-        match self.shape {
-            Shape::Box => true,
-            Shape::Cylinder => self.half.x == self.half.z,
-            Shape::Capsule => self.half.x == self.half.z && self.half.x <= self.half.y,
-        }
-    }
-
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        let round = "the same along x and z if it is round, and as much along y of a capsule";
+        let is_equal = self.half.x == self.half.z;
+        let is_high = self.half.x <= self.half.y;
+        let (is_valid, range) = match self.shape {
+            Shape::Box => (true, ""),
+            Shape::Cylinder => (is_equal, "equal in x and z"),
+            Shape::Capsule => (is_equal && is_high, "equal in x and z, and at least x in y"),
+        };
         of.field("centre", self.centre, POINT)?;
         of.field("half", self.half, EXTENT)?;
-        of.rule("half", self.half, self.is_round(), round)?;
+        of.rule("half", self.half, is_valid, range)?;
         let [x, y, z] = [0, 1, 2].map(|i| self.axes.col(i));
         for (name, axis, next) in [
             ("axes.x_axis", x, y),
@@ -57,7 +55,12 @@ impl Block {
             ("axes.z_axis", z, x),
         ] {
             let is_square = is_unit(axis) && axis.dot(next).abs() < 1e-4;
-            of.rule(name, axis, is_square, "of length 1, square to the others")?;
+            of.rule(
+                name,
+                axis,
+                is_square,
+                "of length 1, perpendicular to the others",
+            )?;
         }
         self.material.check(of)
     }

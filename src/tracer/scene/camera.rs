@@ -67,13 +67,9 @@ impl Camera {
         let angle = Range(f32::from_bits(1), PI.next_down(), "above 0 and below pi");
         of.field("eye", self.eye, POINT)?;
         of.field("look_at", self.look_at, POINT)?;
-        of.rule(
-            "look_at",
-            self.look_at,
-            has_view,
-            "a point that is not the eye",
-        )?;
-        of.rule("up", self.up, is_upright, "off the line of sight")?;
+        of.rule("look_at", self.look_at, has_view, "different from eye")?;
+        let sides = "more than 0.001 radians off the line of sight";
+        of.rule("up", self.up, is_upright, sides)?;
         of.field("field_of_view", self.field_of_view, angle)
     }
 

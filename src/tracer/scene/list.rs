@@ -10,7 +10,7 @@ use core::ops::{Deref, DerefMut};
 /// list.push(4);
 /// assert_eq!(list, vec![1, 2, 3, 4].into_iter().collect());
 /// let result = List::<i32, 4>::try_from(&[1, 2, 3, 4, 5][..]);
-/// assert_eq!(result.unwrap_err().to_string(), "a list has 5 items; must be 0 to 4");
+/// assert_eq!(result.unwrap_err().to_string(), "list length is 5; must be at most 4");
 /// ```
 ///
 /// Longer arrays do not compile:
@@ -121,7 +121,7 @@ pub struct CapacityError {
 impl fmt::Display for CapacityError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { len, capacity } = self;
-        write!(f, "a list has {len} items; must be 0 to {capacity}")
+        write!(f, "list length is {len}; must be at most {capacity}")
     }
 }
 

@@ -482,7 +482,7 @@ impl Light {
             "drawn_radius",
             self.drawn_radius,
             is_drawable,
-            "0, or 1e-9 to 1e9",
+            "0 or 1e-9 to 1e9",
         )?;
         of.field("diameter", self.diameter, LENGTH)?;
         of.field("glow", self.glow, LENGTH)?;
@@ -528,13 +528,13 @@ impl Spot {
         let is_narrower = 0.0 <= self.inner_angle && self.inner_angle < self.outer_angle;
         let angle = Range(0.0, PI, "0 to pi");
         of.field("spot.aim", self.aim, POINT)?;
-        of.rule("spot.aim", self.aim, is_aimed, "of a length above 0")?;
+        of.rule("spot.aim", self.aim, is_aimed, "longer than 0")?;
         of.field("spot.outer_angle", self.outer_angle, angle)?;
         of.rule(
             "spot.inner_angle",
             self.inner_angle,
             is_narrower,
-            "at least 0, and below outer_angle",
+            "at least 0 and below outer_angle",
         )
     }
 }

@@ -21,13 +21,17 @@ impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for
     type Value = Self;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "at most {N} items")
+        write!(f, "a list of at most {N} items")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(mut self, mut items: A) -> Result<Self, A::Error> {
+        let mut len = 0;
         while let Some(item) = items.next_element()? {
-            let pushed = self.try_push(item);
-            pushed.map_err(|error| A::Error::invalid_length(error.len, &self))?;
+            len += 1;
+            let _ = self.try_push(item);
+        }
+        if len > N {
+            return Err(A::Error::invalid_length(len, &self));
         }
         Ok(self)
     }
@@ -53,7 +57,7 @@ pub(super) mod text {
         type Value = List<u8, N>;
 
         fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            write!(f, "text of at most {N} letters")
+            write!(f, "text of at most {N} bytes")
         }
 
         fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {

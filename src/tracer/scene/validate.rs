@@ -39,7 +39,7 @@ impl Scene {
     /// The first number out of range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let zenith = self.background + self.sky;
-        let sky = "at least -background, at most 1e9 - background";
+        let sky = "-background to 1e9 - background";
         self.camera.check(Checked::one("camera"))?;
         Checked::one("background").field("", self.background, LENGTH)?;
         Checked::one("sky").rule("", self.sky, LENGTH.holds(zenith), sky)?;
