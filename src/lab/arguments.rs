@@ -117,7 +117,7 @@ impl FromStr for NamedQuality {
             .find(|quality| quality.name == name)
             .ok_or_else(|| {
                 let names: Vec<&str> = Self::all().map(|quality| quality.name).collect();
-                format!("must be {}", names.join(", "))
+                format!("must be one of {}", names.join(", "))
             })
     }
 }
@@ -132,7 +132,7 @@ pub fn instruction_set(name: &str) -> Result<Isa, String> {
     let mut known = cpu::instruction_sets();
     known.find(|set| set.name == name).ok_or_else(|| {
         let names: Vec<&str> = cpu::instruction_sets().map(|set| set.name).collect();
-        format!("must be {} on this machine", names.join(", "))
+        format!("must be one of {} on this machine", names.join(", "))
     })
 }
 
@@ -155,7 +155,7 @@ pub fn png_file(name: &str) -> Result<PathBuf, String> {
     let is_png = |end: &OsStr| end.eq_ignore_ascii_case("png");
     let is_valid = !name.is_empty() && path.extension().is_none_or(is_png);
     let path = Some(path).filter(|_| is_valid);
-    path.ok_or_else(|| "must be the name of a .png file, or -".to_owned())
+    path.ok_or_else(|| "must be a .png file or -".to_owned())
 }
 
 pub fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {

@@ -73,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(file) = &arguments.json {
         output::write_json(file, &rows)?;
     }
-    Ok(interrupt::check("the table has the figures so far")?)
+    Ok(interrupt::check("the table is incomplete")?)
 }
 
 fn measurement(arguments: &Arguments) -> Measurement {

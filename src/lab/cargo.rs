@@ -1,3 +1,4 @@
+use crate::output;
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::path::PathBuf;
@@ -30,9 +31,9 @@ impl Build {
         if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
             command.current_dir(folder);
         }
-        let output = command.output().context("cannot start cargo")?;
+        let output = command.output().context("cargo cannot be started")?;
         if !output.status.success() {
-            bail!("cargo cannot {}", arguments.join(" "));
+            bail!("cargo {} failed", arguments.join(" "));
         }
         let text = String::from_utf8_lossy(&output.stdout);
         let messages = text.lines().map(serde_json::from_str);
@@ -45,7 +46,7 @@ impl Build {
             .artifact("bin", name)
             .and_then(|artifact| artifact["executable"].as_str());
         path.map(PathBuf::from)
-            .with_context(|| format!("cargo did not report the path of {name}"))
+            .with_context(|| format!("{name} is missing in cargo's output"))
     }
 
     /// Returns the path of an unpacked program (see `src/pack/build/mod.rs`). The one for Windows has the same name.
@@ -53,8 +54,10 @@ impl Build {
     /// Cargo reports a copy of the program in `deps`, whose name the unpacked one has.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
-        let bytes = fs::read(&copy)?;
-        for entry in fs::read_dir(self.script_folder(program)?)? {
+        let bytes = output::read(&copy)?;
+        let folder = self.script_folder(program)?;
+        let entries = fs::read_dir(&folder).with_context(|| output::cannot("read", &folder))?;
+        for entry in entries {
             let path = entry?.path();
             let name = path.file_stem().unwrap_or_default();
             let original = copy.with_file_name("deps").join(name);
@@ -64,7 +67,7 @@ impl Build {
                 return Ok(path);
             }
         }
-        bail!("this build has not linked {program}")
+        bail!("{}: {program}.unpacked is missing", folder.display())
     }
 
     /// Returns the output folder of a program's build script.
@@ -77,7 +80,7 @@ impl Build {
             .find(|message| Some(&message["package_id"]) == package)
             .and_then(|message| message["out_dir"].as_str())
             .map(PathBuf::from)
-            .with_context(|| format!("cargo did not report the build script of {program}"))
+            .with_context(|| format!("build script of {program} is missing in cargo's output"))
     }
 
     fn artifact(&self, kind: &str, name: &str) -> Option<&Value> {

@@ -25,7 +25,7 @@ pub fn is_stopped() -> bool {
 /// Fails once a signal has arrived.
 pub fn check(results: &str) -> Result<(), Exit> {
     if is_stopped() {
-        return Err(Exit::new(EXIT_CODE, format!("stopped early; {results}")));
+        return Err(Exit::new(EXIT_CODE, format!("interrupted; {results}")));
     }
     Ok(())
 }

@@ -1,8 +1,12 @@
-use clap::{Parser, Subcommand, error::ErrorKind};
+use clap::error::{ContextKind, ErrorKind};
+use clap::{CommandFactory, Parser, Subcommand};
 use eightfold_lab::arguments::{BAD_INPUT, Exit};
 use eightfold_lab::{bench, capture, figures, missed, render, report, size, trade, truth, view};
 use std::error::Error;
 use std::process::ExitCode;
+
+/// In letters of a message.
+const MAX_VALUE: usize = 60;
 
 /// Draws Eightfold's frames, and measures their speed and error
 #[derive(Parser)]
@@ -46,7 +50,7 @@ fn main() -> ExitCode {
     let Err(error) = done else {
         return ExitCode::SUCCESS;
     };
-    eprintln!("error: {error:#}");
+    eprintln!("{error:#}");
     error
         .downcast_ref::<Exit>()
         .map_or(ExitCode::FAILURE, |exit| exit.code.into())
@@ -56,16 +60,51 @@ fn explain(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         error.exit();
     }
-    // Begin with the place in the scene file, where editors look for it.
     let mistake = error.source().and_then(|source| source.downcast_ref());
     if let Some(Exit { message, code }) = mistake {
         eprintln!("{message}");
         return (*code).into();
     }
-    let text = error.to_string();
-    let line = text.split("\n\nUsage:").next().unwrap_or(&text);
-    let line = line.split("\n\nFor more").next().unwrap_or(line);
-    let words: Vec<&str> = line.split_whitespace().collect();
+    let text = message(error).unwrap_or_else(|| error.to_string());
+    let words: Vec<&str> = text.split_whitespace().collect();
     eprintln!("{}", words.join(" "));
     BAD_INPUT.into()
+}
+
+fn message(error: &clap::Error) -> Option<String> {
+    let text = |kind| error.get(kind).map(ToString::to_string);
+    let short = |kind| {
+        let text = text(kind)?;
+        Some(match text.char_indices().nth(MAX_VALUE) {
+            Some((end, _)) => format!("'{}...'", &text[..end]),
+            None => format!("'{text}'"),
+        })
+    };
+    let flags = |kind| {
+        let text = text(kind)?;
+        let words = text.split(['<', '|', ' ', ',']);
+        let flags: Vec<&str> = words.filter(|word| word.starts_with("--")).collect();
+        Some(flags.join(" or "))
+    };
+    let [flag, other] = [ContextKind::InvalidArg, ContextKind::PriorArg].map(flags);
+    let value = short(ContextKind::InvalidValue);
+    Some(match error.kind() {
+        ErrorKind::ValueValidation => format!("{} is {}; {}", flag?, value?, error.source()?),
+        ErrorKind::InvalidValue => format!("{} has no value", flag?),
+        ErrorKind::TooManyValues => format!("{} is {}; must be without a value", flag?, value?),
+        ErrorKind::UnknownArgument => {
+            let argument = short(ContextKind::InvalidArg)?;
+            format!("argument is {argument}; must be one that --help lists")
+        }
+        ErrorKind::InvalidSubcommand => {
+            let given = short(ContextKind::InvalidSubcommand)?;
+            let lab = Lab::command();
+            let names: Vec<&str> = lab.get_subcommands().map(clap::Command::get_name).collect();
+            format!("command is {given}; must be one of {}", names.join(", "))
+        }
+        ErrorKind::MissingRequiredArgument => format!("{} is missing", flag?),
+        ErrorKind::ArgumentConflict if flag == other => format!("{} is set twice", flag?),
+        ErrorKind::ArgumentConflict => format!("{} conflicts with {}", flag?, other?),
+        _ => return None,
+    })
 }

@@ -14,7 +14,7 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     if name != Path::new("-") && !is_special {
         let mut part = part(name)?;
         let written = part.as_file_mut().write_all(bytes);
-        written.with_context(|| cannot_write(name))?;
+        written.with_context(|| cannot("write", name))?;
         return persist(part, name);
     }
     let written = if is_special {
@@ -24,7 +24,7 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
         let mut output = io::stdout().lock();
         output.write_all(bytes).and_then(|()| output.flush())
     };
-    written.with_context(|| cannot_write(name))
+    written.with_context(|| cannot("write", name))
 }
 
 pub fn write_json(name: &Path, value: &impl Serialize) -> Result<()> {
@@ -35,7 +35,7 @@ pub fn write_json(name: &Path, value: &impl Serialize) -> Result<()> {
 
 /// Checks the file before a long measurement.
 pub fn check(name: &Path) -> Result<()> {
-    ensure!(!name.is_dir(), "{}: it is a folder", cannot_write(name));
+    ensure!(!name.is_dir(), "{}: is a folder", cannot("write", name));
     if name == Path::new("-") || name.exists() {
         return Ok(());
     }
@@ -52,20 +52,24 @@ pub fn part(name: &Path) -> Result<NamedTempFile> {
     let part = builder.tempfile_in(folder.unwrap_or(Path::new(".")));
     // Omit the temporary name from the message.
     let part = part.map_err(|error| io::Error::from(error.kind()));
-    part.with_context(|| cannot_write(name))
+    part.with_context(|| cannot("write", name))
 }
 
 pub fn persist(part: NamedTempFile, name: &Path) -> Result<()> {
     // Replace the target of a symbolic link.
     let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
     let persisted = part.persist(path).map_err(|error| error.error);
-    persisted.map(drop).with_context(|| cannot_write(name))
+    persisted.map(drop).with_context(|| cannot("write", name))
 }
 
-fn cannot_write(name: &Path) -> String {
+pub fn cannot(do_it: &str, name: &Path) -> String {
     if name == Path::new("-") {
-        "cannot write to standard output".to_owned()
+        format!("standard output: cannot {do_it}")
     } else {
-        format!("cannot write {}", name.display())
+        format!("{}: cannot {do_it}", name.display())
     }
+}
+
+pub fn read(path: &Path) -> Result<Vec<u8>> {
+    fs::read(path).with_context(|| cannot("read", path))
 }

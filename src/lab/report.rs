@@ -1,3 +1,4 @@
+use crate::arguments::Exit;
 use crate::output;
 use anyhow::{Context, Result, ensure};
 use clap::Args;
@@ -25,15 +26,25 @@ const END: &str = "\n<!-- lab report end -->";
 pub fn run(arguments: &Arguments) -> Result<()> {
     let mut pages = Vec::new();
     for path in paths(&arguments.folder) {
-        let text = fs::read_to_string(&path);
-        let text = text.with_context(|| format!("cannot read {}", path.display()))?;
+        let text = fs::read_to_string(&path).with_context(|| output::cannot("read", &path))?;
+        pages.push((path, text));
+    }
+    let text: String = pages.iter().map(|(_, text)| &**text).collect();
+    let parts = text.split(BEGIN).skip(1).step_by(2);
+    let known: Vec<&str> = parts.filter_map(|part| part.split(" -->").next()).collect();
+    for name in &arguments.names {
+        let message = format!("part is {name}; must be one of {}", known.join(", "));
+        ensure!(known.contains(&name.as_str()), Exit::bad_input(message));
+    }
+    let mut changed = Vec::new();
+    for (path, text) in pages {
         let new = rewritten(&text, arguments);
         let new = new.with_context(|| path.display().to_string())?;
         if new != text {
-            pages.push((path, new));
+            changed.push((path, new));
         }
     }
-    for (path, text) in pages {
+    for (path, text) in changed {
         output::write(&path, text.as_bytes())?;
     }
     Ok(())
@@ -54,13 +65,13 @@ fn rewritten(text: &str, arguments: &Arguments) -> Result<String> {
     let mut parts = text.split(BEGIN);
     let mut new = parts.next().unwrap_or_default().to_owned();
     while let Some(part) = parts.next() {
-        let (name, body) = part.split_once(" -->").context("a mark has no -->")?;
+        let (name, body) = part.split_once(" -->").context("mark has no -->")?;
         let after = parts.next().and_then(|after| after.strip_prefix("end -->"));
-        let after = after.with_context(|| format!("the part {name} has no {}", END.trim()))?;
+        let after = after.with_context(|| format!("part {name}: {} is missing", END.trim()))?;
         let is_asked_for =
             arguments.names.is_empty() || arguments.names.iter().any(|asked| asked == name);
         let body = if is_asked_for {
-            measured(body, &arguments.folder).with_context(|| format!("the part {name}"))?
+            measured(body, &arguments.folder).with_context(|| format!("part {name}"))?
         } else {
             body.to_owned()
         };
@@ -73,18 +84,18 @@ fn measured(body: &str, folder: &Path) -> Result<String> {
     let commands = body.lines().filter(|line| line.starts_with("    "));
     let commands = commands.collect::<Vec<_>>().join("\n");
     eprintln!("{commands}");
-    let lab = env::current_exe().context("cannot find the lab")?;
+    let lab = env::current_exe().context("path of the lab is unknown")?;
     let output = Command::new("sh")
         .args(["-ec", &commands.replace("cargo lab", "\"$LAB\"")])
         .env("LAB", lab)
         .current_dir(folder)
         .stderr(Stdio::inherit())
         .output()
-        .context("cannot start sh")?;
-    ensure!(output.status.success(), "a command failed");
+        .context("sh cannot be started")?;
+    ensure!(output.status.success(), "command failed: {}", output.status);
     if body.contains("![") {
         return Ok(body.to_owned());
     }
-    let printed = String::from_utf8(output.stdout).context("the output is not UTF-8")?;
+    let printed = String::from_utf8(output.stdout).context("output is not UTF-8")?;
     Ok(format!("\n\n{commands}\n\n{}\n", printed.trim_end()))
 }

@@ -11,13 +11,13 @@ use std::{fmt, fs};
 const SUFFIX: &str = ".ron";
 
 pub fn text(path: &Path) -> Result<String, String> {
-    let error = |why: &str| format!("cannot read {}: {why}", path.display());
+    let error = |why: &str| format!("{}: cannot read: {why}", path.display());
     let bytes = match fs::metadata(path) {
         // Pipes and devices can be endless, and cannot be read again.
-        Ok(there) if !there.is_file() => return Err(error("it is not a regular file")),
+        Ok(there) if !there.is_file() => return Err(error("not a regular file")),
         _ => fs::read(path).map_err(|why| error(&why.to_string()))?,
     };
-    String::from_utf8(bytes).map_err(|_| error("it is not UTF-8"))
+    String::from_utf8(bytes).map_err(|_| error("not UTF-8"))
 }
 
 pub fn names() -> String {

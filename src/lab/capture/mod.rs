@@ -75,7 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(name) = &arguments.audio {
         let sound = recorder.sound(&frames);
         let scene = arguments.scene;
-        let error = || Exit::bad_input(format!("--audio: {scene} has no sound"));
+        let error = || Exit::bad_input(format!("--scene is {scene}; must be of the show"));
         output::write(name, &wav::wav(&sound.ok_or_else(error)?))?;
     }
     if let Some(folder) = &arguments.png {
@@ -92,14 +92,14 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 fn range(arguments: &Arguments) -> Result<Range<usize>> {
     let length = (arguments.scene.length() * arguments.fps as f32).ceil() as usize;
     let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));
-    let range = format!("--from {from} --to {to} is empty; the scene has frames 0 to {length}");
+    let range = format!("--from is {from}; must be below {to}, the end");
     ensure!(from < to, Exit::bad_input(range));
     Ok(from..to)
 }
 
 /// Names have six digits, to sort by number.
 fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    fs::create_dir_all(folder).with_context(|| output::cannot("make", folder))?;
     let width = recorder.size.width;
     recorder.draw_each(frames, |frame, pixels| {
         let path = folder.join(format!("frame-{frame:06}.png"));

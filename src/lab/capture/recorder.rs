@@ -61,7 +61,7 @@ impl Recorder {
         let bar = progress::bar(frames.len());
         for frame in frames {
             let pixels = self.draw(frame);
-            interrupt::check("no more frames are drawn")?;
+            interrupt::check("the frames are incomplete")?;
             take(frame, pixels)?;
             bar.inc(1);
         }

@@ -30,7 +30,7 @@ pub fn write(recorder: &mut Recorder, frames: Range<usize>, name: &Path) -> Resu
     } else {
         if let Some(sound) = recorder.sound(&frames) {
             let file = folder.path().join("sound.wav");
-            fs::write(&file, wav::wav(&sound)).context("cannot write the sound")?;
+            fs::write(&file, wav::wav(&sound)).with_context(|| output::cannot("write", &file))?;
             ffmpeg.arg("-i").arg(file).args(AAC.split(' '));
         }
         ffmpeg.args(H264.split_whitespace());
@@ -41,7 +41,7 @@ pub fn write(recorder: &mut Recorder, frames: Range<usize>, name: &Path) -> Resu
         .stdin(Stdio::piped())
         .stderr(errors.try_clone()?)
         .spawn()
-        .context("--video needs ffmpeg (apt-get install ffmpeg)")?;
+        .context("ffmpeg cannot be started (apt-get install ffmpeg)")?;
     let mut pipe = ffmpeg.stdin.take().expect("a pipe");
     let sent = recorder.draw_each(frames, |_, pixels| {
         let bytes = pixels.iter().flat_map(|pixel| pixel.to_be_bytes());
@@ -51,14 +51,14 @@ pub fn write(recorder: &mut Recorder, frames: Range<usize>, name: &Path) -> Resu
     if interrupt::is_stopped() {
         let _ = ffmpeg.kill();
     }
-    let status = ffmpeg.wait().context("ffmpeg is lost")?;
-    interrupt::check("no video is written")?;
+    let status = ffmpeg.wait().context("ffmpeg's exit code is unknown")?;
+    interrupt::check("the video is missing")?;
     // ffmpeg reports success even if a full disk truncates the file.
     let mut text = String::new();
     errors.rewind()?;
     errors.read_to_string(&mut text)?;
     let last = text.lines().last().unwrap_or("unknown error");
-    let error = format!("ffmpeg cannot write {}: {last}", name.display());
+    let error = format!("{}: ffmpeg cannot write: {last}", name.display());
     ensure!(status.success() && text.is_empty(), error);
     sent.context("ffmpeg ended early")?;
     output::persist(out, name)

@@ -10,7 +10,6 @@ use packed::Packed;
 use program::{Part, Program};
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
-use std::fs;
 use std::path::Path;
 
 /// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown tables
@@ -57,8 +56,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     } else {
         Build::release("eightfold")?
     };
-    let file = fs::metadata(build.program("eightfold")?)?.len() as f64;
-    let linked = fs::read(build.linked("eightfold")?)?;
+    let file = output::read(&build.program("eightfold")?)?.len() as f64;
+    let linked = output::read(&build.linked("eightfold")?)?;
     let (program, packed) = (Program::parse(&linked)?, Packed::new(&linked)?);
     let mut text = String::new();
 

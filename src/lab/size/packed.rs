@@ -14,7 +14,7 @@ pub struct Packed {
 impl Packed {
     pub fn new(linked: &[u8]) -> Result<Self> {
         let image = strip(linked).map_err(|error| anyhow!("{error}"))?;
-        let file = object::File::parse(&*image).context("not an ELF file")?;
+        let file = object::File::parse(&*image).context("stripped program")?;
         let segments = file.segments().map(|segment| {
             let (offset, size) = segment.file_range();
             (segment.address()..segment.address() + size, offset as usize)

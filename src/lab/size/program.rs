@@ -31,7 +31,7 @@ impl Program {
             .collect();
         sections.sort_by_key(|section| section.addresses.start);
         let symbols = symbols(&file, &sections);
-        ensure!(!symbols.is_empty(), "the program has no symbols");
+        ensure!(!symbols.is_empty(), "symbols of the program are missing");
         Ok(Self { sections, symbols })
     }
 }

@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
     let folder = &arguments.out;
     if !arguments.ladder {
-        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        fs::create_dir_all(folder).with_context(|| output::cannot("make", folder))?;
         output::check(&folder.join("trade.json"))?;
     }
     let measurement = measurement(arguments);
@@ -92,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         output::write_json(&folder.join("trade.json"), &trade)?;
         plots::write(folder, &trade)?;
     }
-    Ok(interrupt::check("the table has the figures so far")?)
+    Ok(interrupt::check("the table is incomplete")?)
 }
 
 fn measurement(arguments: &Arguments) -> Measurement {

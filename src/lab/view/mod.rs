@@ -40,8 +40,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
-    let window = Window::open(c"Eightfold", width, height)
-        .map_err(|why| anyhow!("view needs a window: {why}"))?;
+    let window = Window::open(c"Eightfold", width, height).map_err(|why| anyhow!("view: {why}"))?;
     eprintln!("view: the key ? lists the keys");
     let subject = Subject::new(arguments.scene);
     let length = f64::from(subject.length()) * FPS;

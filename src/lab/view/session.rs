@@ -58,7 +58,7 @@ impl Session {
             last = now;
             let is_new = self.draw();
             if let Next::End(code) = self.window.show() {
-                ensure!(code == 0, "the window is lost");
+                ensure!(code == 0, "window is lost");
                 return Ok(());
             }
             shown += 1;

@@ -1,63 +1,52 @@
 use super::{assert_one_line, lab};
 use eightfold_tracer::Quality;
 
-const LINES: [(&str, &str); 34] = [
-    ("paint", "paint"),
-    ("render", "--out"),
-    ("render --out \"\"", "--out"),
-    ("render --output x", "--output"),
-    ("render --out frame.jpg", "--out frame.jpg .png"),
-    ("render --out - --size 0x5", "--size 0x5 WIDTHxHEIGHT"),
-    ("render --out - --size 640", "--size 640 WIDTHxHEIGHT"),
-    ("render --out - --size 3841x10", "--size 3841x10 3840x2160"),
-    ("render --out - --time now", "--time now must be"),
-    ("render --out - --time nan", "--time nan must be"),
-    ("render --out - --threads 0", "--threads 0 must be 1 to 256"),
-    ("render --out - --scene field:0", "--scene field:0 field:N"),
-    ("render --out - --scene field:99999", "--scene field:N"),
-    ("render --out - --scene show:end", "--scene show:finale"),
-    (
-        "render --out - --isa mmx",
-        "--isa mmx must be on this machine",
-    ),
-    ("bench --frames 1.5", "--frames 1.5 must be 1 to 100000"),
-    ("bench --json", "--json"),
-    ("missed --seeds 0", "--seeds must be 1 to"),
-    ("truth --scene model", "--out"),
-    (
-        "truth --out - --samples 1",
-        "--samples must be 2 to 1048576",
-    ),
-    ("truth --out picture.jpg", "--out .png"),
-    ("view --time -1", "--time must be 0 to"),
-    ("view --quality 9", "--quality exhaustive"),
-    ("capture", "--png --video --sheet --audio"),
-    ("capture --png x --video y.mp4", "--png --video"),
-    ("capture --png x --frames 5", "--frames --png"),
-    (
-        "capture --sheet - --fps 1001",
-        "--fps 1001 must be 1 to 1000",
-    ),
-    ("capture --sheet - --from x", "--from must be 0 to"),
-    ("capture --sheet - --from 5 --to 5", "--from 5 --to 5 empty"),
-    ("capture --sheet - --from 6960", "--from 6960 to 6960"),
-    (
-        "capture --sheet - --supersample 17",
-        "--supersample 1 to 16",
-    ),
-    ("capture --sheet - --shutter 1.5", "--shutter 0 to 1"),
-    ("capture --sheet - --aperture wide", "--aperture 0 to"),
-    ("capture --audio - --scene model", "--audio model no sound"),
-];
+/// Arguments | message.
+const LINES: &str = r#"
+paint | command is 'paint'; must be one of bench, capture,
+render | --out is missing
+render --out "" | --out is ''; must be a .png file or -
+render --output x | argument is '--output'; must be one that --help lists
+render --out frame.jpg | --out is 'frame.jpg'; must be a .png file or -
+render --out - --size 0x5 | --size is '0x5'; must be WIDTHxHEIGHT, 1x1 to 3840x2160
+render --out - --size 3841x10 | --size is '3841x10'; must be WIDTHxHEIGHT
+render --out - --time nan | --time is 'nan'; must be -1000000 to
+render --out - --threads 0 | --threads is '0'; must be 1 to 256
+render --out - --scene field:99999 | --scene is 'field:99999'; must be model, field:N
+render --out - --scene show:end | show:finale
+render --out - --isa mmx | --isa is 'mmx'; must be one of
+bench --frames 1.5 | --frames is '1.5'; must be 1 to 100000
+bench --json | --json has no value
+missed --seeds 0 | --seeds is '0'; must be 1 to
+truth --out - --samples 1 | --samples is '1'; must be 2 to 1048576
+truth --out picture.jpg | --out is 'picture.jpg'; must be a .png file or -
+view --time -1 | --time is '-1'; must be 0 to
+view --quality 9 | --quality is '9'; must be one of exhaustive, thesis,
+capture | --png or --video or --sheet or --audio is missing
+capture --png x --video y.mp4 | --png conflicts with --video
+capture --png x --frames 5 | --png conflicts with --frames
+capture --sheet - --fps 1001 | --fps is '1001'; must be 1 to 1000
+capture --sheet - --from 5 --to 5 | --from is 5; must be below 5
+capture --sheet - --from 6960 | --from is 6960; must be below 6960
+capture --sheet - --supersample 17 | --supersample is '17'; must be 1 to 16
+capture --sheet - --shutter 1.5 | --shutter is '1.5'; must be 0 to 1
+capture --sheet - --aperture wide | --aperture is 'wide'; must be 0 to
+capture --audio - --scene model | --scene is model; must be of the show
+"#;
 
 #[test]
 fn bad_input_fails_in_one_line() {
-    for (line, words) in LINES {
-        assert_one_line(&lab(line), 2, &words.split(' ').collect::<Vec<_>>());
+    for row in LINES.trim().lines() {
+        let (line, message) = row.split_once(" | ").expect("two columns");
+        assert_one_line(&lab(line), 2, &[message]);
     }
     let qualities = format!("exhaustive, thesis, {}", Quality::NAMES.join(", "));
-    let output = lab("render --out - --quality best");
-    assert_one_line(&output, 2, &["--quality", &qualities]);
+    let output = lab(&format!("render --out - --quality {}", "x".repeat(99)));
+    let message = format!(
+        "--quality is '{}...'; must be one of {qualities}",
+        "x".repeat(60)
+    );
+    assert_one_line(&output, 2, &[&message]);
 }
 
 #[test]
@@ -66,28 +55,25 @@ fn unwritable_file_fails_at_once() {
     let file = folder.path().join("file");
     std::fs::write(&file, "").unwrap();
     let [file, folder_name] = [&file, folder.path()].map(|path| path.to_str().expect("UTF-8"));
-    for (line, words) in [
-        ("truth --out FILE/truth.png", "cannot write FILE/truth.png"),
-        ("render --out FOLDER", "cannot write FOLDER"),
-        (
-            "render --out FOLDER/no/x.png",
-            "cannot write FOLDER/no/x.png",
-        ),
-        ("render --out FOLDER/LONG", "cannot write"),
-        ("bench --frames 100000 --json FILE/x", "cannot write FILE/x"),
-        ("bench --frames 100000 --json FOLDER", "cannot write FOLDER"),
-        ("trade --out FILE", "cannot make FILE"),
-        ("figures --out FILE/x.png", "cannot write FILE/x.png"),
-        ("capture --png FILE/x --to 30", "cannot make FILE/x"),
-        ("capture --video FILE/x.mp4", "cannot write FILE/x.mp4"),
-        ("capture --sheet FILE/x", "cannot write FILE/x"),
+    for (line, name) in [
+        ("truth --out FILE/truth.png", "FILE/truth.png"),
+        ("render --out FOLDER", "FOLDER"),
+        ("render --out FOLDER/no/x.png", "FOLDER/no/x.png"),
+        ("render --out FOLDER/LONG", "FOLDER/LONG"),
+        ("bench --frames 100000 --json FILE/x", "FILE/x"),
+        ("bench --frames 100000 --json FOLDER", "FOLDER"),
+        ("trade --out FILE", "FILE"),
+        ("figures --out FILE/x.png", "FILE/x.png"),
+        ("capture --png FILE/x --to 30", "FILE/x"),
+        ("capture --video FILE/x.mp4", "FILE/x.mp4"),
+        ("capture --sheet FILE/x", "FILE/x"),
     ] {
-        let [line, words] = [line, words].map(|text| {
+        let [line, name] = [line, name].map(|text| {
             text.replace("FILE", file)
                 .replace("FOLDER", folder_name)
                 .replace("LONG", &"x".repeat(300))
         });
-        assert_one_line(&lab(&line), 1, &words.split(' ').collect::<Vec<_>>());
+        assert_one_line(&lab(&line), 1, &[&format!("{name}: cannot ")]);
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }

@@ -123,7 +123,7 @@ fn signal_keeps_figures() {
     let line = "bench --frames 100000 --size 32x24 --size 48x36 --json";
     let output = super::interrupted(super::command(line).arg(&file));
     assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
-    assert!(stderr(&output).contains("stopped early"));
+    assert!(stderr(&output).contains("interrupted"));
     let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
     assert_eq!(rows.len(), 6);
     for row in &rows {

@@ -54,6 +54,8 @@ fn only_named_parts_are_updated() {
         PAGE
     );
     assert!(folder.path().join("docs/a.png").exists());
+    let known = "part is tables; must be one of picture, table";
+    assert_one_line(&report(&folder, "tables"), 2, &[known]);
 }
 
 #[test]
@@ -61,11 +63,11 @@ fn failing_part_keeps_all_pages() {
     for (page, why) in [
         (
             "\n<!-- lab report a -->\n",
-            "page.md: the part a has no <!-- lab report end -->",
+            "page.md: part a: <!-- lab report end --> is missing",
         ),
         (
             "\n<!-- lab report a -->\n    exit 3\n<!-- lab report end -->",
-            "a command failed",
+            "part a: command failed: exit status: 3",
         ),
     ] {
         let folder = folder(&PAGE.replace("old", ""), page);
@@ -76,5 +78,5 @@ fn failing_part_keeps_all_pages() {
         assert_eq!(text, PAGE.replace("old", ""));
     }
     let empty = tempfile::tempdir().unwrap();
-    assert_one_line(&report(&empty, ""), 1, &["cannot read", "README.md"]);
+    assert_one_line(&report(&empty, ""), 1, &["README.md: cannot read: "]);
 }

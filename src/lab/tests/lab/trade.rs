@@ -121,7 +121,7 @@ fn signal_keeps_results() {
     let line = "trade --size 48x36 --frames 100000 --out";
     let output = super::interrupted(super::command(line).arg(&out));
     assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
-    assert!(stderr(&output).contains("stopped early"));
+    assert!(stderr(&output).contains("interrupted"));
     assert_plots(&out, "front squares");
     for row in rows(&out) {
         let frames = row["frames"].as_u64().expect("a number");
