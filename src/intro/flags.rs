@@ -41,17 +41,17 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Size, "--size", "WxH", "size of the window or the frame, 1x1 to 3840x2160 (1024x768)"),
     flag(Switch::Fullscreen, "--fullscreen", "", "start in fullscreen"),
     flag(Switch::Threads, "--threads", "N", "threads that trace, 1 to 64 (one for each processor)"),
-    flag(Switch::Isa, "--isa", "NAME", "instruction set to trace with (the best of this CPU):"),
-    flag(Switch::Seconds, "--seconds", "S", "seconds until the end, above 0, such as 7.5 (116, the show)"),
+    flag(Switch::Isa, "--isa", "NAME", "instruction set of this CPU (the first):"),
+    flag(Switch::Seconds, "--seconds", "S", "seconds until the end, above 0 to 1e9 (116, the show)"),
     flag(Switch::Loop, "--loop", "", "start again instead of ending"),
-    flag(Switch::Fps, "--fps", "N", "frames a second to hold, 1 to 1000 (60)"),
-    flag(Switch::Psnr, "--psnr", "DB", "dB to exhaustive to hold if no rate is named, 1 to 99"),
-    flag(Switch::Quality, "--quality", "NAME", "keep to one quality (whichever holds the frame rate):"),
+    flag(Switch::Fps, "--fps", "N", "target frame rate, 1 to 1000 (60)"),
+    flag(Switch::Psnr, "--psnr", "DB", "target PSNR to exhaustive without --fps, 1 to 99 dB"),
+    flag(Switch::Quality, "--quality", "NAME", "fixed quality (whichever holds the frame rate):"),
     flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
     flag(Switch::Uncapped, "--uncapped", "", "draw frames without a pause, at default quality unless one is named"),
     flag(Switch::Hud, "--hud", "", "show frames a second, points traced, dB to exhaustive"),
     flag(Switch::Silent, "--silent", "", "play no sound"),
-    flag(Switch::Still, "--still", "S", "write the frame at S seconds, from 0 to below 116, to standard output as PPM"),
+    flag(Switch::Still, "--still", "S", "time in seconds of a PPM frame for standard output, 0 to below 116"),
     flag(Switch::Help, "--help", "", "print this help"),
     flag(Switch::Version, "--version", "", "print the version"),
 ];
@@ -96,17 +96,18 @@ impl Flag {
         output.text(self.help);
         match self.switch {
             Switch::Quality => write_names(output, NAMED.iter().map(|&(name, _)| name)),
-            Switch::Isa => write_names(output, cpu::NAMES.iter().copied()),
+            Switch::Isa => write_names(output, cpu::shipped().map(|isa| isa.name)),
             _ => {}
         }
     }
 
-    pub fn write(&self, errors: &mut Writer) {
-        errors.text(self.name);
-        if !self.value.is_empty() {
-            errors.text(" ").text(self.value);
+    pub fn write_range(&self, errors: &mut Writer) {
+        errors.text("; must be ");
+        if self.value.is_empty() {
+            errors.text("without a value");
+        } else {
+            self.write_help(errors.text(self.value).text(": "));
         }
-        self.write_help(errors.text("  "));
     }
 }
 
@@ -120,9 +121,7 @@ pub fn write_help(output: &mut Writer) {
         flag.write_help(output);
         output.text("\n");
     }
-    output.text("instruction sets of this CPU:");
-    write_names(output, cpu::shipped().map(|isa| isa.name));
-    output.text("\n").text(KEYS).text("\n");
+    output.text(KEYS).text("\n");
 }
 
 fn write_names(output: &mut Writer, names: impl IntoIterator<Item = &'static str>) {

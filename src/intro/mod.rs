@@ -52,7 +52,7 @@ fn exit_code(is_written: bool) -> i32 {
         return 0;
     }
     line::complaint()
-        .text("can't write to standard output\n")
+        .text("standard output: cannot write\n")
         .flush();
     FAILURE
 }

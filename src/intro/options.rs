@@ -60,7 +60,6 @@ pub enum Misuse {
     UnknownFlag(&'static [u8]),
     NoValue(&'static Flag),
     BadValue(&'static Flag, &'static [u8]),
-    NotInThisCpu(&'static [u8]),
     TwoQualities,
 }
 
@@ -68,16 +67,19 @@ impl Misuse {
     pub fn write(&self, errors: &mut Writer) {
         match *self {
             Misuse::UnknownFlag(given) => {
-                errors.text("no such flag: '").printable(given);
-                errors.text("'; --help lists them");
+                errors.text("flag is '").printable(given);
+                errors.text("'; must be one that --help lists");
             }
-            Misuse::NoValue(flag) => flag.write(errors.text("no value: ")),
+            Misuse::NoValue(flag) => {
+                flag.write_range(errors.text(flag.name).text(" has no value"));
+            }
             Misuse::BadValue(flag, given) => {
-                errors.text("can't use '").printable(given).text("': ");
-                flag.write(errors);
+                errors.text(flag.name).text(" is '").printable(given);
+                flag.write_range(errors.text("'"));
             }
-            Misuse::NotInThisCpu(name) => _ = errors.text("this CPU has no ").printable(name),
-            Misuse::TwoQualities => _ = errors.text("more than one quality"),
+            Misuse::TwoQualities => {
+                errors.text("--quality conflicts with another quality");
+            }
         }
         errors.text("\n").flush();
     }
@@ -130,10 +132,7 @@ impl Options {
             Switch::Size => self.size = size(value).ok_or(bad_value)?,
             Switch::Fullscreen => self.is_fullscreen = true,
             Switch::Threads => self.threads = Some(number(value, MAX_THREADS).ok_or(bad_value)?),
-            Switch::Isa if !cpu::NAMES.iter().any(|name| name.as_bytes() == value) => {
-                return Err(bad_value);
-            }
-            Switch::Isa => self.isa = cpu::named(value).ok_or(Misuse::NotInThisCpu(value))?,
+            Switch::Isa => self.isa = cpu::named(value).ok_or(bad_value)?,
             Switch::Seconds => {
                 let length = nanoseconds(value).filter(|&length| length > 0);
                 self.length = Some(length.ok_or(bad_value)?);

@@ -17,7 +17,7 @@ use super::{
 pub fn write(time: u64, options: &Options) -> i32 {
     if line::terminal(line::OUTPUT) {
         line::complaint()
-            .text("a terminal can't show a PPM file: --still S > frame.ppm\n")
+            .text("standard output is a terminal; must be a file or a pipe\n")
             .flush();
         return MISUSE;
     }

@@ -6,15 +6,6 @@ pub struct Isa {
     pub level: Level,
 }
 
-/// The names of the intro's instruction sets for this architecture, best first.
-pub const NAMES: &[&str] = if cfg!(target_arch = "x86_64") {
-    &["avx2", "sse2"]
-} else if cfg!(target_arch = "aarch64") {
-    &["neon"]
-} else {
-    &["portable"]
-};
-
 /// Returns this machine's instruction sets with kernels in the library, best first: AVX-512 and [`shipped`].
 pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     #[cfg(target_arch = "x86_64")]
@@ -40,7 +31,11 @@ pub fn shipped() -> impl Iterator<Item = Isa> {
             .map(|simd| isa("sse2", Level::Sse2(simd))),
     ];
     #[cfg(not(target_arch = "x86_64"))]
-    let sets = [Some(isa(NAMES[0], Level::baseline()))];
+    let sets = {
+        let is_arm = cfg!(target_arch = "aarch64");
+        let name = if is_arm { "neon" } else { "portable" };
+        [Some(isa(name, Level::baseline()))]
+    };
     sets.into_iter().flatten()
 }
 

@@ -112,5 +112,5 @@ pub fn why_not_loaded() -> &'static str {
         (!why.is_null()).then(|| CStr::from_ptr(why))
     };
     why.and_then(|why| ascii(why.to_bytes()))
-        .unwrap_or("a library can't be loaded")
+        .unwrap_or("library cannot be loaded")
 }

@@ -54,7 +54,7 @@ fn second_round_repeats_sound_and_picture() {
         .stdin(Stdio::null());
     let (output, played) = simulated::run(&library, &mut intro);
     let errors = String::from_utf8_lossy(&output.stderr);
-    let line = "eightfold: no X display; playing in the terminal\n";
+    let line = "eightfold: X display is missing; playing in the terminal\n";
     assert!(output.status.success() && errors == line, "{errors}");
 
     let mut song = vec![[0.0; 2]; SONG_LENGTH as usize];

@@ -6,7 +6,7 @@ use eightfold_stage::{
 };
 use std::{fs, net::TcpListener, path::Path, process::Command, thread::sleep, time::Duration};
 
-const NO_SCREEN: &str = "eightfold: no X display; playing without a screen\n";
+const NO_SCREEN: &str = "eightfold: X display is missing; playing without a screen\n";
 
 #[test]
 fn soundtrack_is_played() {
@@ -81,7 +81,7 @@ fn silent_display_is_given_up_after_some_seconds() {
 
 #[test]
 fn missing_linker_or_descriptors_are_one_line() {
-    let told = "eightfold: cannot load the dynamic linker\n";
+    let told = "eightfold: dynamic linker cannot be loaded\n";
     let folder = tempfile::tempdir().unwrap();
     let copied = Command::new("install")
         .arg(intro())
@@ -107,7 +107,7 @@ fn missing_sound_device_is_named_in_one_line() {
     let (output, said) = run(command.env("ALSA_CONFIG_PATH", "/dev/null"));
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(said.lines().count(), 1, "{said}");
-    let silent = "eightfold: no sound device; playing silently\n";
+    let silent = "eightfold: sound device is missing; playing silently\n";
     assert_eq!(texts(&output).1, [NO_SCREEN, silent].concat());
 }
 
@@ -147,7 +147,7 @@ fn output_that_cannot_be_written_is_an_error() {
         for output in [">&-", "> /dev/full"] {
             let (code, errors) = shell(&format!("INTRO --silent {options} {output}"));
             assert_eq!(code, Some(1), "{options} {output}: {errors}");
-            let line = "eightfold: can't write to standard output\n";
+            let line = "eightfold: standard output: cannot write\n";
             assert!(errors.ends_with(line), "{options} {output}: {errors}");
         }
     }

@@ -41,7 +41,7 @@ fn terminal_is_refused() {
     let command = format!("{} --still 2; echo code $?", intro().display());
     let (_, said) = run(tool("script").args(["-q", "-c", &command, "/dev/null"]));
     assert!(
-        said.starts_with("eightfold: a terminal can't show"),
+        said.starts_with("eightfold: standard output is a terminal"),
         "{said}"
     );
     assert_eq!(said.lines().nth(1).map(str::trim_end), Some("code 2"));

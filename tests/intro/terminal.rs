@@ -90,7 +90,7 @@ impl Terminal {
 
     fn wait_for_end(&self, code: i32) {
         let text = self.ended(code);
-        let fallback = "no X display; playing in the terminal";
+        let fallback = "X display is missing; playing in the terminal";
         assert!(text.contains(fallback), "{text}");
         assert!(text.contains("; playing silently"), "not wiped out: {text}");
         assert!(text.contains("frames in"), "the report: {text}");

@@ -96,7 +96,7 @@ fn intro_shows_a_picture_until_esc() {
     assert_shows(&mut example("intro"), "Ten seconds");
     let (output, _) = run(example("intro").env_remove("DISPLAY"));
     assert_eq!(output.status.code(), Some(1));
-    assert_eq!(texts(&output).1, "intro: no X display\n");
+    assert_eq!(texts(&output).1, "intro: X display is missing\n");
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn lost_server_is_reported() {
         server.kill();
         let (_, code, output, errors) = intro.end();
         assert_eq!(code, Some(1), "{manager}: {output}{errors}");
-        assert_eq!(errors, "eightfold: display lost\n");
+        assert_eq!(errors, "eightfold: X display is lost\n");
     }
 }
 

@@ -134,7 +134,7 @@ fn display_with_colour_table_counts_as_none() {
     assert_eq!(code, Some(0), "{output}{errors}");
     assert_eq!(
         errors,
-        "eightfold: X display without colours; playing without a screen\n"
+        "eightfold: X display lacks colours; playing without a screen\n"
     );
 }
 

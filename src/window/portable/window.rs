@@ -37,8 +37,8 @@ impl Window {
             ..WindowOptions::default()
         };
         let name = title.to_string_lossy();
-        let mut shown = minifb::Window::new(&name, width, height, options)
-            .map_err(|_| "no display for a window")?;
+        let mut shown =
+            minifb::Window::new(&name, width, height, options).map_err(|_| "display is missing")?;
         // The intro paces its frames itself.
         shown.set_target_fps(0);
         let keys = KeyQueue::default();

@@ -17,7 +17,7 @@ pub fn pixels() -> &'static mut [u32] {
             0,
         );
         if memory == libc::MAP_FAILED {
-            line::complaint().text("no memory for frames\n").flush();
+            line::complaint().text("memory is exhausted\n").flush();
             libc::_exit(1);
         }
         slice::from_raw_parts_mut(memory.cast(), COUNT)

@@ -44,7 +44,7 @@ impl Window {
             let image = x11::picture(x, display);
             if (*image).red_mask == 0 {
                 // The display's pixels are palette indices.
-                return Err("X display without colours");
+                return Err("X display lacks colours");
             }
             let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
             let top = Toplevel::new(x, display, window);

@@ -63,13 +63,13 @@ impl Device {
         unsafe {
             (alsa.snd_lib_error_set_handler)(silent);
             if (alsa.snd_pcm_open)(&mut pcm, name.as_ptr(), PLAYBACK, WAITING) < 0 {
-                return Err("no sound device");
+                return Err("sound device is missing");
             }
 
             if (alsa.snd_pcm_set_params)(pcm, FLOAT, INTERLEAVED, SIDES, rate, RESAMPLED, latency)
                 < 0
             {
-                return Err("sound device refuses 48 kHz stereo");
+                return Err("sound device lacks 48 kHz stereo");
             }
         }
         Ok(Device { alsa, pcm })

@@ -49,14 +49,14 @@ impl Device {
     pub fn open(_: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         let device = cpal::default_host()
             .default_output_device()
-            .ok_or("no sound device")?;
+            .ok_or("sound device is missing")?;
         let clock = Clock::start();
         let config = StreamConfig {
             channels: 2,
             sample_rate: rate,
             buffer_size: BufferSize::Default,
         };
-        let refused = |_| "sound device refuses 48 kHz stereo";
+        let refused = |_| "sound device lacks 48 kHz stereo";
         let stream = device
             .build_output_stream(
                 config,

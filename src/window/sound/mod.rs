@@ -106,7 +106,7 @@ impl Player {
         let work = Box::leak(Box::new(Work { device, source }));
         // SAFETY: the work is never freed, and only this thread uses it.
         if unsafe { spawn(play, (&raw mut *work).cast()) }.is_none() {
-            say_silent("no thread for sound");
+            say_silent("sound thread is missing");
             return Player::silent();
         }
         match wait_for_device() {
@@ -150,7 +150,7 @@ fn wait_for_device() -> u64 {
     }
     let late = OPENED.compare_exchange(OPENING, SILENT, Relaxed, Relaxed);
     if late.is_ok() {
-        say_silent("sound device does not open");
+        say_silent("sound device does not answer");
     }
     late.err().unwrap_or(SILENT)
 }
@@ -181,7 +181,7 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
         let chunk = source.chunk();
         if !device.write(chunk) {
             WRITTEN.store(i64::MAX, Relaxed);
-            say_silent("sound device lost");
+            say_silent("sound device is lost");
             return null_mut();
         }
         let count = chunk.len() as u64;

@@ -4,7 +4,7 @@ pub struct Device(Infallible);
 
 impl Device {
     pub fn open(_: &CStr, _: u32, _: u32) -> Result<Device, &'static str> {
-        Err("no sound on this system")
+        Err("sound is not supported on this system")
     }
 
     pub fn write(&mut self, _: &[[f32; 2]]) -> bool {

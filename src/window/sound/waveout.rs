@@ -73,8 +73,8 @@ impl Device {
         // SAFETY: pointers outlive the call.
         match unsafe { waveOutOpen(&mut device, WAVE_MAPPER, &format, 0, 0, 0) } {
             0 => {}
-            WAVERR_BADFORMAT => return Err("sound device refuses 48 kHz stereo"),
-            _ => return Err("no sound device"),
+            WAVERR_BADFORMAT => return Err("sound device lacks 48 kHz stereo"),
+            _ => return Err("sound device is missing"),
         }
         let buffers = BUFFERS.take();
         for buffer in buffers.iter_mut() {

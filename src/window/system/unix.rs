@@ -38,7 +38,9 @@ pub unsafe fn start() {
         libc::getrlimit(libc::RLIMIT_STACK, &mut stack);
         if stack.rlim_cur < STACK {
             line::complaint()
-                .text("stack limit is below 96 kB\n")
+                .text("stack limit in kB is ")
+                .decimal(stack.rlim_cur >> 10)
+                .text("; must be 96 or more\n")
                 .flush();
             libc::_exit(1);
         }

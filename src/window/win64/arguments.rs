@@ -26,11 +26,7 @@ impl Arguments {
             // The functions for the start and the message come first in the table.
             system::start();
             if let Err(name) = loaded {
-                line::complaint()
-                    .text("this Windows has no ")
-                    .text(name)
-                    .text("\n")
-                    .flush();
+                line::complaint().text(name).text(" is missing\n").flush();
                 end(1);
             }
             // Sleep with a resolution of 1 ms.

@@ -206,7 +206,7 @@ impl Window {
     /// # Errors
     /// If there is no desktop.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
-        const NONE: &str = "no window on this desktop";
+        const NONE: &str = "desktop is missing";
         // SAFETY: zero is valid for all other fields, and pointers outlive the calls.
         let (pointers, thread) = unsafe {
             SetProcessDpiAwarenessContext(DPI_AWARENESS_CONTEXT_PER_MONITOR_AWARE_V2);

@@ -29,7 +29,7 @@ fn lost_server_is_an_error() {
     view.server.kill();
     let (_, code, _, errors) = view.process.end();
     assert_eq!(code, Some(1), "{errors}");
-    assert!(errors.ends_with("display lost\n"), "{errors}");
+    assert!(errors.ends_with("display is lost\n"), "{errors}");
 }
 
 #[test]
@@ -39,5 +39,5 @@ fn missing_display_is_reported_in_one_line() {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{errors}");
     assert_eq!(errors.lines().count(), 1, "{errors}");
-    assert!(errors.contains("no X display"), "{errors}");
+    assert!(errors.contains("X display is missing"), "{errors}");
 }

@@ -142,7 +142,7 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         }
         execute(file.addr(), program_length, stack);
     }
-    let line = "eightfold: cannot load the dynamic linker\n";
+    let line = "eightfold: dynamic linker cannot be loaded\n";
     fail(line.as_ptr(), line.len());
 }
 

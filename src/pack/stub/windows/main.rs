@@ -115,6 +115,6 @@ unsafe extern "C" fn start() -> usize {
             }
         }
     }
-    let line = "eightfold: cannot protect memory\n";
+    let line = "eightfold: memory cannot be protected\n";
     fail(line.as_ptr(), line.len());
 }

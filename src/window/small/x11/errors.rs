@@ -37,7 +37,7 @@ unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEven
 
 /// Ends the process when the connection breaks, since Xlib must not return.
 unsafe extern "C" fn lost(_: *mut xlib::Display) -> c_int {
-    line::write(line::ERROR, b"eightfold: display lost\n");
+    line::write(line::ERROR, b"eightfold: X display is lost\n");
     // SAFETY: it may be called at any time.
     unsafe { libc::_exit(1) }
 }

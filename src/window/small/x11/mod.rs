@@ -50,7 +50,7 @@ pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
         thread.join();
     }
     match display {
-        0 => Err("no X display"),
+        0 => Err("X display is missing"),
         display => Ok(with_exposed_provenance_mut(display as usize)),
     }
 }
