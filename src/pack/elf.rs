@@ -93,7 +93,7 @@ pub fn header(entry: u64, segments: u16) -> Vec<u8> {
 
 pub fn kind(file: &[u8]) -> Result<u16, Error> {
     if !file.starts_with(b"\x7fELF\x02\x01") || number(file, 18, 2) != 62 {
-        return Err("file is not an x86-64 ELF program".into());
+        return Err("file is in another format; must be x86-64 ELF".into());
     }
     Ok(number(file, 16, 2) as u16)
 }

@@ -64,15 +64,17 @@ impl Executable {
         let ends = self.sections.iter().skip(1).map(|next| next.address);
         let mut places = Vec::new();
         for (section, end) in self.sections.iter().zip(ends.chain([self.end])) {
-            let size = end.checked_sub(section.address);
-            let size = size.filter(|&size| size >= section.bytes.len() as u64);
-            let size = size.ok_or("section overlaps the next one")?;
+            let size = end.saturating_sub(section.address);
+            let (name, length) = (section.name, section.bytes.len() as u64);
+            if size == 0 || length > size {
+                return Err(format!("size of {name} is {length}; must be at most {size}").into());
+            }
             let mut name = [0; 8];
             name[..section.name.len()].copy_from_slice(section.name.as_bytes());
             let length = section.bytes.len() as u32;
             let place = writer.reserve_section(name, section.flags, size as u32, length);
             if u64::from(place.virtual_address) != section.address {
-                return Err("section is not aligned to a page".into());
+                return Err("section start is within a page; must be at its start".into());
             }
             places.push(place.file_offset);
         }

@@ -22,7 +22,7 @@ impl<'a> Stub<'a> {
         let file = object::File::parse(object)?;
         let first = file
             .section_by_name(first)
-            .ok_or("stub section is missing")?;
+            .ok_or_else(|| format!("stub section {first} is missing"))?;
         let mut found = vec![first.index()];
         let mut sections = Vec::new();
         let mut size = 0;
@@ -64,7 +64,7 @@ impl<'a> Stub<'a> {
         if self.link(elf::PAGE, &names)? == bytes {
             Ok(bytes)
         } else {
-            Err("loader is not position-independent".into())
+            Err("loader depends on its address".into())
         }
     }
 
@@ -82,13 +82,18 @@ impl<'a> Stub<'a> {
                 let value = target.wrapping_add_signed(relocation.addend());
                 let relative = value.wrapping_sub(address + place as u64);
                 let RelocationFlags::Elf { r_type } = relocation.flags() else {
-                    return Err("stub is not an ELF file".into());
+                    return Err("stub is in another format; must be ELF".into());
                 };
                 let (value, width) = match r_type {
                     R_X86_64_64 => (value, 8),
                     R_X86_64_32 | R_X86_64_32S => (value, 4),
                     R_X86_64_PC32 | R_X86_64_PLT32 => (relative, 4),
-                    _ => return Err(format!("stub relocation {r_type:?} is not supported").into()),
+                    _ => {
+                        return Err(format!(
+                            "stub relocation is {r_type:?}; must be absolute or relative"
+                        )
+                        .into());
+                    }
                 };
                 let field = bytes
                     .get_mut(place..place + width)

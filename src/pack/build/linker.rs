@@ -8,7 +8,7 @@ use std::{
     process::{Command, ExitStatus},
 };
 
-use super::{order, redirect};
+use super::{at, order, redirect, variable};
 use crate::{Error, System, Version, executable::packed_size, pack_executable};
 
 const LIMIT: usize = 65_536;
@@ -28,7 +28,6 @@ struct Settings {
 
 impl Settings {
     fn from_environment() -> Result<Settings, Error> {
-        let variable = |name| env::var(name).map_err(|error| format!("{name}: {error}"));
         let system = match &*variable(SYSTEM_VARIABLE)? {
             "windows" => System::Windows(Version {
                 name: variable("CARGO_PKG_DESCRIPTION")?,
@@ -53,11 +52,9 @@ impl Settings {
 
     fn run_linker(&self, more: &[OsString], arguments: &[OsString]) -> Result<ExitStatus, Error> {
         let is_wanted = |argument: &&OsString| !self.is_for_windows() || !is_of_linux(argument);
-        Command::new(&self.linker)
-            .args(more)
-            .args(arguments.iter().filter(is_wanted))
-            .status()
-            .map_err(|error| format!("{}: {error}", self.linker).into())
+        let mut linker = Command::new(&self.linker);
+        let linker = linker.args(more).args(arguments.iter().filter(is_wanted));
+        at(&self.linker, linker.status())
     }
 }
 
@@ -82,7 +79,7 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
             eprintln!("warning: this std lacks {missing}; the program may exceed 64 kB");
         }
         let path = directory.join(REDIRECTIONS);
-        fs::write(&path, object)?;
+        at(&path, fs::write(&path, object))?;
         more.push(path.into_os_string());
     }
     let status = settings.run_linker(&more, arguments)?;
@@ -97,15 +94,15 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         option.push(&file);
         more.extend([option, "--no-warn-symbol-ordering".into()]);
         let link = |order: &[String]| -> Result<Vec<u8>, Error> {
-            fs::write(&file, order.join("\n"))?;
+            at(&file, fs::write(&file, order.join("\n")))?;
             let status = settings.run_linker(&more, arguments)?;
             if !status.success() {
-                return Err("linker refuses an order of functions".into());
+                return Err(format!("{} failed: {status}", settings.linker).into());
             }
-            Ok(fs::read(&path)?)
+            at(&path, fs::read(&path))
         };
         let mut best = (usize::MAX, Vec::new());
-        for order in order::by_likeness(&fs::read(&path)?)? {
+        for order in order::by_likeness(&at(&path, fs::read(&path))?)? {
             let size = packed_size(&link(&order)?).unwrap_or(usize::MAX - 1);
             if size < best.0 {
                 best = (size, order);
@@ -116,9 +113,11 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     // Keep the unpacked program under cargo's name, whose hash depends on the features.
     let mut name = path.file_name().ok_or("output has no name")?.to_owned();
     name.push(".unpacked");
-    fs::copy(&path, directory.with_file_name(name))?;
-    let program = fs::read(&path)?;
-    let stub = fs::read(directory.join(STUB))?;
+    let unpacked = directory.with_file_name(name);
+    at(&unpacked, fs::copy(&path, &unpacked))?;
+    let program = at(&path, fs::read(&path))?;
+    let stub = directory.join(STUB);
+    let stub = at(&stub, fs::read(&stub))?;
     let file = match pack_executable(&program, &stub, &settings.system) {
         Err(error) if !settings.is_for_windows() => {
             eprintln!("warning: the program is not packed: {error}");
@@ -128,11 +127,12 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     };
     if file.len() > LIMIT {
         let size = file.len();
-        eprintln!("warning: program size is {size} bytes; a 64 kB intro has at most {LIMIT}");
+        eprintln!("warning: program size is {size}; must be at most {LIMIT}");
     }
-    fs::write(&path, &file)?;
+    at(&path, fs::write(&path, &file))?;
     if settings.is_for_windows() {
-        fs::write(name_for_windows(&path)?, &file)?;
+        let path = name_for_windows(&path)?;
+        at(&path, fs::write(&path, &file))?;
     }
     Ok(0)
 }
@@ -160,7 +160,7 @@ fn expand(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
             .and_then(|argument| argument.strip_prefix('@'))
         {
             Some(file) => words.extend(
-                fs::read_to_string(file)?
+                at(file, fs::read_to_string(file))?
                     .split_whitespace()
                     .map(|word| OsString::from(word.trim_matches('"'))),
             ),

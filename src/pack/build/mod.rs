@@ -19,7 +19,7 @@ mod redirect;
 mod toolchain;
 
 use std::{
-    env, fs,
+    env, fs, io,
     path::{Path, PathBuf},
     process::Command,
 };
@@ -53,19 +53,32 @@ pub fn main(program: &str) {
     }
 }
 
+/// Begins an error with the path.
+fn at<T>(path: impl AsRef<Path>, done: io::Result<T>) -> Result<T, Error> {
+    done.map_err(|why| format!("{}: {why}", path.as_ref().display()).into())
+}
+
+fn variable(name: &str) -> Result<String, Error> {
+    env::var(name).map_err(|_| format!("{name} is unset or not UTF-8").into())
+}
+
 fn prepare(program: &str) -> Result<(), Error> {
     let toolchain = Toolchain::find()?;
-    let output = PathBuf::from(env::var("OUT_DIR")?);
+    let output = PathBuf::from(variable("OUT_DIR")?);
     let is_for_windows = env::var_os("CARGO_FEATURE_WINDOWS").is_some();
     let system = if is_for_windows { "windows" } else { "linux" };
     let directory = output.join("linker");
-    fs::create_dir_all(&directory)?;
+    at(&directory, fs::create_dir_all(&directory))?;
     let own = env::current_exe()?;
     let linker = directory.join(LINKER);
     if linker.exists() {
-        fs::remove_file(&linker)?;
+        at(&linker, fs::remove_file(&linker))?;
     }
-    fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
+    let linked = fs::hard_link(&own, &linker);
+    at(
+        &linker,
+        linked.or_else(|_| fs::copy(&own, &linker).map(|_| ())),
+    )?;
     compile_stub(&toolchain, system, &directory.join(STUB))?;
     println!("cargo::rustc-env={LINKER_VARIABLE}={}", toolchain.linker);
     println!("cargo::rustc-env={SYSTEM_VARIABLE}={system}");
@@ -123,10 +136,11 @@ fn compile_stub(toolchain: &Toolchain, system: &str, object: &Path) -> Result<()
         .args((system == "windows").then_some("-Cno-redzone=yes"))
         .arg("-o")
         .args([object, &source])
-        .status()?;
-    if done.success() {
+        .status();
+    let status = at(&toolchain.rustc, done)?;
+    if status.success() {
         Ok(())
     } else {
-        Err("rustc failed to compile the stub".into())
+        Err(format!("{}: rustc failed: {status}", source.display()).into())
     }
 }

@@ -24,7 +24,7 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
     let file = object::File::parse(program)?;
     let section = file
         .section_by_name(".text")
-        .ok_or("program has no section .text")?;
+        .ok_or("section .text is missing")?;
     let code = section.data()?;
     let mut functions = Vec::new();
     for symbol in file.symbols() {

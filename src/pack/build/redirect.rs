@@ -25,6 +25,7 @@ use object::{
     read::archive::ArchiveFile, write,
 };
 
+use super::at;
 use crate::{Error, panics::ABORT};
 
 /// The last three have inlined copies of the others' functions.
@@ -111,7 +112,7 @@ fn libraries(words: &[OsString]) -> Vec<PathBuf> {
 fn symbols(libraries: &[PathBuf]) -> Result<Vec<String>, Error> {
     let mut names = Vec::new();
     for library in libraries {
-        let data = fs::read(library)?;
+        let data = at(library, fs::read(library))?;
         for member in ArchiveFile::parse(&*data)?.members() {
             let member = member?;
             if !member.name().ends_with(b".o") {

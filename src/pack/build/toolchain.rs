@@ -5,6 +5,7 @@ use std::{
     process::Command,
 };
 
+use super::{at, variable};
 use crate::Error;
 
 pub const TARGET: &str = "x86_64-unknown-linux-gnu";
@@ -16,16 +17,17 @@ pub struct Toolchain {
 
 impl Toolchain {
     pub fn find() -> Result<Toolchain, Error> {
-        let target = env::var("TARGET")?;
+        let target = variable("TARGET")?;
         if target != TARGET {
             return Err(format!("target is {target}; must be {TARGET}").into());
         }
         let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
-        let output = Command::new(&rustc).args(["--print", "sysroot"]).output()?;
+        let output = Command::new(&rustc).args(["--print", "sysroot"]).output();
+        let output = at(&rustc, output)?;
         let sysroot = PathBuf::from(String::from_utf8(output.stdout)?.trim());
         let own = sysroot
             .join("lib/rustlib")
-            .join(env::var("HOST")?)
+            .join(variable("HOST")?)
             .join("bin/gcc-ld/ld.lld");
         let own = own.to_str().filter(|_| own.exists());
         let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
@@ -62,7 +64,7 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
             "link-arg" | "link-args" => {
                 for word in value.split(' ') {
                     if word.starts_with("--ld-path") {
-                        return Err(format!("linker option {word} is not supported").into());
+                        return Err(format!("linker option is {word}; must be -fuse-ld").into());
                     }
                     chosen = word.strip_prefix("-fuse-ld=").or(chosen);
                 }
@@ -76,7 +78,7 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
         .unwrap_or_default()
         .to_string_lossy();
     if name.ends_with("ld") || name.ends_with("ld.lld") || name == "mold" {
-        return Err(format!("linker is {compiler}; must be called by a C compiler").into());
+        return Err(format!("linker is {compiler}; must be a C compiler").into());
     }
     Ok(match (chosen, own) {
         (Some(path), _) if path.contains('/') => path.into(),

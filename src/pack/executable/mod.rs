@@ -32,11 +32,11 @@ impl Memory {
         let loads = segments.iter().filter(|segment| segment.kind == elf::LOAD);
         let starts = loads.clone().map(|load| load.address);
         let ends = loads.map(|load| load.address.saturating_add(load.size));
-        let start = starts.min().ok_or("program has no loaded segment")? / elf::PAGE * elf::PAGE;
+        let start = starts.min().ok_or("loaded segment is missing")? / elf::PAGE * elf::PAGE;
         let end = ends.max().unwrap_or_default();
         // The stub's addresses are 32-bit signed integers.
         if end > 1 << 31 {
-            return Err("program is linked above 2 GB".into());
+            return Err(format!("end of program is {end:#x}; must be at most 0x80000000").into());
         }
         Ok(Memory { start, end })
     }
@@ -78,14 +78,14 @@ pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
 fn encode_both(unpacked: &[u8]) -> Result<Vec<u8>, Error> {
     if unpacked.len() > LONGEST {
         return Err(format!(
-            "program size is {} bytes; must be at most {LONGEST}",
+            "program size is {}; must be at most {LONGEST}",
             unpacked.len()
         )
         .into());
     }
     let packed = encode(unpacked);
     if decode(&packed, unpacked.len())? != unpacked {
-        return Err("unpacking does not restore the program".into());
+        return Err("unpacked program differs from the original".into());
     }
     Ok(packed)
 }

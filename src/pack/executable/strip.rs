@@ -17,8 +17,9 @@ const BIND_NOW: u64 = 8;
 /// # Errors
 /// If `program` is not an executable at fixed addresses.
 pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
-    if elf::kind(program)? != elf::EXECUTABLE {
-        return Err("program is not linked at fixed addresses".into());
+    let kind = elf::kind(program)?;
+    if kind != elf::EXECUTABLE {
+        return Err(format!("ELF type is {kind}; must be 2 (fixed addresses)").into());
     }
     let file = object::File::parse(program)?;
     let range = |name| Some(Section::find(&file, name)?.range);

@@ -64,7 +64,11 @@ impl Memory {
             .start
             .checked_sub(size.next_multiple_of(BASE_ALIGNMENT));
         let base = base.filter(|&base| base != 0 && base % BASE_ALIGNMENT == 0);
-        base.ok_or_else(|| "program leaves no space for headers before it".into())
+        base.ok_or_else(|| {
+            let start = self.start;
+            format!("program start is {start:#x}; must be a multiple of 0x10000, above {size:#x}")
+                .into()
+        })
     }
 }
 
