@@ -5,16 +5,28 @@ use cpu_time::ThreadTime;
 use eightfold_tracer::Frame;
 use eightfold_web::{draw, resize, set_model, set_quality};
 use std::io::{BufRead, Error, Write, stdin, stdout};
+use std::process::exit;
 
-fn main() -> Result<(), Error> {
+fn main() {
+    if let Err(error) = run() {
+        eprintln!("speed: {error}");
+        exit(1);
+    }
+}
+
+fn run() -> Result<(), Error> {
     let (width, height) = (1024, 768);
     resize(width, height);
     for line in stdin().lock().lines() {
         let line = line?;
-        let (place, time) = line.split_once(' ').unwrap_or_default();
+        let order = line
+            .split_once(' ')
+            .and_then(|(place, time)| Some((place.parse().ok()?, time.parse().ok()?)));
+        let message = || format!("line is '{line}'; must be QUALITY SECONDS");
+        let (place, time) = order.ok_or_else(|| Error::other(message()))?;
         let start = ThreadTime::now();
-        set_model(time.parse().map_err(Error::other)?);
-        set_quality(place.parse().map_err(Error::other)?, false);
+        set_model(time);
+        set_quality(place, false);
         let (mut pass, mut passes) = (0, 1);
         while pass < passes {
             passes = draw(0, height, pass, 0.0, Frame::PROBES, pass as u32);

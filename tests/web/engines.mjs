@@ -59,16 +59,16 @@ const label = "document.getElementById('play').getAttribute('aria-label')";
 /** Faults of hosts and browsers, each with the message of the page. */
 const faults = {
   "a host that has a module unpacked": [{ change: (path) => path.endsWith(".bin") && { more: { "content-encoding": "gzip" } } }, null],
-  "a host without the fast module": [{ change: (path) => path === "/eightfold.bin" && { status: 404 } }, /eightfold\.bin is missing \(HTTP 404\)/],
+  "a host without the fast module": [{ change: (path) => path === "/eightfold.bin" && { status: 404 } }, /eightfold\.bin: HTTP status is 404; must be 200/],
   "a host with half of the fast module": [{ change: (path, own) => path === "/eightfold.bin" && { bytes: own.subarray(0, own.length / 2) } }, /eightfold\.bin is cut short or damaged/],
-  "a host without modules": [{ change: (path) => path.endsWith(".bin") && { status: 404 } }, /can.t be played: eightfold\.bin is missing \(HTTP 404\), and plain\.bin is missing/],
+  "a host without modules": [{ change: (path) => path.endsWith(".bin") && { status: 404 } }, /can.t be played: eightfold\.bin: HTTP status is 404; must be 200, and plain\.bin: HTTP/],
   "a host with another page in place of modules": [{ change: (path) => path.endsWith(".bin") && { bytes: "<!DOCTYPE html>" } }, /can.t be played: eightfold\.bin is cut short or damaged/],
   "a host without a script": [{ change: (path) => path === "/clock.js" && { status: 404 } }, /can.t be played: .*(module|import)/i],
   "a host without the worker's script": [{ change: (path) => path === "/worker.js" && { status: 404 } }, /worker\.js can't be loaded/],
   "a sandboxed frame": [{ headers: { "content-security-policy": "sandbox allow-scripts" } }, /sandboxed/],
   "a sandboxed frame of a host that lets others read": [{ headers: { "content-security-policy": "sandbox allow-scripts", "access-control-allow-origin": "*" } }, /sandboxed/],
   "a browser that starts no workers": [{ before: "Worker = class { constructor() { throw new Error('as if'); } }" }, /worker.*as if/],
-  "a browser without WebAssembly": [{ before: "delete globalThis.WebAssembly" }, /no WebAssembly/],
+  "a browser without WebAssembly": [{ before: "delete globalThis.WebAssembly" }, /WebAssembly is missing/],
 };
 
 const tests = {
@@ -156,7 +156,7 @@ const tests = {
     await page.value("Object.defineProperty(eightfold.clock.context, 'currentTime', { get: () => 7, configurable: true }), true");
     const last = await page.value("eightfold.clock.time()");
     await page.until(`eightfold.clock.time() > ${last + 1} && !eightfold.clock.hasSound`);
-    assert.match(await page.textOf("notice"), /^There is no sound: /);
+    assert.match(await page.textOf("notice"), /^Sound is off: /);
     assert.equal(await page.value(label), "Pause");
     await page.value("delete eightfold.clock.context.currentTime");
     await page.until("eightfold.clock.hasSound && !eightfold.clock.isMoving");
@@ -169,7 +169,7 @@ const silent = {
     await page.go(site.address);
     await page.click("#start");
     await page.until("eightfold.clock.isPlaying && eightfold.clock.time() > 1");
-    assert.match(await page.textOf("notice"), /^There is no sound: /);
+    assert.match(await page.textOf("notice"), /^Sound is off: /);
     assert.equal(await page.value(label), "Pause");
     await page.click("#play");
     await page.until(`${label} === "Play"`);

@@ -428,7 +428,11 @@ const tests = {
     await input("scene-text", text.replace("radius: 1.0", "radius: -1.0"));
     await page.until("document.getElementById('scene-fault').textContent !== ''");
     const line = text.split("\n").findIndex((line) => line.includes("radius: 1.0")) + 1;
-    assert.match(await textOf("scene-fault"), new RegExp(`^Line ${line}, column \\d+: spheres\\[0\\].radius is -1`));
+    assert.match(await textOf("scene-fault"), new RegExp(`^Line ${line}, column \\d+: spheres\\[0\\].radius is -1; must be `));
+    // Its example is missing.
+    const names = "const names = document.getElementById('scene-name'); names.append(new Option('gone')); names.value = 'gone';";
+    await page.value(`(() => { ${names} names.dispatchEvent(new Event("change")); })()`);
+    await page.until("document.getElementById('scene-fault').textContent === 'scenes/gone.ron: HTTP status is 404; must be 200.'");
     await input("scene-text", text);
     await page.until("document.getElementById('scene-fault').textContent === '' && eightfold.view.source === 'file' && !eightfold.isStale()");
   },

@@ -49,7 +49,7 @@ export class Clock {
   }
 
   async begin() {
-    if (!globalThis.isSecureContext) throw new Error("browsers play it on https and localhost only");
+    if (!globalThis.isSecureContext) throw new Error("page address must be https or localhost");
     const context = new AudioContext({ sampleRate: this.rate, latencyHint: "playback" });
     await context.audioWorklet.addModule(new URL("sound.js", import.meta.url));
     const node = new AudioWorkletNode(context, "eightfold", {

@@ -10,7 +10,7 @@ export class Editor {
   constructor(module, show) {
     Object.assign(this, { module, show });
     get("scene-text").addEventListener("input", () => this.take());
-    get("scene-name").addEventListener("change", ({ target }) => this.load(target.value).then(() => this.take()));
+    get("scene-name").addEventListener("change", ({ target }) => this.load(target.value).then((isLoaded) => isLoaded && this.take()));
     this.load(get("scene-name").value);
   }
 
@@ -18,12 +18,21 @@ export class Editor {
     return get("scene-text").value;
   }
 
-  /** Loads an example. */
+  /** Loads an example. On failure shows the reason and returns false. */
   async load(name) {
-    const text = await (await fetch(new URL(`scenes/${name}.ron`, import.meta.url))).text();
-    // Unless a text from the address has replaced it meanwhile.
-    if (get("scene-name").value === name && !this.isShared) get("scene-text").value = text;
-    this.isShared = false;
+    const file = `scenes/${name}.ron`;
+    try {
+      const response = await fetch(new URL(file, import.meta.url));
+      if (!response.ok) throw new Error(`HTTP status is ${response.status}; must be 200`);
+      const text = await response.text();
+      // Unless a text from the address has replaced it meanwhile.
+      if (get("scene-name").value === name && !this.isShared) get("scene-text").value = text;
+      this.isShared = false;
+      return true;
+    } catch ({ message }) {
+      get("scene-fault").textContent = `${file}: ${message}.`;
+      return false;
+    }
   }
 
   /** Shows the scene, or the error. */

@@ -23,7 +23,7 @@ export class Frames {
     try {
       return new Worker(new URL("worker.js", import.meta.url), { type: "module" });
     } catch ({ message }) {
-      throw new Error(`the browser starts no workers here: ${message}`);
+      throw new Error(`workers can't be started: ${message}`);
     }
   }
 

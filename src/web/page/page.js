@@ -42,7 +42,7 @@ const SHAPES = { play: "M7 4v16l13-8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z" };
 const SIMD = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11);
 
 const missing = ["WebAssembly", "DecompressionStream", "Worker"].filter((name) => !(name in globalThis));
-if (missing.length > 0) throw new Error(`this browser has no ${missing.join(", no ")}`);
+if (missing.length > 0) throw new Error(`${missing.join(" and ")} is missing in this browser`);
 const hasSimd = WebAssembly.validate(SIMD);
 const faults = [];
 const code = (hasSimd && (await tryToLoad("eightfold.bin"))) || (await tryToLoad("plain.bin"));
@@ -71,7 +71,7 @@ async function tryToLoad(name) {
     const response = await fetch(new URL(name, import.meta.url)).catch(() => {
       throw new Error(`${name} can't be fetched`);
     });
-    if (!response.ok) throw new Error(`${name} is missing (HTTP ${response.status})`);
+    if (!response.ok) throw new Error(`${name}: HTTP status is ${response.status}; must be 200`);
     const bytes = await unpack(response).catch(() => {
       throw new Error(`${name} is cut short or damaged`);
     });
@@ -302,18 +302,18 @@ async function toggle() {
     clock.pause();
   } else {
     view.isPoster = false;
-    await clock.open().catch(({ message }) => notify(`There is no sound: ${message}.`));
+    await clock.open().catch(({ message }) => notify(`Sound is off: ${message}.`));
     if (view.isHeld) module.calls.govern(HELD);
     await clock.play();
-    if (!clock.hasSound && !get("notice").textContent) notify("There is no sound: the browser has no device for it.");
+    if (!clock.hasSound && !get("notice").textContent) notify("Sound is off: its device is missing.");
   }
   update();
 }
 
 /** Shows that the browser has stopped or resumed the sound. */
 clock.onChange = () => {
-  const silence = clock.hasSound ? "" : "There is no sound: its device has stopped.";
-  notify(clock.isPlaying ? silence : "The browser has stopped the sound. Play goes on with it.");
+  const silence = clock.hasSound ? "" : "Sound is off: its device has stopped.";
+  notify(clock.isPlaying ? silence : "The browser stopped the sound; press Play to continue.");
   update();
 };
 
@@ -364,7 +364,7 @@ function fit() {
 }
 
 function toggleFullscreen() {
-  document.fullscreenElement ? document.exitFullscreen() : get("stage").requestFullscreen().catch((error) => notify(error.message));
+  document.fullscreenElement ? document.exitFullscreen() : get("stage").requestFullscreen().catch(({ message }) => notify(`Fullscreen can't be opened: ${message}.`));
 }
 
 function toggleSound() {
@@ -391,7 +391,7 @@ async function share() {
   if (view.source === "file") state.scene = await editor.packed();
   history.replaceState(null, "", `#${new URLSearchParams(state)}`);
   const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
-  notify(copied ? "The address of this picture is in the clipboard." : "The address of this picture is that of the page now.");
+  notify(copied ? "The address of this picture is in the clipboard." : "The address bar has the address of this picture.");
 }
 
 /** Shows the view of an address. */
