@@ -145,9 +145,9 @@ fn syntax_message(text: &str, error: &SpannedError) -> String {
     let Some(expected) = expected.and_then(|words| words.split(" but found").next()) else {
         return why;
     };
-    let line = text.lines().nth(error.span.start.line - 1);
+    let line = text.lines().nth(error.span.start.line.saturating_sub(1));
     let rest = line.unwrap_or_default().chars();
-    let rest: String = rest.skip(error.span.start.col - 1).collect();
+    let rest: String = rest.skip(error.span.start.col.saturating_sub(1)).collect();
     let found = rest.split_whitespace().next().unwrap_or_default();
     format!("text is '{found}'; must be {expected}")
 }

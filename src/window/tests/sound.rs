@@ -133,16 +133,21 @@ fn null_device_keeps_time(folder: &Path) {
 }
 
 fn time_continues_without_sound(folder: &Path) {
-    hold(folder, "", PLAIN, Some("no sound device"));
+    hold(folder, "", PLAIN, Some("sound device is missing"));
     // It opens, and then ALSA reports "Rate doesn't match (requested 48000Hz, get 44100Hz)".
     let other_rate = "pcm.nothing { type null }
         pcm.default { type share, slave { pcm nothing, rate 44100, channels 2 }, bindings { 0 0, 1 1 } }";
-    let why = "sound device refuses 48 kHz stereo";
+    let why = "sound device lacks 48 kHz stereo";
     hold(folder, other_rate, PLAIN, Some(why));
     // The file limit is half a second of sound; the signal for it is ignored.
     let short = folder.join("short.raw");
     let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
-    hold(folder, &to_file(&short), command, Some("sound device lost"));
+    hold(
+        folder,
+        &to_file(&short),
+        command,
+        Some("sound device is lost"),
+    );
     let played = fs::metadata(short).expect("it was played").len();
     assert!(played > 100_000, "{played} bytes before it disappeared");
     fs::write(folder.join("libasound.so.2"), "not a library").expect("it is written");
@@ -230,7 +235,7 @@ fn time_starts_with_the_device(library: &Path) {
 
 fn unresponsive_device_is_skipped(library: &Path) {
     let never = ("SIMULATED_SLOW", 1000 * SECOND);
-    let why = Some("sound device does not open");
+    let why = Some("sound device does not answer");
     let (times, played) = simulate(library, 20, never, why);
     assert!(played.is_empty());
     let (start, _) = times[0];
