@@ -54,10 +54,7 @@ impl Motion {
         let mut motion = Self::deserialize(&node)?;
         for key in keys.iter().flat_map(|keys| &keys.parts) {
             let [time, value] = &key.parts[..] else {
-                let message = format!(
-                    "key length is {}; must be 2: seconds, value",
-                    key.parts.len()
-                );
+                let message = format!("key length is {}; must be 2: time, value", key.parts.len());
                 return Err(Mistake::new(key.at, message));
             };
             let at = key.at;

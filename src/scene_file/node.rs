@@ -181,11 +181,9 @@ impl Mistake {
         if name.is_empty() || !message.starts_with(['.', '[', ' ']) {
             return Self::new(at, message);
         }
-        let is_index = name.parse::<usize>().is_ok();
-        let path = if is_index {
-            format!("[{name}]")
-        } else {
-            format!(".{name}")
+        let path = match name.parse::<usize>() {
+            Ok(_) => format!("[{name}]"),
+            Err(_) => format!(".{name}"),
         };
         Self::new(at, path + &message)
     }

@@ -13,7 +13,6 @@ fn bad_argument_is_named_in_one_line() {
             "flag is '--bogus'; must be one that --help lists",
         ),
         (&[""], "--help"),
-        (&["--sizes", "10x10"], "--sizes"),
         (&["--loop=1"], "--loop is '1'; must be without a value"),
         (&["--loop\x1b[31m"], "--loop?[31m"),
         (&["--size"], "--size has no value; must be WxH: size of "),

@@ -100,18 +100,6 @@ fn missing_linker_or_descriptors_are_one_line() {
 }
 
 #[test]
-fn missing_sound_device_is_named_in_one_line() {
-    let mut command = Command::new(intro());
-    command.args(["--seconds", "0.2", "--size", "64x48"]);
-    command.env_remove("DISPLAY");
-    let (output, said) = run(command.env("ALSA_CONFIG_PATH", "/dev/null"));
-    assert_eq!(output.status.code(), Some(0));
-    assert_eq!(said.lines().count(), 1, "{said}");
-    let silent = "eightfold: sound device is missing; playing silently\n";
-    assert_eq!(texts(&output).1, [NO_SCREEN, silent].concat());
-}
-
-#[test]
 fn display_that_cannot_be_opened_counts_as_none() {
     for display in ["", ":54321", "nonsense", "localhost:54321"] {
         let (output, _) = run(headless("--seconds 0.1").env("DISPLAY", display));

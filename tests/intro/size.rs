@@ -104,7 +104,7 @@ fn damaged_or_cut_intro_says_so() {
 /// Linux kills a program silently if its headers ask for more memory than it may have.
 #[test]
 fn too_little_memory_is_named_in_one_line() {
-    let told = "eightfold: needs 105 MB of memory\n";
+    let told = "eightfold: memory is below 105 MB\n";
     for (kilobytes, told) in [(80_000, told), (105_000_000_u32.div_ceil(1024), "")] {
         let mut bash = Command::new("bash");
         let limited = format!("ulimit -d {kilobytes}; exec \"$0\" --version");

@@ -117,21 +117,13 @@ fn prepare(program: &str) -> Result<(), Error> {
 fn compile_stub(toolchain: &Toolchain, system: &str, object: &Path) -> Result<(), Error> {
     let source = Path::new(SOURCE).join("stub").join(system).join("main.rs");
     let done = Command::new(&toolchain.rustc)
-        .args([
-            "--edition=2024",
-            "--crate-type=bin",
-            "--crate-name=stub",
-            "--emit=obj",
-        ])
+        .args("--edition=2024 --crate-type=bin --crate-name=stub --emit=obj".split(' '))
         .args(["--target", toolchain::TARGET])
-        .args([
-            "-Cpanic=abort",
-            // `s` inlines loops over iterators, which `z` does not.
-            "-Copt-level=s",
-            "-Cjump-tables=no",
-            "-Crelocation-model=static",
-            "-Ccodegen-units=1",
-        ])
+        .args(
+            "-Cpanic=abort -Cjump-tables=no -Crelocation-model=static -Ccodegen-units=1".split(' '),
+        )
+        // `s` inlines loops over iterators, which `z` does not.
+        .arg("-Copt-level=s")
         // Windows may overwrite memory below the stack pointer at any time.
         .args((system == "windows").then_some("-Cno-redzone=yes"))
         .arg("-o")

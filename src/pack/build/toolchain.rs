@@ -98,24 +98,17 @@ mod tests {
 
     #[test]
     fn linker_matches_flags() {
-        for (flags, expected) in [
-            ("", "own"),
-            ("-Ctarget-cpu=native --cfg linker", "own"),
-            ("-Clinker-features=-lld", "ld"),
-            (
-                "-C linker-features=-lld -C link-arg=-fuse-ld=gold",
-                "ld.gold",
-            ),
-            (
-                "-Clink-arg=-fuse-ld=gold --codegen link-arg=-fuse-ld=mold",
-                "ld.mold",
-            ),
-            (
-                "-Clinker=/usr/bin/clang-19 -Clink-arg=-fuse-ld=/opt/mold",
-                "/opt/mold",
-            ),
-            ("-Clinker-flavor=gnu-lld-cc", "own"),
-        ] {
+        for row in "= own
+            -Ctarget-cpu=native --cfg linker = own
+            -Clinker-features=-lld = ld
+            -C linker-features=-lld -C link-arg=-fuse-ld=gold = ld.gold
+            -Clink-arg=-fuse-ld=gold --codegen link-arg=-fuse-ld=mold = ld.mold
+            -Clinker=/usr/bin/clang-19 -Clink-arg=-fuse-ld=/opt/mold = /opt/mold
+            -Clinker-flavor=gnu-lld-cc = own"
+            .lines()
+        {
+            let (flags, expected) = row.trim().rsplit_once("= ").expect("two columns");
+            let flags = flags.trim();
             assert_eq!(chosen(flags).as_deref(), Some(expected), "{flags}");
         }
     }

@@ -40,21 +40,8 @@ impl Version {
         let (high, low) = (part() << 16 | part(), part() << 16);
         // VS_FIXEDFILEINFO: signature, its version, file version, product version, mask of valid flags, flags, Windows NT, program,
         // subtype, date.
-        let fixed = [
-            0xfeef_04bd,
-            0x1_0000,
-            high,
-            low,
-            high,
-            low,
-            63,
-            0,
-            0x4_0004,
-            1,
-            0,
-            0,
-            0,
-        ];
+        #[rustfmt::skip]
+        let fixed = [0xfeef_04bd, 0x1_0000, high, low, high, low, 63, 0, 0x4_0004, 1, 0, 0, 0];
         let strings = [
             ("FileDescription", &self.name),
             ("FileVersion", &self.number),
@@ -69,15 +56,10 @@ impl Version {
             .collect();
         let table = node("040904b0", true, 0, Vec::new(), &strings);
         let translation = [0x409_u16, 1200].map(u16::to_le_bytes).concat();
+        let translation = node("Translation", false, 4, translation, &[]);
         let children = [
             node("StringFileInfo", true, 0, Vec::new(), &[table]),
-            node(
-                "VarFileInfo",
-                true,
-                0,
-                Vec::new(),
-                &[node("Translation", false, 4, translation, &[])],
-            ),
+            node("VarFileInfo", true, 0, Vec::new(), &[translation]),
         ];
         let fixed = fixed.map(u32::to_le_bytes).concat();
         node("VS_VERSION_INFO", false, fixed.len(), fixed, &children)

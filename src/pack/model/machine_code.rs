@@ -327,6 +327,7 @@ mod tests {
     use crate::new_model;
 
     /// Instructions with every kind of field, as an assembler encodes them.
+    #[rustfmt::skip]
     const CODE: [(&[u8], &str); 16] = [
         (&[0xc3], "ret"),
         (&[0x48, 0x89, 0xd8], "mov rax, rbx"),
@@ -334,10 +335,7 @@ mod tests {
         (&[0x48, 0x8d, 0x05, 1, 2, 3, 4], "lea rax, [rip + ...]"),
         (&[0xe8, 1, 2, 3, 4], "call"),
         (&[0x0f, 0x84, 1, 2, 3, 4], "je"),
-        (
-            &[0x81, 0x3c, 0x25, 1, 2, 3, 4, 5, 6, 7, 8],
-            "cmp dword ptr [...], ...",
-        ),
+        (&[0x81, 0x3c, 0x25, 1, 2, 3, 4, 5, 6, 7, 8], "cmp dword ptr [...], ..."),
         (&[0xf7, 0xc1, 1, 2, 3, 4], "test ecx, ..."),
         (&[0xf7, 0xd9], "neg ecx"),
         (&[0x49, 0xb8, 1, 2, 3, 4, 5, 6, 7, 8], "movabs r8, ..."),
@@ -345,14 +343,8 @@ mod tests {
         (&[0x66, 0x41, 0xc7, 0x07, 1, 2], "mov word ptr [r15], ..."),
         (&[0xf0, 0x48, 0x0f, 0xc1, 0x07], "lock xadd [rdi], rax"),
         (&[0xc5, 0xf8, 0x28, 0xc1], "vmovaps xmm0, xmm1"),
-        (
-            &[0xc4, 0xe3, 0x79, 0x0f, 0xc1, 4],
-            "vpalignr xmm0, xmm0, xmm1, 4",
-        ),
-        (
-            &[0x62, 0xf1, 0x7c, 0x48, 0x58, 0x05, 1, 2, 3, 4],
-            "vaddps zmm0, zmm0, [rip + ...]",
-        ),
+        (&[0xc4, 0xe3, 0x79, 0x0f, 0xc1, 4], "vpalignr xmm0, xmm0, xmm1, 4"),
+        (&[0x62, 0xf1, 0x7c, 0x48, 0x58, 0x05, 1, 2, 3, 4], "vaddps zmm0, zmm0, [rip + ...]"),
     ];
 
     #[test]

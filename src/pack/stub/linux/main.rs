@@ -115,7 +115,7 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         ]
     };
     if is_error(mapped) || is_error(program) {
-        let line = "eightfold: needs 105 MB of memory\n";
+        let line = "eightfold: memory is below 105 MB\n";
         fail(line.as_ptr(), line.len());
     }
     let memory = mapped.next_multiple_of(HUGE_PAGE);

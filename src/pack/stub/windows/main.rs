@@ -98,7 +98,7 @@ unsafe extern "C" fn start() -> usize {
     let memory =
         unsafe { (system.allocate)(0, size_of::<Model>() + length, COMMIT_RESERVE, READ_WRITE) };
     if memory == 0 {
-        let line = "eightfold: needs 70 MB of memory\n";
+        let line = "eightfold: memory is below 70 MB\n";
         fail(line.as_ptr(), line.len());
     }
     // SAFETY: the memory is large enough, and the packer has packed an executable and the loader.
