@@ -62,11 +62,11 @@ pub fn persist(part: NamedTempFile, name: &Path) -> Result<()> {
     persisted.map(drop).with_context(|| cannot("write", name))
 }
 
-pub fn cannot(do_it: &str, name: &Path) -> String {
+pub fn cannot(verb: &str, name: &Path) -> String {
     if name == Path::new("-") {
-        format!("standard output: cannot {do_it}")
+        format!("standard output: cannot {verb}")
     } else {
-        format!("{}: cannot {do_it}", name.display())
+        format!("{}: cannot {verb}", name.display())
     }
 }
 

@@ -75,8 +75,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(name) = &arguments.audio {
         let sound = recorder.sound(&frames);
         let scene = arguments.scene;
-        let error = || Exit::bad_input(format!("--scene is {scene}; must be of the show"));
-        output::write(name, &wav::wav(&sound.ok_or_else(error)?))?;
+        let message = format!("--scene is {scene}; must be of the show for --audio");
+        let sound = sound.ok_or_else(|| Exit::bad_input(message))?;
+        output::write(name, &wav::wav(&sound))?;
     }
     if let Some(folder) = &arguments.png {
         write_files(&mut recorder, frames, folder)
