@@ -27,11 +27,12 @@ export class Editor {
       const text = await response.text();
       // Unless a text from the address has replaced it meanwhile.
       if (get("scene-name").value === name && !this.isShared) get("scene-text").value = text;
-      this.isShared = false;
       return true;
     } catch ({ message }) {
-      get("scene-fault").textContent = `${file}: ${message}.`;
+      if (!this.isShared) get("scene-fault").textContent = `${file}: ${message}.`;
       return false;
+    } finally {
+      this.isShared = false;
     }
   }
 
