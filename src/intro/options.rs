@@ -77,9 +77,7 @@ impl Misuse {
                 errors.text(flag.name).text(" is '").printable(given);
                 flag.write_range(errors.text("'"));
             }
-            Misuse::TwoQualities => {
-                errors.text("--quality conflicts with another quality");
-            }
+            Misuse::TwoQualities => _ = errors.text("--quality conflicts with another quality"),
         }
         errors.text("\n").flush();
     }

@@ -20,9 +20,8 @@ impl<'a> Stub<'a> {
     /// Lays out the section `first` and all sections that it refers to.
     pub fn read(object: &'a [u8], first: &str) -> Result<Stub<'a>, Error> {
         let file = object::File::parse(object)?;
-        let first = file
-            .section_by_name(first)
-            .ok_or_else(|| format!("stub section {first} is missing"))?;
+        let missing = || format!("stub section {first} is missing");
+        let first = file.section_by_name(first).ok_or_else(missing)?;
         let mut found = vec![first.index()];
         let mut sections = Vec::new();
         let mut size = 0;

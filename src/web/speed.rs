@@ -8,10 +8,10 @@ use std::io::{BufRead, Error, Write, stdin, stdout};
 use std::process::exit;
 
 fn main() {
-    if let Err(error) = run() {
+    run().unwrap_or_else(|error| {
         eprintln!("speed: {error}");
-        exit(1);
-    }
+        exit(1)
+    });
 }
 
 fn run() -> Result<(), Error> {

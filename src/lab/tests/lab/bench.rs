@@ -128,10 +128,8 @@ fn signal_keeps_figures() {
     assert_eq!(rows.len(), 6);
     for row in &rows {
         assert!((1.0..100_000.0).contains(&number(row, "frames")), "{row}");
-        assert!(
-            row["pops"].is_null() && number(row, "ms_median") > 0.0,
-            "{row}"
-        );
+        assert!(row["pops"].is_null(), "{row}");
+        assert!(number(row, "ms_median") > 0.0, "{row}");
     }
     let table = String::from_utf8(output.stdout).unwrap();
     assert_eq!(cells(&table).len(), 1 + 6);

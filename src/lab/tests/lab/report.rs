@@ -39,10 +39,8 @@ fn parts_show_results_of_their_commands() {
         .strip_prefix(command)
         .and_then(|page| page.strip_suffix(rest));
     let table = table.expect("the rest of the page is as before");
-    assert!(
-        table.starts_with("\n\ndefault quality, 16x12") && table.ends_with(" |\n"),
-        "{table}"
-    );
+    assert!(table.starts_with("\n\ndefault quality, 16x12"), "{table}");
+    assert!(table.ends_with(" |\n"), "{table}");
 }
 
 #[test]
