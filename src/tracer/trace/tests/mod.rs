@@ -151,16 +151,19 @@ fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
     gathered(simd, |i| (o, d[i.min(d.len() - 1)], 1.0))
 }
 
-#[inline(always)]
+/// Compiled once per instruction set, not once per property.
+#[inline(never)]
 fn hits<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
-    let mut blocks = candidates::NONE;
-    let mut hit = nearest(simd, world, rays, GroupSet::MAX, &mut blocks);
-    resolve_blocks(simd, world, rays, &blocks, &mut hit);
-    hit
+    by_isa!(simd: {
+        let mut blocks = candidates::NONE;
+        let mut hit = nearest(simd, world, rays, GroupSet::MAX, &mut blocks);
+        resolve_blocks(simd, world, rays, &blocks, &mut hit);
+        hit
+    })
 }
 
 /// Returns hits, contributions, and each lane's reflected and transmitted ray.
-#[inline(always)]
+#[inline(never)]
 fn shaded<S: Isa>(
     simd: S,
     world: World<'_>,
@@ -169,38 +172,42 @@ fn shaded<S: Isa>(
     batch: &mut Batch,
 ) -> (Hit<S>, Contribution<S>, [[Option<Ray>; MAX_LANES]; 2]) {
     let hit = hits(simd, world, rays);
-    let active = first(simd, lanes::<S>());
-    let tracer = Tracer {
-        isa: simd,
-        world,
-        quality,
-    };
-    batch.begin();
-    let contribution = shade(tracer, rays, &hit, active, batch);
     let mut secondary = [[None; MAX_LANES]; 2];
-    while batch.stack.len() > 0 {
-        let (rays, count) = batch.stack.pop(simd);
-        let (paths, slots) = (rays.paths(), rays.slots());
-        for i in 0..count {
-            let [path, slot] = [paths, slots].map(|numbers| numbers.as_slice()[i] as usize);
-            let weight = rays.weight.as_slice()[i];
-            secondary[path - 2][slot] = Some((lane(rays.o, i), lane(rays.d, i), weight));
+    let contribution = by_isa!(simd: {
+        let tracer = Tracer {
+            isa: simd,
+            world,
+            quality,
+        };
+        batch.begin();
+        let contribution = shade(tracer, rays, &hit, first(simd, lanes::<S>()), batch);
+        while batch.stack.len() > 0 {
+            let (rays, count) = batch.stack.pop(simd);
+            let (paths, slots) = (rays.paths(), rays.slots());
+            for i in 0..count {
+                let [path, slot] = [paths, slots].map(|numbers| numbers.as_slice()[i] as usize);
+                let weight = rays.weight.as_slice()[i];
+                secondary[path - 2][slot] = Some((lane(rays.o, i), lane(rays.d, i), weight));
+            }
         }
-    }
+        contribution
+    });
     (hit, contribution, secondary)
 }
 
-#[inline(always)]
+#[inline(never)]
 fn shading_point<S: Isa>(
     simd: S,
     world: World<'_>,
     rays: &Rays<S>,
     hit: &Hit<S>,
 ) -> ShadingPoint<S> {
-    let active = first(simd, lanes::<S>());
-    let mut rows = SurfaceRows::NONE;
-    let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
-    ShadingPoint::new(simd, world, rays, hit, &surface, active)
+    by_isa!(simd: {
+        let active = first(simd, lanes::<S>());
+        let mut rows = SurfaceRows::NONE;
+        let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
+        ShadingPoint::new(simd, world, rays, hit, &surface, active)
+    })
 }
 
 #[inline(always)]
