@@ -29,7 +29,7 @@ fn errors_match_documentation_and_increase() {
         .expect("a part");
     let documented = cells(part.split("<!--").next().expect("its text"));
     // One view saves time: views are not compared.
-    let text = printed("trade --ladder --views 1");
+    let text = printed("trade --ladder --frames 9 --views 1");
     let measured = cells(&text);
     assert_eq!(documented.len(), 1 + 2 + Quality::LADDER.len());
     assert_eq!(measured.len(), documented.len());
