@@ -107,7 +107,7 @@
 //!   both.
 //! - dB to exhaustive of other scenes: 38.8 for crowds of glass in glass, 40.3 for mirrors in mirrors, 39.0 for coincident faces;
 //!   less for an eye inside glass, extreme scales and the fastest quality.
-//! - Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 229 pixels in the
+//! - Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 189 pixels in the
 //!   show.
 //! - Highlights in mirrors, on waves, seen from inside a sphere, a cylinder or a capsule, and without the point that mirrors the
 //!   light: it is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its object, but

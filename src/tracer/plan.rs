@@ -64,6 +64,7 @@ impl FramePlan {
             tolerance_agreeing: quality.tolerance_agreeing * tolerance,
             tolerance_differing: quality.tolerance_differing * tolerance,
             tolerance_side: quality.tolerance_side * tolerance,
+            key_weight: quality.key_weight * tolerance * tolerance,
             // Coarse squares and marks keep their hard edges.
             antialias: quality.antialias && !is_coarse && finished > 0,
             ..*quality

@@ -110,7 +110,7 @@ impl Quality {
             square,
             tolerance_agreeing: tolerance,
             tolerance_side: tolerance,
-            key_depth: 2,
+            key_depth: 3,
             key_weight: 0.3,
             state_depth: 0,
             highlight: f32::INFINITY,

@@ -23,6 +23,7 @@ fn tolerance_of_a_film_is_a_share_of_the_qualitys() {
         tolerance_agreeing: 0.5 * quality.tolerance_agreeing,
         tolerance_differing: 0.5 * quality.tolerance_differing,
         tolerance_side: 0.5 * quality.tolerance_side,
+        key_weight: 0.25 * quality.key_weight,
         ..quality
     };
     let [whole, by_quality] =

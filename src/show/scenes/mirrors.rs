@@ -17,7 +17,7 @@ static ENVIRONMENT: Environment = Environment {
     haze: 0.06,
     film: Film {
         // Reflections of reflections are dark, and full of edges.
-        tolerance: 0.6,
+        tolerance: 0.5,
         ..SHOW
     },
     floor: &FLOOR,
