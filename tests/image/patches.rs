@@ -7,7 +7,7 @@ use eightfold_lab::scenes::SceneName;
 use eightfold_scenes::{Random, cases, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec3, vec3};
-use eightfold_tracer::scene::{Block, Camera, Film, Light, Material, Scene, Shape};
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
 
 const SIZE: [usize; 2] = [1280, 720];
 
@@ -59,35 +59,20 @@ fn show(time: f32) -> (String, Scene) {
 
 /// Returns a room of four mirrors, with columns of all shapes.
 fn room(mut random: Random) -> (String, Scene) {
-    let mirror = Material {
-        kr: 0.62,
-        ..Material::BLACK
-    };
+    let eye = random.vector(vec3(-3.5, 1.0, -3.5), vec3(3.5, 3.0, 3.5));
     let mut scene = Scene {
-        camera: Camera::new(
-            random.vector(vec3(-3.5, 1.0, -3.5), vec3(3.5, 3.0, 3.5)),
-            vec3(0.0, 2.0, 0.0),
-            1.2,
-        ),
+        camera: Camera::new(eye, vec3(0.0, 2.0, 0.0), 1.2),
         ambient: Vec3::splat(0.05),
         haze: 0.05,
-        film: Film {
-            tolerance: 0.5,
-            ..Film::PLAIN
-        },
         ..Scene::default()
     };
+    scene.film.tolerance = 0.5;
     let light = random.vector(vec3(-2.0, 2.0, -2.0), vec3(2.0, 4.0, 2.0));
     scene.lights.push(Light::new(light, Vec3::ONE));
-    for side in [-5.0, 5.0] {
-        for (centre, half) in [
-            (vec3(side, 2.5, 0.0), vec3(0.1, 2.5, 5.0)),
-            (vec3(0.0, 2.5, side), vec3(5.0, 2.5, 0.1)),
-        ] {
-            scene
-                .blocks
-                .push(Block::new(Shape::Box, centre, half, mirror));
-        }
+    for [x, z] in [[-5.0, 0.0], [0.0, -5.0], [5.0, 0.0], [0.0, 5.0_f32]] {
+        let half = vec3(5.1 - x.abs(), 2.5, 5.1 - z.abs());
+        let wall = Block::new(Shape::Box, vec3(x, 2.5, z), half, Material::mirror(0.62));
+        scene.blocks.push(wall);
     }
     for i in 0..6 {
         let centre = random.vector(vec3(-4.0, 2.0, -4.0), vec3(4.0, 2.0, 4.0));
