@@ -210,15 +210,18 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 60, [900, 100]);
 }
 
-/// Ends of walls in walls open 1.19 times the points without a proof per square that they are hidden.
+/// Ends of walls in walls open 1.19 times the points without a proof per square that they are hidden. The machine's discs open 1.4 times if
+/// they count as boxes.
 #[test]
 fn hidden_objects_open_few_squares() {
-    let scene = of_the_show(86.1);
-    let [guarded, unguarded] = [Quality::DEFAULT, bare(Quality::DEFAULT)].map(|quality| {
-        let drawn = draw_best(&scene, &jagged(quality), 1280, 720);
-        drawn.counts.points as f64
-    });
-    assert!(guarded <= 1.1 * unguarded, "{}", guarded / unguarded);
+    for (time, limit) in [(60.0, 1.35), (86.1, 1.06)] {
+        let scene = of_the_show(time);
+        let [guarded, unguarded] = [Quality::DEFAULT, bare(Quality::DEFAULT)].map(|quality| {
+            let drawn = draw_best(&scene, &jagged(quality), 1280, 720);
+            drawn.counts.points as f64
+        });
+        assert!(guarded <= limit * unguarded, "{}", guarded / unguarded);
+    }
 }
 
 /// The pixel of the shaded floor of a [`Hidden`] scene: 0.2 of 0.8.
@@ -297,7 +300,7 @@ fn mirror(random: &mut Random) -> View {
     sized(scene)
 }
 
-/// Images of spheres and boxes in 2x2 pixels are promised. The outline of a round block's image is that of its bounding box, so a
+/// Images of spheres and boxes in 2x2 pixels are promised. The outline of a round block's image is that of a prism, so a
 /// corner inside it can count as showing the block.
 fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let is_image = |pixel: u32| pixel != 0 && pixel.to_be_bytes().iter().all(|&c| c < 128);

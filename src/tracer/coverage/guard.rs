@@ -15,6 +15,7 @@ use crate::prepare::{ObjectId, World};
 use crate::rounding::{COLUMN, HIT, SEEN, hit_error};
 use crate::scene::camera::pixels;
 use crate::trace::{Sample, seen_points};
+use glam::Vec4;
 
 /// The outlines and highlights of a tile that no corner has shown yet.
 pub(crate) struct Guard {
@@ -123,9 +124,8 @@ impl Search<'_> {
 
     /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
     fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
-        let (labels, shown) = self.squares.corners([x, y], id);
-        let is_missed = match shown {
-            0 => !self.is_hidden(labels, id, [x, y]),
+        let is_missed = match self.squares.shown([x, y], id) {
+            0 => !self.is_hidden(id, [x, y]),
             ALL => false,
             _ => self.is_thin,
         };
@@ -140,15 +140,11 @@ impl Search<'_> {
     /// Occluders are convex: if the eye is outside, everything in front of the occluder lies in the pyramid of the eye and the corners'
     /// points. A plane that separates `back` from the pyramid proves that it is hidden.
     #[inline(never)]
-    fn is_hidden(
-        &self,
-        [front, others @ ..]: [usize; 4],
-        back: ObjectId,
-        square: [usize; 2],
-    ) -> bool {
+    fn is_hidden(&self, back: ObjectId, square: [usize; 2]) -> bool {
         let &Squares {
             world, coverage, ..
         } = self.squares;
+        let [front, others @ ..] = self.squares.corners(square).map(Sample::label);
         if front == 0 || front > world.background() || others != [front; 3] {
             return false;
         }
@@ -164,22 +160,30 @@ impl Search<'_> {
     }
 
     /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
-    /// is inside the region. So does a shadow, once its light's shadows are known, unless another one covers all corners.
+    /// is inside the region, or, if it is wide, all corners show the plane and one side of the region cuts the square: a half-plane that
+    /// meets a square contains a corner. So does a shadow, once its light's shadows are known, unless another one covers the square.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
-        let (_, shown) = self.squares.corners([x, y], plane);
+        let shown = self.squares.shown([x, y], plane);
         // Otherwise the plane is hidden, or its own outline has opened the square.
         if shown != 0 {
-            let inside = shown & self.squares.inside([x, y], region);
-            let is_open = inside == 0 || self.is_thin;
+            let cuts = self.squares.cuts([x, y], region);
+            let is_cut_once = cuts == 1 && shown == ALL;
+            let inside = match cuts {
+                0 => ALL,
+                // Some corner, or none.
+                _ if is_cut_once => 1,
+                _ => self.squares.inside([x, y], region),
+            };
             let covered = &mut self.covered[y % SQUARE_ROWS];
+            let is_open = shown & inside == 0 || self.is_thin;
             if inside == ALL {
                 covered.wholly.set(x);
             } else if is_open && self.light.is_none() {
                 self.open[y].set(x);
-            } else if is_open || inside != shown && covered.partly.has(x) {
+            } else if is_open || shown & !inside != 0 && covered.partly.has(x) {
                 covered.missed.set(x);
-            } else if inside != shown {
+            } else if shown & !inside != 0 {
                 covered.partly.set(x);
             }
         }
@@ -233,7 +237,7 @@ pub(crate) struct Squares<'a> {
     pyramid: &'a Pyramid,
     pub(super) level: usize,
     /// Columns and rows of corners inside the picture.
-    pixels: [usize; 2],
+    inside: [usize; 2],
 }
 
 /// Rows that a region is clipped to at once.
@@ -253,7 +257,7 @@ impl<'a> Squares<'a> {
             area,
             pyramid,
             level,
-            pixels: [
+            inside: [
                 (area.picture[0] - area.left).div_ceil(1 << level),
                 (area.picture[1] - area.top).div_ceil(1 << level),
             ],
@@ -314,20 +318,31 @@ impl<'a> Squares<'a> {
         [first, last].map(|squares| squares.into())
     }
 
-    /// Returns the labels of a square's corners, and a bit for each one inside the picture that shows an object.
-    pub(super) fn corners(&self, [x, y]: [usize; 2], object: ObjectId) -> ([usize; 4], u64) {
-        let labels = self.pyramid.corners(self.level, x, y).map(Sample::label);
+    fn corners(&self, [x, y]: [usize; 2]) -> [Sample; 4] {
+        self.pyramid.corners(self.level, x, y)
+    }
+
+    /// Returns a bit for each corner of a square inside the picture that shows an object.
+    #[inline(never)]
+    pub(super) fn shown(&self, [x, y]: [usize; 2], object: ObjectId) -> u64 {
+        let corners = self.corners([x, y]);
         let [upper, right, lower, last] =
-            labels.map(|label| u64::from(label == object.index() + 1));
+            corners.map(|corner| u64::from(corner.label() == object.index() + 1));
         // The first corner is always inside.
         let mut shown = upper | right << 1 | lower << 2 | last << 3;
-        if x + 1 == self.pixels[0] {
+        if x + 1 == self.inside[0] {
             shown &= 0b0101;
         }
-        if y + 1 == self.pixels[1] {
+        if y + 1 == self.inside[1] {
             shown &= 0b0011;
         }
-        (labels, shown)
+        shown
+    }
+
+    /// Returns the number of a region's sides that may cut a square: 2 for a cone.
+    fn cuts(&self, square: [usize; 2], region: &Region) -> u32 {
+        let rect = self.coverage.axes.rect(self.pixels(square));
+        region.sides.cuts(rect, region.margin)
     }
 
     /// Returns a bit for each corner of a square that is certainly inside a region. Inlining costs bytes.
@@ -338,10 +353,17 @@ impl<'a> Squares<'a> {
         region.contains::<Baseline>(points).to_bitmask()
     }
 
+    /// Returns the corners of a square in pixels.
+    #[inline(never)]
+    pub(super) fn pixels(&self, [x, y]: [usize; 2]) -> Vec4 {
+        let [left, right] = [x, x + 1].map(|x| self.area.left + (x << self.level));
+        let [top, bottom] = [y, y + 1].map(|y| self.area.top + (y << self.level));
+        rectangle(left, top, right, bottom)
+    }
+
     #[inline(always)]
-    fn places(&self, [x, y]: [usize; 2]) -> [F<Baseline>; 2] {
-        let [left, right] = [x, x + 1].map(|x| pixels(self.area.left + (x << self.level)));
-        let [top, bottom] = [y, y + 1].map(|y| pixels(self.area.top + (y << self.level)));
+    fn places(&self, square: [usize; 2]) -> [F<Baseline>; 2] {
+        let [left, top, right, bottom] = self.pixels(square).to_array();
         let simd = baseline();
         [
             F::<Baseline>::simd_from(simd, [left, right, left, right]),

@@ -7,7 +7,7 @@
 use super::Coverage;
 use super::guard::{ALL, Search};
 use super::mirror::Mirror;
-use super::screen::{Axes, rectangle};
+use super::screen::Axes;
 use crate::grid::Bits;
 use crate::maths::sqrt;
 use crate::picture::TILE_HEIGHT;
@@ -62,11 +62,6 @@ impl Highlight {
             .all()
     }
 
-    pub fn ends(&self, from: [f32; 2]) -> [Vec2; 2] {
-        let from = Vec2::from_array(from);
-        [self.bounds.xy() - from, -self.bounds.zw() - from]
-    }
-
     /// Returns whether squares of `side` pixels are nowhere visibly brighter than their corners, if all of these show the object.
     ///
     /// Between its minimum and the nearest corner, the decay grows at most by its value at half a side across and down.
@@ -80,6 +75,31 @@ impl Highlight {
     /// up to a third of the highlight.
     fn most(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
+    }
+
+    /// Returns the decay at which the highlight does not exceed the corners of any square of `side` pixels, by the bounds of
+    /// [`Highlight::is_missed`].
+    fn reach(&self, side: usize) -> f32 {
+        let peak = self.strength / self.most(pixels(side));
+        (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)
+    }
+
+    /// Returns the least and greatest x of the highlight between two rows, as far as the decay `reach`.
+    fn columns(&self, top: f32, bottom: f32, reach: f32) -> [f32; 2] {
+        let [a, b, c] = self.decay;
+        let [top, bottom] = [top, bottom].map(|y| y - self.middle.y);
+        let near = top.max(0.0).min(bottom);
+        let rest = reach - (c * (1.0 - DRAWN_OUT) - b * b / a) * near * near;
+        let half = if rest < 0.0 {
+            f32::NEG_INFINITY
+        } else {
+            sqrt(rest / a)
+        };
+        let [x, other] = [top, bottom].map(|y| self.middle.x - b / a * y);
+        [
+            (x.min(other) - half).max(self.bounds.x),
+            (x.max(other) + half).min(-self.bounds.z),
+        ]
     }
 
     /// Returns whether a square, in pixels, may be visibly brighter than the corners whose bits are set: upper left, upper right, lower
@@ -207,25 +227,23 @@ impl Search<'_> {
     /// Opens squares in which a highlight may be visibly brighter than at the corners that show the object.
     pub(super) fn look_for_highlight(&mut self, highlight: &Highlight, all: &[Bits; TILE_HEIGHT]) {
         let squares = self.squares;
-        let area = squares.area;
-        let is_even = highlight.is_even(squares.side());
-        let [least, most] = highlight.ends([area.left, area.top].map(pixels));
-        let square = |place: f32, count: usize| {
-            ((place / pixels(squares.side())) as i32).min(count as i32 - 1)
-        };
-        let [first, last] = [least.x.max(0.0), most.x].map(|x| square(x, squares.columns()));
-        let rows = [least.y.max(0.0), most.y].map(|y| square(y, squares.rows()));
-        for y in rows[0]..=rows[1] {
-            let y = y as usize % TILE_HEIGHT;
+        let side = squares.side();
+        let (is_even, reach) = (highlight.is_even(side), highlight.reach(side));
+        for y in 0..squares.rows() {
+            let y = y % TILE_HEIGHT;
             let closed = all[y] & !self.open[y];
+            let row = squares.pixels([0, y]);
+            let ends = highlight.columns(row.y, row.w, reach);
+            let [first, last] = ends.map(|x| {
+                let column = (x - pixels(squares.area.left)) / pixels(side);
+                (column.max(0.0) as i32).min(squares.columns() as i32 - 1)
+            });
             closed.for_each_in(first, last, |x| {
-                let (_, shown) = squares.corners([x, y], highlight.object);
+                let shown = squares.shown([x, y], highlight.object);
                 if shown == 0 || shown == ALL && is_even {
                     return;
                 }
-                let [left, right] = [x, x + 1].map(|x| area.left + (x << squares.level));
-                let [top, bottom] = [y, y + 1].map(|y| area.top + (y << squares.level));
-                if highlight.is_missed(rectangle(left, top, right, bottom), shown) {
+                if highlight.is_missed(squares.pixels([x, y]), shown) {
                     self.open[y].set(x);
                 }
             });

@@ -8,7 +8,7 @@
 //! | kind | bound | a square may be filled if | file |
 //! | --- | --- | --- | --- |
 //! | object | the cone of rays from the eye that meet it | a corner shows it (all, if it is thin), or the corners show an occluder that hides it | `object` |
-//! | image | the same from the eye's mirror image | no corner shows the plane, or a corner that shows the plane is inside the bound (all, if it is thin) | `image` |
+//! | image | the same from the eye's mirror image | no corner shows the plane, or a corner that shows the plane is inside the bound (all, if it is thin), or all corners show the plane and one side of a wide bound cuts the square | `image` |
 //! | shadow | the cone of rays from the light, projected onto the plane | the same | `shadow` |
 //! | highlight | the ellipse of a Gaussian | its brightness nowhere visibly exceeds the corners that show the object | `highlight` |
 //!
@@ -28,10 +28,10 @@
 //!
 //! # Best effort
 //!
-//! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a box, an area light as its centre, and
+//! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a hexagonal prism, an area light as its centre, and
 //!   a spotlight also where it does not shine.
 //! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Otherwise slits flicker.
-//! - Images of cylinders and capsules, which count as boxes. Images in waves have no outlines.
+//! - Images of cylinders and capsules, which count as prisms. Images in waves have no outlines.
 //! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on another
 //!   face. Of thousands of highlights of five pixels or more with a visible centre 0 were missed, and few parts of others
 //!   (`docs/accuracy.md`).

@@ -6,14 +6,14 @@
 //! The difference of both sides is concave in u and v: nowhere above its tangent plane, whose maximum over a square is at a corner. So a
 //! square is outside if the tangent plane at its centre is negative at all corners.
 
-use super::screen::{Axes, Rects, ScreenBounds};
+use super::screen::{Axes, Rect, Rects, ScreenBounds};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::rounding::{SIDE, hit_error};
 use crate::scene::{Block, Plane, Shape};
 use crate::shapes::plane;
 use core::array;
-use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles, Vec4};
+use glam::{BVec4A, Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
@@ -51,20 +51,19 @@ impl Sides {
         let slack = corner * (to.abs() + half).element_sum() + hit_error(block.centre.into(), 0.0);
         let silhouette = Silhouette::new(block.shape, inward * to, half + slack);
         let has_none = silhouette.has_none;
+        let rays = rays.map(|ray| across(block.shape, inward * ray));
         let mut unsure = 0.0_f32;
         let terms = [1.0, -1.0].map(|sign| {
             let [x, y] = silhouette.ends(sign);
-            let scale = Vec3A::select(has_none, Vec3A::ZERO, sign / (x.abs() + y.abs()));
+            let scale = Vec4::select(has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
             // The root of 3 for the length of rays, the root of 2 for the scale's sum of two coordinates, and once more for a light's
             // longer rays.
             unsure = unsure.max(3.5 * slack * scale.abs().max_element());
-            let mut terms = rays.map(|ray| {
-                let ray = inward * ray;
-                let side = (ray.zxy() * x - ray.yzx() * y) * scale;
+            let mut terms = rays.map(|[a, b]| {
                 // NaN inside a cylinder.
-                Vec3A::select(has_none, Vec3A::ZERO, side).extend(0.0)
+                Vec4::select(has_none, Vec4::ZERO, (b * x - a * y) * scale)
             });
-            terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
+            terms[2] += Vec4::select(has_none, Vec4::ONE, Vec4::ZERO);
             terms
         });
         Self::Flat { terms, unsure }
@@ -114,6 +113,24 @@ impl Sides {
                 }
             }
         }
+    }
+
+    /// Returns the number of sides that may cut a rectangle: 2 or more for a cone.
+    #[inline(never)]
+    pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
+        let Self::Flat { terms, .. } = self else {
+            return 2;
+        };
+        let middle = (rect.xy() + rect.zw()) * 0.5;
+        let half = rect.zw() - middle;
+        let cuts = terms.map(|[right, down, terms]| {
+            let least = right * middle.x - right.abs() * half.x
+                + (down * middle.y - down.abs() * half.y)
+                + terms;
+            // NaN counts as a cut.
+            (!least.cmpge(Vec4::splat(margin))).bitmask().count_ones()
+        });
+        cuts[0] + cuts[1]
     }
 
     /// Returns a lower bound of the depth of rays; negative if they may be outside.
@@ -198,44 +215,73 @@ impl Region {
 /// The silhouette of a block from a point. Each lane is an axis: along it the block is a rectangle with a silhouette edge at either end.
 struct Silhouette {
     shape: Shape,
-    half: Vec3A,
-    /// The centres of the rectangles.
-    a: Vec3A,
-    b: Vec3A,
-    is_beside: BVec3A,
+    /// The centres of the rectangles, and half of their sides.
+    a: Vec4,
+    b: Vec4,
+    half_a: Vec4,
+    half_b: Vec4,
+    is_beside: BVec4A,
     /// The axes without an edge: the point is between the block's sides.
-    pub has_none: BVec3A,
+    pub has_none: BVec4A,
 }
 
 impl Silhouette {
     /// Returns the silhouette of a block from the origin of its own axes' coordinates, in which its centre is at `centre`.
     pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
-        let (a, b) = (centre.yzx(), centre.zxy());
-        let is_beside = a.abs().cmpgt(half.yzx());
+        let [a, b] = across(shape, centre);
+        let [half_a, mut half_b] = across(shape, half);
+        if shape != Shape::Box {
+            half_b = Vec4::splat(half.x);
+        }
+        let is_beside = a.abs().cmpgt(half_a);
         Self {
             shape,
-            half,
             a,
             b,
+            half_a,
+            half_b,
             is_beside,
-            has_none: !(is_beside | b.abs().cmpgt(half.zxy())),
+            has_none: !(is_beside | b.abs().cmpgt(half_b)),
         }
     }
 
     /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1.
-    pub fn ends(&self, sign: f32) -> [Vec3A; 2] {
-        let &Self { a, b, half, .. } = self;
-        let (half_a, half_b) = (half.yzx(), half.zxy());
-        let is_below = Vec3A::select(self.is_beside, a * sign, b).cmplt(Vec3A::ZERO);
-        let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
-        let is_left = (y * sign).cmplt(Vec3A::ZERO);
-        let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
+    pub fn ends(&self, sign: f32) -> [Vec4; 2] {
+        let &Self {
+            a,
+            b,
+            half_a,
+            half_b,
+            ..
+        } = self;
+        let is_below = Vec4::select(self.is_beside, a * sign, b).cmplt(Vec4::ZERO);
+        let mut y = Vec4::select(is_below, b + half_b, b - half_b);
+        let is_left = (y * sign).cmplt(Vec4::ZERO);
+        let mut x = Vec4::select(is_left, a - half_a, a + half_a);
         match self.shape {
             Shape::Box => {}
-            // Across its axis a cylinder counts as a box, and a capsule as a cylinder.
-            Shape::Cylinder | Shape::Capsule => [x.y, y.y] = tangent_point(a.y, b.y, half.x, sign),
+            // Across its axis a cylinder counts as a hexagonal prism, and a capsule as a cylinder.
+            Shape::Cylinder | Shape::Capsule => {
+                [x.y, y.y] = tangent_point(a.y, b.y, half_b.y, sign)
+            }
         }
         [x, y]
+    }
+}
+
+/// The sine of 60 degrees.
+const SINE: f32 = 0.866_025_4;
+
+/// Returns the two coordinates of a vector across each axis: the three of a box, and for a cylinder its own and three across it, 60 degrees
+/// apart.
+#[inline(never)]
+fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
+    match shape {
+        Shape::Box => [v.yzx().extend(0.0), v.zxy().extend(0.0)],
+        Shape::Cylinder | Shape::Capsule => {
+            let (z, x) = (0.5 * v.z, SINE * v.x);
+            [v.yzy().extend(v.y), Vec4::new(v.z, v.x, z - x, -z - x)]
+        }
     }
 }
 
