@@ -233,6 +233,9 @@ impl Search<'_> {
             let y = y % TILE_HEIGHT;
             let closed = all[y] & !self.open[y];
             let row = squares.pixels([0, y]);
+            if row.w < highlight.bounds.y || row.y > -highlight.bounds.w {
+                continue;
+            }
             let ends = highlight.columns(row.y, row.w, reach);
             let [first, last] = ends.map(|x| {
                 let column = (x - pixels(squares.area.left)) / pixels(side);
