@@ -1,4 +1,4 @@
-//! Draws the filled squares over the picture, into a PNG file: `cargo run --release -p eightfold-examples --bin squares
+//! Outlines the filled squares in a PNG picture: `cargo run --release -p eightfold-examples --bin squares
 //! squares.png`
 
 use eightfold::show;
@@ -9,7 +9,7 @@ use std::{env, error::Error, fs::File, sync::Mutex};
 const WIDTH: usize = 640;
 const HEIGHT: usize = 360;
 
-/// The upper left pixel, the width and the height, clipped to the picture.
+/// `[x, y, width, height]` in pixels, clipped to the picture.
 type Square = [usize; 4];
 
 #[derive(Clone, Copy)]
@@ -20,7 +20,7 @@ impl Observer for Squares<'_> {
 
     fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill) {
         if fill != Fill::Points {
-            self.0.lock().expect("no panic before").push([x, y, w, h]);
+            self.0.lock().expect("not poisoned").push([x, y, w, h]);
         }
     }
 }

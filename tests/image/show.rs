@@ -59,16 +59,6 @@ fn copper_bars_flash_with_the_kicks_of_one_bar() {
     }
 }
 
-#[test]
-fn scene_does_not_depend_on_the_one_before() {
-    for cut in show::CUTS {
-        let time = (cut as f32 + 0.7) * grid::BAR;
-        let mut scene = at(show::LENGTH - time);
-        show::at(time, &mut scene);
-        assert!(scene == at(time), "{time} s");
-    }
-}
-
 /// Removing an object changes a pixel at one time or more. Scenes with the same number of objects have the same objects.
 #[test]
 fn every_object_of_the_show_is_seen() {

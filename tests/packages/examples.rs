@@ -1,6 +1,5 @@
 use eightfold_lab::cargo::Build;
 use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, texts, wait_for};
-use eightfold_tracer::Quality;
 use std::{collections::BTreeSet, fs, path::Path, process::Command, sync::LazyLock};
 use tempfile::TempDir;
 
@@ -51,22 +50,6 @@ fn squares_marks_less_than_half_of_the_picture() {
     let is_line = |place| at(place) > at([1, 1]);
     assert!([[8, 1], [1, 8], [8, 8], [16, 3]].into_iter().all(is_line));
     assert!(![[7, 1], [9, 9], [15, 7]].into_iter().any(is_line));
-}
-
-#[test]
-#[ignore = "examples are compiled"]
-fn trade_lists_speed_and_error_of_each_preset() {
-    let (_, text) = output("trade");
-    let rows = text.lines().skip(1).map(|row| row.split_whitespace());
-    let rows: Vec<Vec<&str>> = rows.map(Iterator::collect).collect();
-    let names: Vec<&str> = rows.iter().map(|row| row[0]).collect();
-    assert_eq!(names, Quality::NAMES);
-    let psnr = |row: &Vec<&str>| row[3].parse::<f64>().expect("a number");
-    assert!(rows.iter().all(|row| psnr(row) > 35.0), "{text}");
-    assert!(
-        rows.is_sorted_by(|finer, faster| psnr(finer) >= psnr(faster)),
-        "{text}"
-    );
 }
 
 /// Asserts that an example's window shows many colours and that Esc closes it.

@@ -1,5 +1,5 @@
 mod packed;
-pub mod program;
+mod program;
 
 use crate::arguments::{self, within};
 use crate::cargo::Build;

@@ -7,7 +7,7 @@ use std::ops::Range;
 pub struct Packed {
     /// Addresses, and the offset in the image.
     segments: Vec<(Range<u64>, usize)>,
-    /// Packed bytes before each offset, and before the end.
+    /// Prefix sums of packed bytes, and the total.
     before: Vec<f64>,
 }
 

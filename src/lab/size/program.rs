@@ -75,7 +75,7 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
 
 /// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name; shared
 /// symbols follow another name or, for Windows, the last crate's.
-pub fn crate_of_unit(file: &str) -> Option<&str> {
+fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     (file.contains("-cgu.") && name != LAST).then_some(name)
 }
@@ -84,7 +84,7 @@ pub fn crate_of_unit(file: &str) -> Option<&str> {
 const LAST: &str = "compiler_builtins";
 
 /// Returns the first crate of a name such as `<eightfold::Intro as core::fmt::Debug>::fmt`.
-pub fn crate_of_path(name: &str) -> &str {
+fn crate_of_path(name: &str) -> &str {
     let name = name.trim_start_matches(['<', '&', '*', '(', '[']);
     let name = name.strip_prefix("mut ").unwrap_or(name);
     name.split_once("::").map_or("", |(first, _)| first)

@@ -1,5 +1,4 @@
 use crate::printed;
-use eightfold_lab::size::program::{crate_of_path, crate_of_unit};
 use eightfold_stage::intro;
 
 fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
@@ -58,19 +57,4 @@ fn tables_add_up_to_file() {
     assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
     assert_eq!(sum(functions, 3) + number(rest[3]), named);
     assert_eq!(functions[0][1], "eightfold_tracer", "{text}");
-}
-
-#[test]
-fn crate_is_known_by_unit_or_path() {
-    assert_eq!(crate_of_unit("a_b.0123456789abcdef-cgu.0"), Some("a_b"));
-    assert_eq!(crate_of_unit("crtstuff.c"), None);
-    assert_eq!(crate_of_unit("compiler_builtins.0123-cgu.0"), None);
-    for (name, of) in [
-        ("a::b::c", "a"),
-        ("<&mut a::B as core::fmt::Debug>::fmt", "a"),
-        ("<a::B>::c", "a"),
-        ("main", ""),
-    ] {
-        assert_eq!(crate_of_path(name), of, "{name}");
-    }
 }

@@ -109,17 +109,3 @@ fn signal_keeps_results() {
         assert!(row["flip_mean"].is_null() && row["pops"].is_null());
     }
 }
-
-#[test]
-fn antialias_includes_reference() {
-    let points = |flag| {
-        let table = printed(&format!(
-            "trade --ladder --size 48x36 --frames 2 --views 1 {flag}"
-        ));
-        let rows = cells(&table).split_off(1);
-        assert!(rows.len() == 9 && rows[0][0] == "exhaustive", "{table}");
-        rows[0][2].to_owned()
-    };
-    assert_eq!(points(""), "100.0 %");
-    assert_ne!(points("--antialias"), "100.0 %");
-}
