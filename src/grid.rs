@@ -1,7 +1,7 @@
-//! The musical grid of picture and sound: 120 beats per minute, four beats per bar.
+//! The beat grid of picture and sound: 120 beats per minute, four beats per bar.
 //!
-//! At 48 kHz a beat has 24,000 samples, and at 60 frames per second 30 frames, so every beat falls on a frame. The
-//! [scenes](crate::show) determine the number of bars and the cuts.
+//! A beat is 24,000 samples at 48 kHz and 30 frames at 60 Hz, so every beat falls on a frame. [`show`](crate::show) defines the
+//! cuts and the number of bars.
 
 /// Beats per minute.
 pub const BEATS_PER_MINUTE: u32 = 120;

@@ -32,7 +32,7 @@ impl Source for Music {
 
 /// Plays the show and prints its statistics. Returns the exit code.
 pub fn play(options: &Options) -> i32 {
-    // Open the window before starting threads, which can do with fewer. Open the terminal last, after all messages.
+    // Open the window before the pool, which can run on fewer threads. Open the terminal last, after all messages.
     let (width, height) = options.size;
     let window = Window::open(c"Eightfold", width, height);
     if let Err(why) = &window {
@@ -99,7 +99,7 @@ impl Playing<'_> {
         let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
         let mut by_accuracy = by_accuracy.map(|psnr| AccuracyGovernor::new(psnr as f32));
         let clock = self.player.clock();
-        // The time at which the next frame should begin.
+        // Start time of the next frame.
         let mut due = 0;
         let mut has_hud = options.has_hud;
         loop {
@@ -135,7 +135,7 @@ impl Playing<'_> {
                 Next::GoOn => {}
             }
             if !options.is_uncapped {
-                // After a late frame the following ones do not catch up. The last frame is not shown beyond the end.
+                // Does not catch up after a late frame. The last frame stops at the end.
                 due = u64::max(due + SECOND / options.fps, start);
                 let end = start.saturating_add(length - heard);
                 clock.sleep_until(due.min(end));

@@ -13,7 +13,7 @@ use super::{
     renderer::ShowRenderer,
 };
 
-/// Writes the frame at a time in nanoseconds to standard output. Returns the exit code.
+/// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options) -> i32 {
     if line::terminal(line::OUTPUT) {
         line::complaint()

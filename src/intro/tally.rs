@@ -19,7 +19,7 @@ pub struct Tally {
     frames_in_second: u64,
     /// Frames in the last complete second.
     rate: u64,
-    /// Of the whole run, and recent ones: the weight of a second halves with the next.
+    /// All probes, and recent ones, whose weight halves every second.
     probes: Probes,
     recent: Probes,
     size: (usize, usize),
@@ -41,7 +41,7 @@ impl Tally {
         self.time = time;
         let second = time / SECOND;
         if second != self.second {
-            // After a frame longer than a second, there was a second without frames.
+            // A frame longer than a second leaves a second without frames.
             let is_next = second == self.second + 1;
             let frames = if is_next { self.frames_in_second } else { 0 };
             self.slowest = Some(self.slowest.map_or(frames, |slowest| slowest.min(frames)));
@@ -53,7 +53,7 @@ impl Tally {
         self.frames_in_second += 1;
     }
 
-    /// Writes frame rate, points, and recent accuracy with its 95 % interval over a frame.
+    /// Draws frame rate, points, and recent accuracy with its 95 % interval onto a frame.
     pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
         let hud = [
             line(b" #### FPS $$$$$$$ POINTS", 0.04),
@@ -90,7 +90,7 @@ impl Tally {
         output.text("\n");
     }
 
-    /// Writes the accuracy with its 95 % interval, and unmet requests. `rate` is in tenths of a frame per second.
+    /// Writes the accuracy with its 95 % interval, and missed goals. `rate` is in tenths of a frame per second.
     fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
@@ -98,7 +98,7 @@ impl Tally {
             output.text(" ± ").tenths(margin).text(" dB to exhaustive");
         }
         let Options { fps, has_fps, .. } = *options;
-        // A hundredth of the frames may be late.
+        // The rate may be 1 % short.
         let is_slow = has_fps && rate * 10 < fps * 99;
         match options.psnr {
             Some(asked) if is_slow || psnr.saturating_add(margin) < 10 * asked => {
@@ -125,7 +125,7 @@ fn line<const N: usize>(letters: &[u8; N], middle: f32) -> Caption {
     }
 }
 
-/// Returns the probes' PSNR, and half its interval's width, in tenths of a dB.
+/// Returns the probes' PSNR and its 95 % margin in tenths of a dB.
 fn accuracy(probes: &Probes) -> [u64; 2] {
     [probes.psnr(), probes.margin()].map(|decibels| (10.0 * decibels + 0.5) as u64)
 }

@@ -8,7 +8,7 @@ pub const INK: RGBColor = RGBColor(34, 34, 34);
 
 pub type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 
-/// Returns `0x00RRGGBB` pixels with the background `paper`.
+/// Draws on `paper`, and returns `0x00RRGGBB` pixels.
 pub fn bitmap(
     [width, height]: [usize; 2],
     paper: u32,
@@ -37,7 +37,7 @@ pub fn text(size: u32, style: FontStyle) -> TextStyle<'static> {
     FontDesc::new(FontFamily::SansSerif, f64::from(size), style).color(&INK)
 }
 
-/// Call this before drawing or measuring text.
+/// Needed before text is measured or drawn outside of [`bitmap`].
 pub fn register_fonts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

@@ -14,7 +14,7 @@ pub struct Arguments {
     frame: FrameArguments,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: NamedQuality,
-    /// Leaves edges jagged
+    /// No antialiasing
     #[arg(long)]
     jagged: bool,
     /// Threads

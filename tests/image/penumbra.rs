@@ -1,4 +1,4 @@
-//! The approximate penumbra of a sphere is close to that of many shadow rays.
+//! A sphere's approximate penumbra is close to a sampled one.
 
 use crate::drawn::draw_best;
 use eightfold_tracer::Quality;
@@ -32,8 +32,8 @@ fn visible_share(p: DVec3) -> f64 {
 }
 
 #[test]
-fn penumbra_is_within_a_tenth_of_many_rays() {
-    // A white floor from above: its brightness is the cosine of the light's angle times the visible share of the light.
+fn penumbra_error_is_below_a_tenth() {
+    // A white floor from above: its brightness is n.l times the visible share of the light.
     let floor = Plane {
         half_x: 9.0,
         half_z: 9.0,
@@ -76,7 +76,7 @@ fn penumbra_is_within_a_tenth_of_many_rays() {
         count += 1;
     }
     let mean = sum / f64::from(count);
-    println!("penumbra: mean {mean:.4}, largest {largest:.3} of the light");
+    println!("penumbra error: mean {mean:.4}, largest {largest:.3}");
     assert!(
         mean < 0.01 && largest < 0.1,
         "mean {mean}, largest {largest}"

@@ -37,7 +37,7 @@ impl Kind {
 /// In pixels.
 const SMALL: usize = 16;
 
-/// Small effects. A missed one has only wrong pixels.
+/// Small effects; missed if every pixel is wrong.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Count {
     pub small: usize,
@@ -132,7 +132,7 @@ fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N
     others.copied().collect()
 }
 
-/// Lights the scene evenly: a change is then not a shadow.
+/// Lights the scene evenly, so no change is a shadow.
 fn without_lights(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.lights.clear();
@@ -140,7 +140,7 @@ fn without_lights(scene: &Scene) -> Scene {
     scene
 }
 
-/// Returns the effect of `object` on a pixel of `host`. `is_seen` is true if it changes the pixel without lights, too.
+/// Returns the effect of `object` on a pixel of `host`. `is_seen`: the object changes the pixel even without lights.
 fn kind(scene: &Scene, object: Object, host: Object, is_seen: bool) -> Kind {
     let is_image = is_seen && material(scene, host).is_specular();
     match host {

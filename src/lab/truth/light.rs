@@ -1,5 +1,5 @@
-//! A light of colour c causes the irradiance pi c on a surface that faces it at any distance, since lights have no falloff. So a
-//! sphere of radius R at the path length D across mirrors and glass has the radiance c (D / R)^2.
+//! Lights have no falloff: at any distance, colour c gives a surface that faces the light the irradiance pi c. So a sphere of radius
+//! R at path length D, via mirrors and glass, has the radiance c (D / R)^2.
 
 use eightfold_oracle::geometry::{Ray, sphere};
 use eightfold_oracle::light::{cone, reach};
@@ -17,7 +17,7 @@ pub struct SphereLight<'a> {
 pub struct Arriving {
     pub d: DVec3,
     pub distance: f64,
-    /// On a surface that faces `d`.
+    /// At normal incidence.
     pub irradiance: DVec3,
 }
 
@@ -35,7 +35,7 @@ impl<'a> SphereLight<'a> {
         let to_light = self.position - here.o;
         let axis = to_light.normalize_or(DVec3::Y);
         let sine2 = (self.radius / to_light.length()).powi(2);
-        // One minus the cosine of the angular radius; radiance times solid angle, relative to a point light.
+        // `width`: 1 - cos(angular radius); `gain`: radiance times solid angle, relative to a point light.
         let (width, gain) = if sine2 < 1.0 {
             let half = 1.0 / (1.0 + (1.0 - sine2).sqrt());
             (sine2 * half, 2.0 * half)
@@ -43,7 +43,7 @@ impl<'a> SphereLight<'a> {
             (2.0, 4.0)
         };
         let d = around(axis, 1.0 - u.x * width, u.y);
-        // Rounded directions to the rim can miss.
+        // Points, and rounded directions to the rim, can miss.
         let distance = sphere(here.turned(d), self.position, self.radius);
         Arriving {
             d,
@@ -52,13 +52,13 @@ impl<'a> SphereLight<'a> {
         }
     }
 
-    /// Returns the radiance nearer than `limit`; `length` is the path from the ray's origin to the lit surface.
+    /// Returns the radiance, 0 from `limit` on; `length` is the path from the lit surface to the ray's origin.
     pub fn radiance(&self, ray: Ray, length: f64, limit: f64) -> DVec3 {
         let met = sphere(ray, self.position, self.radius);
         if self.radius == 0.0 || met.is_none_or(|t| t >= limit) {
             return DVec3::ZERO;
         }
-        // As if the path were straight.
+        // Unfold the path to a line.
         let to_surface = ray.at(-length) - self.position;
         let ratio = (to_surface.length() / self.radius).max(1.0);
         ratio
@@ -67,7 +67,7 @@ impl<'a> SphereLight<'a> {
             * self.light.colour.as_dvec3()
     }
 
-    /// Returns its distance and colour along a camera ray.
+    /// Returns the light's distance and colour along a camera ray.
     pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
         let radius = f64::from(self.light.drawn_radius);
         let is_drawn = radius > 0.0 && !self.light.parallel;
@@ -76,7 +76,7 @@ impl<'a> SphereLight<'a> {
     }
 }
 
-/// Returns the unit direction at an angle, by its cosine, to the unit axis. `turn` is 0 to 1.
+/// Returns the unit vector at `cosine` to the unit `axis`; `turn` is the azimuth, 0 to 1.
 pub fn around(axis: DVec3, cosine: f64, turn: f64) -> DVec3 {
     let (u, v) = axis.any_orthonormal_pair();
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();

@@ -18,17 +18,17 @@ use std::path::PathBuf;
 
 const MAX_SAMPLES: u32 = 1 << 20;
 
-/// Draws a scene by a path tracer, with area lights, light between surfaces, and caustics
+/// Path-traces a scene, with area lights, indirect light and caustics
 ///
-/// Prints the error of the `default` picture, and the path tracer's standard error.
+/// Prints the RMS error and PSNR of the `default` picture, and the path tracer's noise.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
     frame: FrameArguments,
-    /// Paths per pixel; four times the number halves the noise
+    /// Paths per pixel; quadruple them to halve the noise
     #[arg(long, value_name = "N", default_value = "64", value_parser = within(2..=MAX_SAMPLES))]
     samples: u32,
-    /// Seed of the noise
+    /// Random seed
     #[arg(long, value_name = "N", default_value = "0")]
     seed: u32,
     /// PNG file to write, or - for standard output
@@ -101,7 +101,7 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
     let bar = progress::bar(size.height);
     let pixel = |x: usize, y: usize| {
         let number = u64::from(seed) << 32 | (y * size.width + x) as u64;
-        // Hashed: the sequences of consecutive seeds overlap.
+        // Hashed, so that pixels' sequences start far apart.
         let mut random = Random::new(Random::new(number).bits());
         Estimate::of((0..samples).map(|_| {
             let u = random.units() - 0.5;
@@ -121,9 +121,9 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
 /// In 255ths.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// The root mean square, noise included.
+    /// The RMS difference, noise included.
     pub error: f64,
-    /// The root mean square of the standard errors.
+    /// The RMS of the standard errors.
     pub noise: f64,
 }
 
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Noise above white is invisible; errors are at most 1.
+            // Clipping to white limits noise to 1.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();
@@ -153,7 +153,7 @@ impl fmt::Display for Comparison {
         let psnr = 20.0 * (255.0 / error).log10();
         write!(
             f,
-            "error {error:.2} of 255, {psnr:.1} dB to the truth, standard error of the truth {noise:.2}"
+            "RMS error {error:.2} of 255, {psnr:.1} dB to the truth, whose noise is {noise:.2}"
         )
     }
 }

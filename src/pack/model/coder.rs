@@ -1,14 +1,14 @@
-//! The arithmetic decoder; `encoder.rs` has the encoder.
+//! The trait of both coders, and the arithmetic decoder.
 
 pub trait Coder {
-    /// Codes the next bit; the probability of a 1 is in 65,536ths.
+    /// Codes a bit and returns it; the probability of a 1 is in 65,536ths.
     fn bit(&mut self, probability: u32) -> u32;
 }
 
 pub struct Decoder<'a> {
     bytes: &'a [u8],
     range: u64,
-    /// The packed number's position in the interval.
+    /// The code minus the interval's lower end.
     place: u64,
     pub missing: bool,
 }
@@ -16,7 +16,7 @@ pub struct Decoder<'a> {
 impl<'a> Decoder<'a> {
     #[inline(always)]
     pub fn new(bytes: &'a [u8]) -> Decoder<'a> {
-        // A range of 1 makes the first bit read five bytes.
+        // A range of 1 makes the first bit read four bytes.
         Decoder {
             bytes,
             range: 1,

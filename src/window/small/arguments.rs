@@ -10,7 +10,7 @@ impl Arguments {
     /// Reads the arguments and prepares the process for [`main!`](crate::main).
     ///
     /// # Safety
-    /// `count` and `values` have to be those of the C `main`, and no other thread may be running.
+    /// `count` and `values` must be C's `argc` and `argv`, and no other thread may run.
     #[doc(hidden)]
     #[must_use]
     pub unsafe fn start(count: c_int, values: *const *const c_char) -> Arguments {

@@ -5,7 +5,7 @@ use x11_dl::xlib;
 use super::x11::{self, Toplevel, Xlib};
 use crate::input::{Action, Button, Input, Mouse, Press};
 
-/// Records a window's events. The window calls it through a pointer, so programs that never listen do not link its code.
+/// Records a window's input. The window calls `note` by a pointer, so programs that never listen do not link it.
 pub struct Listener {
     note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool),
     inputs: Vec<Input>,
@@ -27,7 +27,7 @@ impl Listener {
         }))
     }
 
-    /// Records an event; `is_repeated` is for keys that are held.
+    /// Records an event; `is_repeated` marks a held key.
     pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
         (self.note)(&mut self.inputs, x, event, is_repeated);
     }
@@ -38,7 +38,7 @@ impl Listener {
 }
 
 fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
-    // SAFETY: the type tells the valid part of an event; mouse events have the fields of key events.
+    // SAFETY: any bits are a valid key event; mouse events share its fields.
     let (kind, event) = unsafe { (event.type_, &event.key) };
     let action = match kind {
         xlib::KeyPress => {
@@ -68,7 +68,7 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: boo
     inputs.push(Input::Mouse(mouse));
 }
 
-/// Returns the button of a number; 4 and 5 are the wheel.
+/// Returns the button of an X11 number; 4 and 5 are the wheel.
 fn button(number: u32) -> Option<Button> {
     Some(match number {
         1 => Button::Left,

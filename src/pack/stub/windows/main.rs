@@ -1,7 +1,7 @@
-//! The Windows stub: unpacks the program, and loads it to its addresses.
+//! The Windows stub: unpacks the program and loads it at its addresses.
 //!
-//! The packer links it from an object of its own, see `src/pack/build`. It is an ELF object for Linux, because the packing machine
-//! has that target's core library. The [loader], which runs after unpacking, is packed with the program.
+//! The packer links it from a separate object, see `src/pack/build`. The object is a Linux ELF file, because the build machine has
+//! only Linux's core library. The [loader], which runs after unpacking, is packed with the program.
 
 #![no_std]
 #![no_main]
@@ -21,14 +21,13 @@ use model::Model;
 use packed::fail;
 use system::{COMMIT_RESERVE, READ_EXECUTE, READ_WRITE, RELEASE, System, protect};
 
-// The entry point. The stack is aligned to 16 bytes, less the return address. The program starts with the same stack,
-// `LoadLibraryA` in `rcx` and `GetProcAddress` in `rdx`.
+// The entry point. On entry `rsp` is a multiple of 16, minus 8. The program gets the same `rsp`, `LoadLibraryA` in `rcx` and
+// `GetProcAddress` in `rdx`.
 //
-// First comes an FNV-1a checksum of all bytes behind this section. This section, the headers and the import table are unverified.
-// (Windows itself refuses a file that was cut.)
+// It checks the FNV-1a checksum of all bytes after this section. This section, the headers and the import table are unverified.
+// (Windows refuses truncated files.)
 //
-// Messages go to the parent's console, if any, by `AttachConsole(-1)` and `WriteFile(GetStdHandle(-12), line, length, &written,
-// 0)`. Then comes `ExitProcess(1)`.
+// `fail` attaches to the parent's console (-1), prints to standard error (-12), and exits with code 1.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -92,7 +91,7 @@ unsafe extern "C" {
 
 unsafe extern "C" fn start() -> usize {
     let length = packed::length();
-    // SAFETY: the packer has put it there, and Windows has filled it.
+    // SAFETY: the packer placed the table, and Windows filled it.
     let system = unsafe { &SYSTEM };
     // SAFETY: this allocates new, zeroed memory.
     let memory =
