@@ -1,4 +1,4 @@
-//! Outlines the filled squares in a PNG picture: `cargo run --release -p eightfold-examples --bin squares
+//! Writes a PNG that outlines filled squares: `cargo run --release -p eightfold-examples --bin squares
 //! squares.png`
 
 use eightfold::show;

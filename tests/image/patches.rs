@@ -1,4 +1,4 @@
-//! Connected pixels that the show loses, without a similar pixel nearby.
+//! Connected lost pixels, without a similar pixel nearby.
 
 use crate::drawn::{draw_best, jagged};
 use crate::error::{Difference, worst_channel};

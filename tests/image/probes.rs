@@ -100,7 +100,7 @@ fn long_interval_holds_the_true_error() {
             let (mut sum, mut settled) = (Probes::NONE, None);
             for seed in 0..FRAMES {
                 let probes = probing.draw(&scene, &quality, COUNT, seed);
-                // Without any error the interval is infinite.
+                // Without errors the margin is not finite.
                 let margin = probes.margin();
                 inside += u32::from(!margin.is_finite() || off(probes, error, pixels) <= margin);
                 sum += probes;

@@ -53,7 +53,7 @@ pub struct Arguments {
     scene: SceneName,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: NamedQuality,
-    /// Averages NxN samples per pixel [default: 1; 4 with a flag below]
+    /// NxN samples a pixel [default: 1; 4 with --shutter or --aperture]
     #[arg(long, value_name = "N", value_parser = within(1..=MAX_SUPERSAMPLE))]
     supersample: Option<usize>,
     /// Motion blur: the fraction of a frame's time with an open shutter, 0 to 1
@@ -65,7 +65,7 @@ pub struct Arguments {
 }
 
 const FRAME: RangeInclusive<usize> = 0..=*arguments::FRAMES.end();
-/// 256 pictures show every step of an edge in 8 bits.
+/// 16x16 samples give all 256 levels of an edge.
 const MAX_SUPERSAMPLE: usize = 16;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -98,7 +98,7 @@ fn range(arguments: &Arguments) -> Result<Range<usize>> {
     Ok(from..to)
 }
 
-/// Names have six digits, to sort by number.
+/// Six digits sort names by number.
 fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| output::cannot("make", folder))?;
     let width = recorder.size.width;

@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(&arguments.out, &picture::png(size.width, &pixels)?)?;
     let real_time = drawn(processors(), &scene, &Quality::DEFAULT, size);
     let comparison = Comparison::new(&real_time, &truth);
-    eprintln!("real-time picture to {samples} paths a pixel: {comparison}");
+    eprintln!("`default` against {samples} paths a pixel: {comparison}");
     Ok(())
 }
 
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Clipping to white limits noise to 1.
+            // Noise is at most 1, and 0 far above white.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();
@@ -153,7 +153,7 @@ impl fmt::Display for Comparison {
         let psnr = 20.0 * (255.0 / error).log10();
         write!(
             f,
-            "RMS error {error:.2} of 255, {psnr:.1} dB to the truth, whose noise is {noise:.2}"
+            "RMS error {error:.2} of 255, PSNR {psnr:.1} dB, noise of the truth {noise:.2}"
         )
     }
 }

@@ -34,7 +34,7 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns the radiance of a path through a point in pixels.
+    /// Returns a path's radiance through pixel (`x`, `y`).
     pub fn follow(&self, x: f64, y: f64, random: &mut Random) -> DVec3 {
         let mut ray = self.oracle.ray(x, y);
         let mut found = DVec3::ZERO;

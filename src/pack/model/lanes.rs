@@ -1,4 +1,4 @@
-//! Vectors of eight 16-bit integers, by SSE2, which every x86-64 processor has, or by loops elsewhere.
+//! Vectors of eight 16-bit integers: SSE2 on x86-64, loops elsewhere.
 
 #[derive(Clone, Copy)]
 #[cfg(target_arch = "x86_64")]
@@ -45,13 +45,13 @@ impl Lanes {
 
     #[inline(always)]
     pub fn to_pairs(self) -> [u32; 4] {
-        // SAFETY: both types are 128 bits of any value.
+        // SAFETY: both types allow any 128 bits.
         unsafe { core::mem::transmute::<__m128i, [u32; 4]>(self.0) }
     }
 
     #[inline(always)]
     pub fn to_numbers(self) -> [i16; 8] {
-        // SAFETY: both types are 128 bits of any value.
+        // SAFETY: both types allow any 128 bits.
         unsafe { core::mem::transmute::<__m128i, [i16; 8]>(self.0) }
     }
 
@@ -60,7 +60,7 @@ impl Lanes {
         Lanes::splat_pair(u32::from(number as u16) * 0x1_0001)
     }
 
-    /// Hides the value from the compiler: instructions are shorter than a constant of 16 bytes.
+    /// Hides the value from the compiler, which would store a constant of 16 bytes.
     #[inline(always)]
     pub fn splat_pair(mut pair: u32) -> Lanes {
         // SAFETY: it does nothing.

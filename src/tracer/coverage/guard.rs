@@ -171,7 +171,7 @@ impl Search<'_> {
             let is_cut_once = cuts == 1 && shown == ALL;
             let inside = match cuts {
                 0 => ALL,
-                // Some corner, or none.
+                // Any one corner.
                 _ if is_cut_once => 1,
                 _ => self.squares.inside([x, y], region),
             };

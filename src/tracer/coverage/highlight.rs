@@ -72,7 +72,7 @@ impl Highlight {
     }
 
     /// Returns the brightness that a square may exceed its corners by. It grows as squares get smaller, like the tolerances of a quality,
-    /// up to a third of the highlight.
+    /// up to 0.3 of the highlight.
     fn most(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }

@@ -115,7 +115,7 @@ impl Sides {
         }
     }
 
-    /// Returns the number of sides that may cut a rectangle: 2 or more for a cone.
+    /// Returns the number of sides that may cut a rectangle: 2 for a cone.
     #[inline(never)]
     pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
         let Self::Flat { terms, .. } = self else {

@@ -55,7 +55,7 @@ impl Frames {
         let memory = shared.unwrap_or_else(pixels);
         // SAFETY: the image is valid.
         unsafe {
-            // From 32-bit pixels Xlib converts to the server's format, if that is smaller or has another byte order.
+            // Xlib converts 32-bit pixels if the server's are smaller or have another byte order.
             (*image).bits_per_pixel = 32;
             (*image).byte_order = xlib::LSBFirst;
             (top.x.XInitImage)(image);
@@ -100,7 +100,7 @@ impl Frames {
     ) {
         let [from, to] = &mut self.frames;
         let (from_width, from_height) = self.drawn;
-        // Steps in 2^-32 pixels, rounded up, so that equal sizes map to equal pixels.
+        // In 2^-32 pixels, rounded up, so that whole positions do not fall a pixel short.
         let step = |from: usize, to: usize| (from << 32) / to.max(1) + 1;
         let (across, down) = (step(from_width, width), step(from_height, height));
         for (row, y) in to.chunks_exact_mut(width).zip(rows) {

@@ -2,7 +2,7 @@ use core::{ptr::null_mut, slice};
 
 use crate::{line, render_target::MOST_PIXELS};
 
-/// Returns zeroed memory for two frames, which the system commits when it is written. Ends the process if there is no address space
+/// Returns zeroed memory for two frames, committed when it is written. Ends the process if there is no address space
 /// left.
 pub fn pixels() -> &'static mut [u32] {
     const COUNT: usize = 2 * MOST_PIXELS;

@@ -207,7 +207,7 @@ fn picture_depends_on_seed() {
     };
     let (first, other) = (truth(7), truth(8));
     let stderr = stderr(&first);
-    let comparison = "real-time picture to 4 paths a pixel: error ";
+    let comparison = "`default` against 4 paths a pixel: RMS error ";
     assert!(stderr.contains(comparison), "{stderr}");
     assert!(first.status.success() && first.stdout == truth(7).stdout);
     assert!(first.stdout != other.stdout);

@@ -1,4 +1,4 @@
-//! Functions of Windows, from the packed file's import table.
+//! Windows functions in the packed file's import table.
 
 use core::ffi::{c_char, c_void};
 
