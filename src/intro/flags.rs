@@ -45,13 +45,13 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Seconds, "--seconds", "S", "seconds until the end, above 0 to 1e9 (116, the show)"),
     flag(Switch::Loop, "--loop", "", "start again instead of ending"),
     flag(Switch::Fps, "--fps", "N", "target frame rate, 1 to 1000 (60)"),
-    flag(Switch::Psnr, "--psnr", "DB", "target PSNR to exhaustive without --fps, 1 to 99 dB"),
+    flag(Switch::Psnr, "--psnr", "DB", "target PSNR to exhaustive, 1 to 99 dB; not with --fps"),
     flag(Switch::Quality, "--quality", "NAME", "fixed quality (whichever holds the frame rate):"),
     flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
     flag(Switch::Uncapped, "--uncapped", "", "draw frames without a pause, at default quality unless one is named"),
     flag(Switch::Hud, "--hud", "", "show frames a second, points traced, dB to exhaustive"),
     flag(Switch::Silent, "--silent", "", "play no sound"),
-    flag(Switch::Still, "--still", "S", "time in seconds of a PPM frame for standard output, 0 to below 116"),
+    flag(Switch::Still, "--still", "S", "time in seconds of the frame to print as PPM, 0 to below 116"),
     flag(Switch::Help, "--help", "", "print this help"),
     flag(Switch::Version, "--version", "", "print the version"),
 ];
@@ -65,7 +65,7 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
     }
 }
 
-/// Of flags and values in `--help`, in characters.
+/// The width of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
 // Check the order, the column, and the show's length in the help.
@@ -86,7 +86,7 @@ const _: () = {
 };
 
 impl Flag {
-    /// Returns the flag of a name; `-h` is `--help`.
+    /// Finds a flag by its name; `-h` is `--help`.
     pub fn find(name: &[u8]) -> Option<&'static Flag> {
         let name = if name == b"-h" { b"--help" } else { name };
         FLAGS.iter().find(|flag| flag.name.as_bytes() == name)

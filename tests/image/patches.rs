@@ -16,7 +16,7 @@ const LARGEST: usize = 200;
 
 const ROOM: usize = 60;
 
-/// Returns the exact pixels without a drawn one within 2 pixels and 32 of 255.
+/// Returns the exhaustive pixels more than 32 of 255 off all drawn ones within 2 pixels.
 fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     let [width, height] = SIZE;
     let is_alike =

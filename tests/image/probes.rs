@@ -1,4 +1,4 @@
-//! Frames estimate their own error: probes agree with the comparison of all pixels.
+//! Probes estimate a frame's error: they agree with the comparison of all pixels.
 
 use crate::cpu::{self, Isa};
 use crate::drawn::{REFINEMENTS, draw_best, of_the_show};
@@ -81,7 +81,7 @@ fn frames_of_a_picture_probe_each_pixel_once() {
     }
 }
 
-/// Of single frames, and of a resting picture until its interval is below 0.3 dB.
+/// Tests each frame, and the sum once its margin is below 0.3 dB.
 #[test]
 #[ignore = "5,400 frames"]
 fn long_interval_holds_the_true_error() {

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// Draws frames as PNG files, a video or a contact sheet, and writes their sound
 ///
-/// A frame has the same bytes for any number of threads and any range, by AVX2 and AVX-512: several machines can share a capture.
+/// Frames have the same bytes for any number of threads and any range, on AVX2 and AVX-512, so machines can split a capture.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),
@@ -25,7 +25,7 @@ pub struct Arguments {
     /// Folder for frame-000000.png, frame-000001.png and so on
     #[arg(long, value_name = "FOLDER")]
     png: Option<PathBuf>,
-    /// Video file with sound, .mp4 or .mkv, or animated picture, .webp, by ffmpeg
+    /// Video with sound (.mp4, .mkv) or animated picture (.webp), by ffmpeg
     #[arg(long, value_name = "FILE")]
     video: Option<PathBuf>,
     /// PNG contact sheet of evenly spaced frames with their times, or - for standard output
@@ -75,7 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(name) = &arguments.audio {
         let sound = recorder.sound(&frames);
         let scene = arguments.scene;
-        let message = format!("--scene is {scene}; must be of the show for --audio");
+        let message = format!("--scene is {scene}; must be a scene of the show with --audio");
         let sound = sound.ok_or_else(|| Exit::bad_input(message))?;
         output::write(name, &wav::wav(&sound))?;
     }
@@ -98,7 +98,7 @@ fn range(arguments: &Arguments) -> Result<Range<usize>> {
     Ok(from..to)
 }
 
-/// Six digits sort names by number.
+/// Padded names sort by number.
 fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| output::cannot("make", folder))?;
     let width = recorder.size.width;
@@ -128,7 +128,7 @@ fn write_sheet(
     output::write(name, &sheet(recorder.size, columns(count), &tiles)?)
 }
 
-/// Returns the columns with the fewest empty places, from the square root of `count` to twice the root.
+/// Returns the column count from sqrt(`count`) to 2 sqrt(`count`) that leaves the fewest empty places.
 fn columns(count: usize) -> usize {
     let least = (count as f64).sqrt().ceil() as usize;
     let empty = |&columns: &usize| count.next_multiple_of(columns) - count;

@@ -95,7 +95,7 @@ impl Estimate {
     }
 }
 
-/// The result depends only on the arguments.
+/// Independent of the number of threads.
 pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate> {
     let tracer = PathTracer::new(scene, size);
     let bar = progress::bar(size.height);
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Noise is at most 1, and 0 far above white.
+            // Cap noise at 1; far above white it is 0.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();

@@ -1,7 +1,6 @@
 //! An unbiased estimate of the rendering equation (Kajiya, 1986).
 //!
-//! Hits of rough surfaces sample every light. So a scattered path adds a light that it hits only after a mirror or glass, which sample no
-//! lights.
+//! Rough surfaces sample every light; mirrors and glass sample none, so a path adds a light that it hits right after them.
 
 use super::light::{SphereLight, around};
 use crate::arguments::Size;
@@ -39,7 +38,7 @@ impl<'a> PathTracer<'a> {
         let mut ray = self.oracle.ray(x, y);
         let mut found = DVec3::ZERO;
         let mut throughput = DVec3::splat(self.exposure);
-        // Since the last scattering; `None` before the first one.
+        // The length since the last scattering, if any.
         let mut length: Option<f64> = None;
         let mut bounces = 0;
         loop {
@@ -118,14 +117,14 @@ struct Surface<'a> {
     hit: &'a Hit<'a>,
     albedo: f64,
     scale: f64,
-    /// Of diffuse, glossy, mirrored and refracted light.
+    /// Diffuse, glossy, mirrored and refracted.
     probabilities: [f64; 4],
 }
 
 struct Next {
     d: DVec3,
     weight: DVec3,
-    /// By a rough surface.
+    /// Diffuse or glossy.
     is_scattered: bool,
 }
 
@@ -153,7 +152,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Returns the reflected radiance per irradiance on a surface that faces `d`.
+    /// Returns the BRDF times the cosine for light from `d`.
     fn reflected(&self, d: DVec3) -> DVec3 {
         if self.hit.n.dot(d) <= 0.0 {
             return DVec3::ZERO;

@@ -29,14 +29,14 @@ macro_rules! operations {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[allow(unsafe_code, reason = "instructions by name")]
+#[allow(unsafe_code, reason = "SSE2 intrinsics")]
 impl Lanes {
     #[inline(always)]
     pub fn new(&[a, b, c, d, e, f, g, h]: &[i16; 8]) -> Lanes {
         Lanes(sse2!(_mm_set_epi16(h, g, f, e, d, c, b, a)))
     }
 
-    /// Returns the vector of four pairs, the lower number in the lower bits.
+    /// Packs four pairs, each with its first number in the low 16 bits.
     #[inline(always)]
     pub fn pairs(pairs: &[u32; 4]) -> Lanes {
         let [a, b, c, d] = pairs.map(|pair| pair as i32);
@@ -79,7 +79,7 @@ impl Lanes {
         subtract: _mm_sub_epi16,
         saturating_add: _mm_adds_epi16,
         multiply_high: _mm_mulhi_epi16,
-        /// The same for unsigned numbers.
+        /// Unsigned.
         multiply_high_unsigned: _mm_mulhi_epu16,
     }
 

@@ -1,6 +1,6 @@
 //! Finds the squares of a tile that may show something between their corners.
 //!
-//! Few of hundreds of outlines meet a tile. Tangents give the range of squares that an outline covers in each row, for four rows at once.
+//! A tile meets few of the outlines. Tangents give the range of squares that an outline covers in each row, for four rows at once.
 //! Tracing gives the object at a corner. For shadows and images on a plane the region is tested: a corner that shows the plane inside it
 //! shows the shadow or image, or an occluder of it.
 

@@ -215,7 +215,7 @@ impl Region {
 /// The silhouette of a block from a point. Each lane is an axis: along it the block is a rectangle with a silhouette edge at either end.
 struct Silhouette {
     shape: Shape,
-    /// The centres of the rectangles, and half of their sides.
+    /// The centres of the rectangles, and half side lengths.
     a: Vec4,
     b: Vec4,
     half_a: Vec4,
@@ -260,7 +260,7 @@ impl Silhouette {
         let mut x = Vec4::select(is_left, a - half_a, a + half_a);
         match self.shape {
             Shape::Box => {}
-            // Across its axis a cylinder counts as a hexagonal prism, and a capsule as a cylinder.
+            // Seen along its axis a cylinder or capsule is a circle.
             Shape::Cylinder | Shape::Capsule => {
                 [x.y, y.y] = tangent_point(a.y, b.y, half_b.y, sign)
             }

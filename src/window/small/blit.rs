@@ -25,7 +25,7 @@ pub struct Frames {
     context: xlib::GC,
     image: *mut xlib::XImage,
     put_image: PutImage,
-    /// The first is the next frame.
+    /// The next frame is first.
     frames: [&'static mut [u32]; 2],
     drawn: (usize, usize),
 }
@@ -91,7 +91,7 @@ impl Frames {
         }
     }
 
-    /// Stretches the frame for some rows of a window, into the other frame's memory, with these channel masks.
+    /// Fills the other frame's memory with a window's stretched `rows`, in channel `masks`.
     fn stretch(
         &mut self,
         (width, height): (usize, usize),
@@ -147,11 +147,11 @@ impl Frames {
         let shared = Xext::load()?;
         let size = 2 * MOST_PIXELS * size_of::<u32>();
         // SAFETY: the display is open and the image valid. The zeroed segment has this size, exists as long as the process, and is
-        // read-only for the server. Zero is valid for all fields of its state.
+        // read-only for the server. A zeroed `shmid_ds` is valid.
         unsafe {
             let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
             let memory = libc::shmat(id, null(), 0);
-            // Delete the segment after the last detach. On Linux others can still attach to it.
+            // Delete the segment after the last detach. Until then, Linux lets others attach.
             libc::shmctl(id, libc::IPC_RMID, null_mut());
             if memory.addr() == usize::MAX {
                 return None;

@@ -36,10 +36,10 @@ pub struct System {
     pub exit: unsafe extern "win64" fn(code: u32) -> !,
 }
 
-/// Protects memory. Returns false if Windows refuses.
+/// Changes access rights. Returns false if Windows refuses.
 ///
 /// # Safety
-/// The lost permissions have to be unused.
+/// Nothing may need the removed rights.
 #[inline(always)]
 pub unsafe fn protect(system: &System, address: usize, size: usize, to: u32) -> bool {
     let mut was = 0;
