@@ -30,8 +30,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         pages.push((path, text));
     }
     let text: String = pages.iter().map(|(_, text)| &**text).collect();
-    let parts = text.split(BEGIN).skip(1).step_by(2);
-    let known: Vec<&str> = parts.filter_map(|part| part.split(" -->").next()).collect();
+    let marks = text.split(BEGIN).skip(1);
+    let names = marks.filter_map(|mark| mark.split(" -->").next());
+    let known: Vec<&str> = names.filter(|&name| name != "end").collect();
     for name in &arguments.names {
         let message = format!("part is {name}; must be one of {}", known.join(", "));
         ensure!(known.contains(&name.as_str()), Exit::bad_input(message));

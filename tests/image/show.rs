@@ -10,9 +10,12 @@ use std::collections::HashMap;
 
 #[test]
 fn show_is_valid_all_along() {
+    let mut scene = at(show::LENGTH);
     for i in 0..=(show::LENGTH * 10.0) as usize {
         let time = i as f32 / 10.0;
         assert_eq!(at(time).validate(), Ok(()), "{time} s");
+        show::at(time, &mut scene);
+        assert!(scene == at(time), "{time} s: depends on the scene before");
     }
 }
 

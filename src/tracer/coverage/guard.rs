@@ -47,8 +47,8 @@ impl Guard {
         }
     }
 
-    /// Clears in `open` the squares of a level whose corners show everything that may be visible in them. `all` are all squares of the
-    /// level. Keeps the outlines that the next level has to test.
+    /// Leaves in `open` the squares of a level that may show something that their corners do not: outlines are tested in `open`,
+    /// highlights in `all` squares of the level. Keeps the outlines that the next level has to test.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -137,8 +137,8 @@ impl Search<'_> {
 
     /// Returns whether all corners of a square show one occluder that hides the object `back` there.
     ///
-    /// Occluders are convex: if the eye is outside, everything in front of the occluder lies in the pyramid of the eye and the corners'
-    /// points. A plane that separates `back` from the pyramid proves that it is hidden.
+    /// Occluders are convex: if the eye is outside, everything that the square shows in front of the occluder lies in the pyramid of the
+    /// eye and the corners' points. A plane that separates `back` from the pyramid proves that it is hidden.
     #[inline(never)]
     fn is_hidden(&self, back: ObjectId, square: [usize; 2]) -> bool {
         let &Squares {
@@ -160,8 +160,8 @@ impl Search<'_> {
     }
 
     /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
-    /// is inside the region, or, if it is wide, all corners show the plane and one side of the region cuts the square: a half-plane that
-    /// meets a square contains a corner. So does a shadow, once its light's shadows are known, unless another one covers the square.
+    /// is inside the region. If all corners show the plane and one side of the region cuts the square, one of them is inside: a half-plane
+    /// that meets a square contains a corner. Shadows wait for [`Search::settle`], since another one may cover the square.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let shown = self.squares.shown([x, y], plane);
@@ -190,7 +190,7 @@ impl Search<'_> {
         true
     }
 
-    /// Opens the squares that may miss a shadow by the current light, or a slit of light.
+    /// Opens the squares that may miss a shadow by the current light, an image, or a slit between two of them.
     #[inline(never)]
     fn settle(&mut self) {
         for (covered, open) in self.covered.iter_mut().zip(&mut self.open) {

@@ -2,15 +2,16 @@
 //! highlights.
 //!
 //! A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split while it meets a conservative bound of something that its
-//! corners do not show. The parts of a cleared square stay cleared. An outline wider than the square covers a corner of each part that it crosses, so one such corner clears the square. An outline thinner than one and a half sides keeps it open down to pixels, unless all
+//! corners do not show. Outlines are not tested again in the parts of a cleared square. One corner clears the square for an outline of one
+//! and a half sides or more, which covers a corner of each part that it crosses. A thinner outline keeps it open down to pixels, unless all
 //! four corners show it.
 //!
 //! | kind | bound | a square may be filled if | file |
 //! | --- | --- | --- | --- |
 //! | object | the cone of rays from the eye that meet it | a corner shows it (all, if it is thin), or the corners show an occluder that hides it | `object` |
 //! | image | the same from the eye's mirror image | no corner shows the plane, or a corner that shows the plane is inside the bound (all, if it is thin), or all corners show the plane and one side of a wide bound cuts the square | `image` |
-//! | shadow | the cone of rays from the light, projected onto the plane | the same | `shadow` |
-//! | highlight | the ellipse of a Gaussian | its brightness nowhere visibly exceeds the corners that show the object | `highlight` |
+//! | shadow | the cone of rays from the light, projected onto the plane | the same, or another shadow covers the square | `shadow` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or it nowhere visibly exceeds those that do | `highlight` |
 //!
 //! # Guarantees
 //!
@@ -28,17 +29,18 @@
 //!
 //! # Best effort
 //!
-//! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a hexagonal prism, an area light as its centre, and
-//!   a spotlight also where it does not shine.
-//! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Otherwise slits flicker.
+//! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a hexagonal prism, an area light as its
+//!   centre, and a spotlight also where it does not shine.
+//! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Slits flicker without
+//!   this rule.
 //! - Images of cylinders and capsules, which count as prisms. Images in waves have no outlines.
 //! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on another
 //!   face. Of thousands of highlights of five pixels or more with a visible centre 0 were missed, and few parts of others
 //!   (`docs/accuracy.md`).
 //! - Wider things can have holes of up to 8 pixels, as far as tests show: at a corner, and in a narrow visible strip of a sunken log.
 //!
-//! `cargo lab missed` counts the rest: gaps, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions. Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit
-//! (`tests/image/errors.rs`).
+//! `cargo lab missed` counts the rest: gaps, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions.
+//! Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit (`tests/image/errors.rs`).
 
 mod guard;
 mod highlight;

@@ -1,7 +1,8 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
-//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with a the axis of its bounding cone. From the eye, w is the ray `(u, v, 1)`. From a light, to the point where the eye's ray d meets a plane at H below the eye, `w = H d - (eye - light) d.y` up to its
-//! length: linear in d, so a shadow is a cone as well. Blocks and planes are bounded by planes through the eye or light.
+//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with the axis a and the half angle of its bounding cone. From the eye, w is the
+//! ray `(u, v, 1)`. From a light to the hit of the eye's ray d on a plane at H below the eye, w is parallel to `H d - (eye - light) d.y`:
+//! linear in d, so a shadow is a cone as well. Blocks and planes are bounded by planes through the eye or light.
 //!
 //! The difference of both sides is concave in u and v: nowhere above its tangent plane, whose maximum over a square is at a corner. So a
 //! square is outside if the tangent plane at its centre is negative at all corners.

@@ -48,6 +48,7 @@ impl Block {
         of.field("centre", self.centre, POINT)?;
         of.field("half", self.half, EXTENT)?;
         of.rule("half", self.half, is_valid, range)?;
+        let square = "of length 1, perpendicular to the others";
         let [x, y, z] = [0, 1, 2].map(|i| self.axes.col(i));
         for (name, axis, next) in [
             ("axes.x_axis", x, y),
@@ -55,12 +56,7 @@ impl Block {
             ("axes.z_axis", z, x),
         ] {
             let is_square = is_unit(axis) && axis.dot(next).abs() < 1e-4;
-            of.rule(
-                name,
-                axis,
-                is_square,
-                "of length 1, perpendicular to the others",
-            )?;
+            of.rule(name, axis, is_square, square)?;
         }
         self.material.check(of)
     }

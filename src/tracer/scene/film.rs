@@ -19,7 +19,7 @@ pub struct Film {
     /// Antialiased pixels keep their dither.
     pub dither: f32,
     /// The factor on a [`Quality`](crate::Quality)'s tolerances, 0 to 1: less for dark scenes with dim edges, where the eye sees
-    /// smaller steps. Its square is the factor on the key weight: images in images count as well.
+    /// smaller steps. Its square is the factor on the key weight, so that dimmer images split squares, too.
     pub tolerance: f32,
 }
 

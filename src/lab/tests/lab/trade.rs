@@ -109,3 +109,12 @@ fn signal_keeps_results() {
         assert!(row["flip_mean"].is_null() && row["pops"].is_null());
     }
 }
+
+/// `ladder` tests jagged frames.
+#[test]
+fn antialias_includes_reference() {
+    let table = printed("trade --ladder --size 48x36 --frames 2 --views 1 --antialias");
+    let rows = cells(&table).split_off(1);
+    assert!(rows.len() == 9 && rows[0][0] == "exhaustive", "{table}");
+    assert_ne!(rows[0][2], "100.0 %");
+}
