@@ -3,7 +3,7 @@
 use crate::maths::{log2, sqrt};
 use core::f32::consts::{LOG10_2, LOG10_E};
 
-/// The work that was done.
+/// The work of rendering.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counts {
@@ -13,7 +13,7 @@ pub struct Counts {
     pub rays: u64,
     /// Rays towards a light.
     pub shadow_rays: u64,
-    /// Lanes of the packets of primary and secondary rays, idle ones included.
+    /// Lanes of the packets of `rays`, idle ones included.
     pub lanes: u64,
     /// The results of [`Frame::with_probes`](crate::Frame::with_probes). The other counts exclude the work of probes.
     pub probes: Probes,
@@ -49,20 +49,19 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// The errors of probed pixels, the differences from [`Quality::reference`](crate::Quality::reference), which estimate the error of
-/// all pixels.
+/// The errors of probed pixels to [`Quality::reference`](crate::Quality::reference), an estimate of all pixels' errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probes {
     /// The number of probed pixels.
     pub pixels: u64,
-    /// The sum of the pixels' squared errors, over three channels, in 255ths.
+    /// The sum of the pixels' squared errors over three channels, in steps of 1/255.
     pub squares: u64,
-    /// The sum of the squares of `squares`' terms, for the confidence interval.
+    /// The sum of each pixel's `squares`, squared, for the confidence interval.
     pub fourths: u64,
 }
 
-/// A squared error added to the mean, weighted by itself, for rare large errors that no probe met. Without it 80 of 100 confidence
-/// intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of probes. The show's mean is 20 to 20,000.
+/// The addend to `fourths / squares` (20 to 20,000 in the show), for rare large errors that no probe met. Without it 80 of 100
+/// confidence intervals of 1,000 probes contain the truth; with it 93 to 97 do, for any number of probes.
 const UNSEEN: f32 = 500.0;
 
 impl Probes {
@@ -73,7 +72,7 @@ impl Probes {
         fourths: 0,
     };
 
-    /// Halves these probes' weight against later ones.
+    /// Halves all sums, so that later probes weigh twice as much.
     pub fn halve(&mut self) {
         self.pixels /= 2;
         self.squares /= 2;
@@ -90,13 +89,13 @@ impl Probes {
         };
     }
 
-    /// Returns the mean squared error of a channel, in 255ths, without bias; NaN without probes.
+    /// Returns an unbiased estimate of a channel's mean squared error, in steps of 1/255; NaN without probes.
     #[must_use]
     pub fn mean_squared_error(&self) -> f64 {
         self.squares as f64 / (3 * self.pixels) as f64
     }
 
-    /// Returns the peak signal-to-noise ratio to the exhaustive frame in dB, to 0.01 dB; infinite without errors.
+    /// Returns the peak signal-to-noise ratio to the exhaustive frame in dB, accurate to 0.01 dB; infinity without errors.
     #[must_use]
     #[inline(never)]
     pub fn psnr(&self) -> f32 {

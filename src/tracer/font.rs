@@ -80,7 +80,7 @@ mod tests {
     use super::strokes;
 
     #[test]
-    fn strokes_of_letters_only_lie_on_grid() {
+    fn letters_have_strokes_on_grid() {
         for letter in 0..=u8::MAX {
             let count = strokes(letter)
                 .inspect(|&(from, to)| {

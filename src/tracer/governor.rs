@@ -25,12 +25,12 @@ const COMPARED: u64 = 8;
 
 /// Selects presets of [`Quality::LADDER`] to hold a frame rate.
 ///
-/// It steps down when frames are late, and up when the next finer preset would leave a sixth of the time unused, by the times'
-/// ratio at the last step down.
+/// It steps down when frames are late. It steps up when the next finer preset would leave a sixth of the time unused, predicted by
+/// the ratio of the times before and after the last step down.
 ///
 /// The preset is stable under a constant load, even if times vary. After a change of the load the first step follows within half a
 /// second, or two frames if these are longer. If the load falls within eight frames of a step down, the preset may stay too fast
-/// until it changes again: the fall looks like the effect of the step.
+/// until the next change of the load: the fall looks like the effect of the step.
 ///
 /// ```
 /// use core::time::Duration;
@@ -46,7 +46,7 @@ pub struct Governor {
     /// Times are in nanoseconds.
     budget: u64,
     preset: usize,
-    /// Late frames since the last step, minus those in time.
+    /// Late frames since the last step, minus punctual ones, at least 0.
     late: u64,
     /// Successive frames in which the next finer preset looked possible.
     calm: u64,
@@ -60,7 +60,7 @@ pub struct Governor {
 }
 
 impl Governor {
-    /// Returns a governor at the finest preset, for frames of this duration, at most one second.
+    /// Returns a governor at the finest preset, for a time of `budget` per frame, at most one second.
     #[must_use]
     #[inline]
     pub fn new(budget: Duration) -> Self {
@@ -138,7 +138,7 @@ const MIN_PROBES: u64 = 1_000;
 /// The number of probes above which their weight is halved: 1.7 s at 60 frames per second.
 const MAX_PROBES: u64 = 8_000;
 
-/// The expected loss from a preset to the next faster one, in dB: the ladder's least, and more than its largest.
+/// The range of losses from a preset to the next faster one in dB: the ladder's smallest, and more than its largest.
 const STEP_LOSS: [f32; 2] = [1.4, 3.0];
 
 /// The additional dB that are required to try a preset again.
@@ -146,8 +146,8 @@ const RETRY_GAIN: f32 = 0.5;
 
 /// Selects presets of [`Quality::LADDER`] to hold an accuracy.
 ///
-/// It steps to a finer preset when frames are certainly less accurate, and to a faster one when that is certainly accurate enough,
-/// by the gain of the last step to a finer preset.
+/// It steps to a finer preset when the accuracy is certainly below the target, and to a faster one when that one would certainly
+/// reach the target, predicted by the gain of the last step to a finer preset.
 ///
 /// A difference of 6 dB causes a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the
 /// finest preset, the accuracy is up to 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
@@ -162,7 +162,7 @@ pub struct AccuracyGovernor {
 }
 
 impl AccuracyGovernor {
-    /// Returns a governor at the finest preset, for a peak signal-to-noise ratio to exhaustive frames in dB.
+    /// Returns a governor at the finest preset, for a target in dB: the peak signal-to-noise ratio to exhaustive frames.
     #[must_use]
     pub fn new(target: f32) -> Self {
         Self {
@@ -192,7 +192,7 @@ impl AccuracyGovernor {
         if self.probes.pixels < MIN_PROBES {
             return;
         }
-        // NaN without any error. Errors that no probe met are left to the next steps.
+        // `max` replaces NaN, without errors. Later steps correct for errors that no probe met.
         let margin = self.probes.margin_with(0.0).max(0.0);
         let psnr = self.probes.psnr();
         let threshold = &mut self.threshold[self.preset];

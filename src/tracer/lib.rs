@@ -3,8 +3,8 @@
 //!
 //! # Shapes, materials and lights
 //!
-//! Shapes are spheres, boxes, cylinders, capsules and planes; materials matt, mirrors, metal, glass and patterns; lights points,
-//! suns, spotlights and balls with soft shadows.
+//! Shapes are spheres, boxes, cylinders, capsules and planes. Materials are matt, mirrors, metal or glass, and can have a pattern.
+//! Lights are points, suns or spotlights; a light with a diameter casts soft shadows.
 //!
 //! ```
 //! use eightfold_tracer::glam::{Mat3, Vec3, vec3};
@@ -46,36 +46,36 @@
 //! # Quality
 //!
 //! [`Quality::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A
-//! [`Governor`] selects presets to hold a frame rate, an [`AccuracyGovernor`] to hold an accuracy, which frames measure with
-//! [`Frame::with_probes`]. See [`limits`] for the accuracy in figures.
+//! [`Governor`] selects the preset that holds a frame rate. An [`AccuracyGovernor`] selects the preset that holds an accuracy,
+//! measured by [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
 //!
 //! # Memory and threads
 //!
-//! Rendering never allocates. A renderer has a [`Memory`] of [`Memory::BYTES`] bytes, and each thread a [`Worker`] of
-//! [`Worker::BYTES`] bytes, for pictures of any size: under 8 MiB with sixteen threads. [`Renderer::detect`], [`ScopedThreads`] and
-//! [`Worker::several`] allocate them on the heap in place, so threads with small stacks can call them, in unoptimised programs,
-//! too. Implement [`Threads`] for your own thread pool.
+//! Rendering never allocates. A renderer needs one [`Memory`] of [`Memory::BYTES`] bytes, and one [`Worker`] of [`Worker::BYTES`]
+//! bytes per thread, for pictures of any size: under 8 MiB with sixteen threads. [`Renderer::detect`], [`ScopedThreads`] and
+//! [`Worker::several`] allocate them in place on the heap: a small stack suffices, even in unoptimised programs. Implement
+//! [`Threads`] for your own thread pool.
 //!
 //! # Without std
 //!
 //! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Pass the
-//! memory to [`Renderer::with_memory`]. Memory and workers are zero at first, so `static`s take no space in an executable file.
+//! memory to [`Renderer::with_memory`]. New memory and workers are all zeros, so a `static` takes no space in an executable file.
 //!
 //! # Scenes as data
 //!
-//! The feature `serde` implements serialisation of a [`Scene`](scene::Scene) and a [`Quality`]. Missing fields get their defaults;
-//! objects need a position, a size and a material. Some qualities have infinite numbers, which JSON lacks.
+//! The feature `serde` implements serialisation of a [`Scene`](scene::Scene) and a [`Quality`]. Missing fields get their defaults,
+//! except an object's position, size and material. Some qualities contain infinity, which JSON cannot represent.
 //!
 //! # Conventions
 //!
 //! Coordinates are right-handed with y up, in scene units of any size. Angles are in radians, times in seconds. Pixel (0, 0) is the
-//! upper left one, sampled at its centre. Colours are linear RGB, 1 the brightest displayed value. Pixels are `0x00RRGGBB`: colours
-//! clamped to 0 to 1, times 255, rounded, without gamma.
+//! upper left one, sampled at its centre. Colours are linear RGB; 1 is the brightest displayed value. Pixels are `0x00RRGGBB`:
+//! colours clamped to 0 to 1, times 255, rounded, without gamma.
 //!
 //! # Determinism
 //!
-//! A frame depends on the scene, the size, the quality, the samples' offset and the instruction set only, not on threads or earlier
-//! frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
+//! A frame depends only on the scene, the size, the quality, the samples' offset and the instruction set, not on threads or
+//! previous frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
 //!
 //! # Compatibility
 //!

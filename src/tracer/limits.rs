@@ -2,25 +2,25 @@
 //!
 //! # Ranges
 //!
-//! [`Scene::validate`](crate::scene::Scene::validate) checks a scene's ranges and rejects NaN and infinity. The tracer accepts
-//! these: the picture has the same bits on any number of threads, takes at most 2.5 times the work of the valid scene, and differs
-//! only where rays meet the invalid number. Pictures have 1x1 to 3840x2160 pixels. The eye may be outside a sphere, inside, on its
-//! surface, or look along it. A point takes at most `2^(depth + 1) - 1` rays, each with one shadow ray per light.
+//! [`Scene::validate`](crate::scene::Scene::validate) checks all ranges and rejects NaN and infinity. If you draw an invalid scene,
+//! its picture has the same bits on any number of threads, takes at most 2.5 times the work of the valid scene, and differs only
+//! where rays meet the invalid number. Pictures have 1x1 to 3840x2160 pixels. The eye may be outside, inside or on a sphere, and
+//! look along its surface. A point takes at most `2^(depth + 1) - 1` rays, each with one shadow ray per light.
 //!
 //! # Rays
 //!
 //! | error | figure |
 //! | --- | --- |
 //! | rays that leave a sphere and hit it again; radii 1e-4 to 1e4, centres up to 1e4 from the origin, rays from up to 1e8 away | 0 of 500,000 |
-//! | rays that leave a plane and hit it again, also along it | 0 of 500,000 |
+//! | rays that leave a plane, or run along it, and hit it again | 0 of 500,000 |
 //! | pixels of single mirrors in which a box, a cylinder or a capsule shows itself | 0 of 20,000,000 |
 //! | rays that leave a box, a cylinder or a capsule and hit it again, or leak out of one; sides 1e-4 to 1e4 | 0 of 100,000 |
-//! | the same from up to 1e8 away, for aligned boxes, rotated boxes, cylinders and capsules each | 0 of 60,000 |
+//! | the same from up to 1e8 away; for each of aligned boxes, rotated boxes, cylinders and capsules | 0 of 60,000 |
 //! | rays into a sphere that miss its far side, except chords shorter than 0.003 radii (at the origin) | 0 |
 //! | points of a sphere in their own shadow, where n.l is above 0.003 | 0 |
 //! | lights outside a sphere that light its inside, and lights wholly inside that do not | 0 |
-//! | squared length of a reflected or refracted direction; radii 1e-4 to 1e6, indices 0.1 to 10, also at the critical angle | 1 to within 5e-7 |
-//! | bits of a ray's result that depend on its lane or on other rays, also with invalid numbers | 0 |
+//! | squared length of a reflected or refracted direction; radii 1e-4 to 1e6, indices 0.1 to 10, the critical angle included | 1 to within 5e-7 |
+//! | bits of a ray's result that depend on its lane or on other rays, even invalid ones | 0 |
 //! | PSNR of a scene scaled by 1e-8 to 1e8 against the original | 50 dB |
 //!
 //! Random rays were checked with 13 seeds on each instruction set. For another seed, run `RAY_SEED=1 cargo test -p eightfold-tracer
@@ -30,8 +30,8 @@
 //! error misses the sphere if it goes outward, and hits the far side if inward. Points on a plane are exact. Hits have no minimal
 //! distance, so a scene may have any scale.
 //!
-//! Rays that wrongly hit or miss a sphere, by the distance in radii: the mean per million of twelve million rays (sixty seeds), its
-//! bound, and the number among 200,000 rays that fewer than one seed in a million exceeds.
+//! Rays that wrongly hit or miss a sphere, by the distance in radii. Each cell has the mean per million (of twelve million rays,
+//! sixty seeds), a bound on the mean, and a bound on one seed's 200,000 rays, which fewer than one seed in a million exceeds.
 //!
 //! | distance | sphere at the origin, AVX2 and AVX-512 | at the origin, SSE2 | anywhere |
 //! | ---: | ---: | ---: | ---: |
@@ -43,13 +43,13 @@
 //! | 100,000 | 13; 16; 15 | 14; 20; 17 | 890; 930; 254 |
 //! | 1,000,000 | 1,322; 1,400; 363 | 1,556; 1,650; 420 | 9,490; 9,700; 2,153 |
 //!
-//! "Anywhere" is up to twice as far from the origin as from the eye: the vector from the eye to the centre is rounded. The command
-//! is `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of a hit's distance is at most
-//! 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the disc. A sphere 1,000 radii away in the model scene at
-//! 3840x2160 is 5 pixels wide.
+//! "Anywhere" is up to twice as far from the origin as from the eye: the vector from the eye to the centre is rounded. To measure,
+//! run `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of a hit's distance is at
+//! most 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the disc. A sphere 1,000 radii away in the model
+//! scene at 3840x2160 is 5 pixels wide.
 //!
 //! Coordinates have a relative error of 6e-8, so keep scenes near the origin. The model scene, 24 units wide, has this PSNR in dB
-//! at 320x240, every pixel traced, to an oracle that draws the same numbers in f64:
+//! at 320x240, every pixel traced, to an oracle that draws the same scene in f64:
 //!
 //! | distance from the origin | PSNR, at least | measured, at 0 and 2.5 s |
 //! | ---: | ---: | ---: |
@@ -71,8 +71,8 @@
 //! | missed images in the first plane of spheres and boxes that show in 2x2 pixels | 0 |
 //! | missed highlights, seen directly, of five pixels and more around the point that mirrors the light | 0 |
 //! | pixels of shadows of spheres that the default quality draws lit, and their largest patch | 0.4 %, 20 |
-//! | by a sun, a spotlight and a ball | 0.6 %, 0.4 % and 0.3 % |
-//! | of thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
+//! | the same by a sun, a spotlight and a light with a diameter | 0.6 %, 0.4 % and 0.3 % |
+//! | the same of thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
 //! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
@@ -96,23 +96,22 @@
 //!
 //! - Coincident surfaces: rounding decides which one a ray hits.
 //! - Chords of a sphere shorter than the rounding error: the ray misses.
-//! - Shadows between corners. The guard tests shadows on planes, and light between them. Where a light low above a plane lights
-//!   only a few pixels, the corner that identifies a sphere's shadow by a point light may be dark anyway: a shadow wider than a
-//!   square can be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
-//! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and in thin shadows by
-//!   lights with a diameter: soft edges are not guarded.
+//! - Shadows between corners. The guard tests shadows on planes, and light between them. Where a point light low above a plane
+//!   lights only a few pixels, the corner inside a sphere's shadow may be dark without it: a shadow wider than a square can be
+//!   missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
+//! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and holes in thin
+//!   shadows by lights with a diameter, whose soft edges are unguarded.
 //! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
 //!   a bright slit on a block's face.
-//! - Images of cylinders and capsules in the first plane, and partly covered ones: a corner inside two outlines counts as showing
-//!   both.
+//! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
+//!   both. Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 189 pixels in
+//!   the show.
 //! - dB to exhaustive of other scenes: 38.8 for crowds of glass in glass, 40.3 for mirrors in mirrors, 39.0 for coincident faces;
 //!   less for an eye inside glass, extreme scales and the fastest quality.
-//! - Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 189 pixels in the
-//!   show.
-//! - Highlights in mirrors, on waves, seen from inside a sphere, a cylinder or a capsule, and without the point that mirrors the
-//!   light: it is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its object, but
-//!   neither face nor light: a slit of light between shadows, the lit rim of a sphere, or the narrow side of a flat cylinder can
-//!   lose its highlight, whatever its length.
-//! - Reflections except in the first plane without waves, and refractions: they are unguarded.
-//! - The position of hits on a sphere whose radius is below about 1e-6 of its largest coordinate, the rounding error. Rays that
-//!   leave it still never hit it again.
+//! - Highlights in mirrors, on waves, or seen from inside a sphere, a cylinder or a capsule; and highlights whose centre, the point
+//!   that mirrors the light, is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its
+//!   object, but neither face nor light: a slit of light between shadows, the lit rim of a sphere, or the narrow side of a flat
+//!   cylinder can lose its highlight, whatever its length.
+//! - Refractions, and reflections in anything but a first plane without waves: they are unguarded.
+//! - The position of hits on a sphere with a radius below the rounding error, about 1e-6 of its largest coordinate. Rays that leave
+//!   it still never hit it again.

@@ -1,6 +1,6 @@
-//! Scalar functions that `core` lacks, for scenes that move.
+//! Scalar functions that `core` lacks, for animated scenes.
 //!
-//! They give the same bits on every platform: they are correctly rounded, or use sums and products only.
+//! They return the same bits on every platform: each is correctly rounded, or uses only sums and products.
 
 pub use crate::lanes::ROUND_TO_INTEGER;
 

@@ -13,10 +13,10 @@ pub trait Observer: Copy + Sync {
     /// Called for each traced point with its work.
     fn point(self, _x: usize, _y: usize, _work: Counts) {}
 
-    /// Called for each drawn square of `w` by `h` pixels from its upper left (x, y).
+    /// Called for each drawn square of `w` by `h` pixels, whose upper left pixel is (x, y).
     fn square(self, _x: usize, _y: usize, _w: usize, _h: usize, _fill: Fill) {}
 
-    /// Called for each split square of `side` pixels from its upper left (x, y). Its parts follow.
+    /// Called for each split square of `side` pixels, whose upper left pixel is (x, y). Its parts follow.
     fn split(self, _x: usize, _y: usize, _side: usize, _why: Split) {}
 }
 

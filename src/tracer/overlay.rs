@@ -140,12 +140,12 @@ fn distance(at: Vec2, letter: u8) -> f32 {
     sqrt(distance2)
 }
 
-/// Blends a pixel to black by the share `covered`, and adds shares of blue, green and red, which are no larger.
+/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares up to `covered`.
 ///
 /// Not inlined: vectorised rows would cost the intro 240 packed bytes.
 #[inline(never)]
 fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
-    // In 256ths. A brightness above 1, which a valid scene never has, counts as 1.
+    // In 256ths. A brightness above 1, of an invalid scene, counts as 1.
     let rounded = |share: f32| ((256.0 * share + 0.5) as u32).min(256);
     let left = 256 - rounded(covered);
     let channel = |number: usize| {

@@ -26,14 +26,14 @@ pub struct Frame<'a> {
 /// The probed pixels, see [`Frame::with_probes`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probing {
-    /// The number of probes. Pixels that an overlay hides are skipped.
+    /// The number of probed pixels in each frame.
     pub count: u16,
-    /// The choice of pixels.
+    /// Selects the pixels.
     pub seed: u32,
 }
 
 impl<'a> Frame<'a> {
-    /// A number of probes that takes less than 1 % of a default frame of 1024x768: with AVX2, callgrind counts 0.8 % more
+    /// The number of probes that take less than 1 % of a default frame of 1024x768: with AVX2, callgrind counts 0.8 % more
     /// instructions for the model scene, 0.6 and 0.3 % for the show at 20 and at 76 s.
     pub const PROBES: u16 = 80;
 
@@ -69,11 +69,11 @@ impl<'a> Frame<'a> {
     /// Probes `count` pixels: traces them as [`Quality::reference`] does, and compares them with the frame. The results are in
     /// [`Counts::probes`]; the picture stays the same.
     ///
-    /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Captions and copper bars
-    /// are not compared. A frame with a [`Method`](crate::scene::Method) overlay or coarse squares has no probes.
+    /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Probes ignore captions and
+    /// copper bars, and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
     ///
-    /// The estimated mean squared error is unbiased. A few pixels make most of the error, so add the probes of many frames: at 60
-    /// frames a second, one second is accurate to 1 or 2 dB, one minute to some tenths of a dB.
+    /// The estimated mean squared error is unbiased. A few pixels have most of the error, so add the probes of many frames: at 60
+    /// frames a second, the estimate is accurate to 1 or 2 dB after a second, and to some tenths of a dB after a minute.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self {
@@ -133,14 +133,14 @@ pub struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Returns its rows in the picture.
+    /// Returns the range of the band's rows in the picture.
     #[must_use]
     pub fn rows_of_picture(&self) -> Range<usize> {
         self.top..self.top + self.height()
     }
 
-    /// Marks the band as drawn by the caller, with edges anywhere. Draw the rows next to the renderer's bands before edges are
-    /// antialiased.
+    /// Marks the band as drawn by the caller, with edges anywhere. Draw the rows next to the renderer's bands before it antialiases
+    /// them.
     pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);
     }

@@ -8,7 +8,7 @@ use crate::trace::{Batch, Kernel, Tracer};
 use fearless_simd::Level;
 use glam::Vec2;
 
-/// Images in a crowd of mirrors and glass are narrow.
+/// The largest side of squares in a crowd of mirrors and glass, whose images are narrow.
 const CROWD_SQUARE: usize = 4;
 
 pub(crate) struct FramePlan {
@@ -18,7 +18,7 @@ pub(crate) struct FramePlan {
     pub quality: Quality,
     /// In pixels.
     pub size: [usize; 2],
-    /// The number of columns without marks of the method, from the left.
+    /// The number of columns, from the left, without the method's overlay.
     pub finished: usize,
     /// See [`Method::coarse`]; below 2 for none.
     pub coarse: usize,

@@ -27,9 +27,9 @@ pub struct Quality {
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
     /// The least weight of rays whose objects are part of the key, 0 to infinity, to exclude weak reflections of a floor. A ray's
-    /// weight is the product of `kr`, `kt` and the haze along its path. If it is above 0 and a scene has twelve strong mirrors or
-    /// glass solids, all their points have different keys, and squares have 4 pixels at most: reflections in a dense cluster are
-    /// tiny.
+    /// weight is the product of the exposure and of `kr`, `kt` and the haze's factors along its path. If `key_weight` is above 0
+    /// and a scene has twelve strong mirrors or glass solids, all their points have different keys, and squares have 4 pixels at
+    /// most: reflections in a dense cluster are tiny.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
@@ -37,7 +37,7 @@ pub struct Quality {
     pub highlight: f32,
     /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`].
     pub depth: u32,
-    /// The least weight of secondary rays, 0 to infinity: the product of `kr` and `kt` along the path.
+    /// The least weight of secondary rays, 0 to infinity.
     pub least_contribution: f32,
     /// Whether edges are antialiased. Where neighbouring pixels differ by 20/255 or more in a channel, the point half-way between
     /// is traced and mixed into both; up to two more points per pixel find the edge by bisection.
@@ -80,7 +80,7 @@ impl Quality {
     /// The presets from the finest to the fastest. The first four are antialiased, which takes a third to a half more time.
     /// `docs/accuracy.md` has their speed and errors, measured by `cargo lab trade --ladder`.
     ///
-    /// They lie on the front of time against FLIP and pops (pixels that jump between frames while the exhaustive frame's stay),
+    /// They lie on the Pareto front of time, FLIP and pops (pixels that jump between frames while the exhaustive frame's stay),
     /// which `cargo lab trade` prints. The optimum by PSNR only, a default with a tolerance of 9 and a least contribution of 0.02,
     /// takes a tenth less time in the model scene, but has three times the pops and 1.5 times the FLIP error.
     ///
@@ -103,8 +103,8 @@ impl Quality {
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",
     ];
 
-    /// Returns a quality with one tolerance. Keys have the objects of the primary hit and of its stronger secondary rays, and the
-    /// lights' states, lit or dark.
+    /// Returns a quality with a tolerance for equal keys only. Keys have the objects of the primary hit and of its stronger
+    /// secondary rays, and the lights' states, lit or dark.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,

@@ -86,11 +86,10 @@ pub(crate) const CORNER: f32 = 2e-4;
 /// The largest error of a block's corner seen from a light, up to a thousand times as far away: two roundings.
 pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
-/// The largest distance from its object of a point that is computed again from the picture, relative to the largest coordinate:
-/// some `u`.
+/// The largest distance between an object and its point recomputed from the picture, relative to the largest coordinate: some `u`.
 pub(crate) const SEEN: f32 = 1e-5;
 
-/// The hit errors within which the eye may be inside or outside a sphere.
+/// The distance from a sphere, in hit errors, within which the eye may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
 /// The least height of the eye and of a light above a plane, relative to the distance from the light to the eye's mirror image, for

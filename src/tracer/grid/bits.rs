@@ -20,7 +20,7 @@ impl Bits {
         let mut bits = Self::NONE;
         for (i, word) in bits.0.iter_mut().enumerate() {
             let count = count.saturating_sub(64 * i).min(64) as u32;
-            // A shift by 64 leaves nothing.
+            // A shift by 64 overflows.
             *word = u64::MAX.checked_shr(64 - count).unwrap_or(0);
         }
         bits

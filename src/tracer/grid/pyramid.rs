@@ -7,14 +7,14 @@ use crate::trace::{Layers, Sample};
 
 pub(crate) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
 
-/// The grids of all levels except level 0, whose pixels are drawn at once.
+/// The grids of all levels except level 0, whose pixels are drawn immediately.
 ///
 /// A grid is row-major. The corners of the square (x, y) are the points (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1).
 pub(crate) struct Pyramid {
     /// [`Sample`]s as words.
     samples: [u64; POINTS],
     pub keys: [u32; POINTS],
-    /// The light on patterns and apart from them.
+    /// Only set where the world has patterns.
     pub layers: [Layers; POINTS],
 }
 
@@ -72,7 +72,7 @@ impl Pyramid {
         self.keys[index] = key;
     }
 
-    /// Returns memory for other purposes, between tiles.
+    /// Returns the samples' memory, for other purposes between tiles.
     pub fn scratch(&mut self) -> &mut [u64; SCRATCH] {
         self.samples.first_chunk_mut().expect("as many points")
     }
@@ -92,7 +92,7 @@ impl Pyramid {
         [upper, upper + 1, lower, lower + 1]
     }
 
-    /// Returns their samples.
+    /// Returns the samples of [`Pyramid::corner_indices`].
     pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
         let (start, stride) = (Self::index(level, x, y), Self::stride(level));
         // A single slice needs a single bounds check.

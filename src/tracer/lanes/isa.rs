@@ -63,7 +63,7 @@ cfg_select! {
 
 #[inline(always)]
 pub(crate) fn baseline() -> Baseline {
-    baseline_of(Level::baseline()).expect("the least level has what every CPU has")
+    baseline_of(Level::baseline()).expect("the baseline level has its instruction set")
 }
 
 cfg_select! {

@@ -9,7 +9,7 @@ mod isa;
 mod pow;
 mod vec3x;
 
-/// Evaluates an expression with AVX2, or with the baseline without AVX2.
+/// Evaluates an expression with AVX2, or with the baseline if the CPU lacks AVX2.
 ///
 /// Only rays use AVX-512, see [`trace_wide`](crate::trace::trace_wide): eight pixels, the row of a square, fit an AVX2 register,
 /// and wider rows cost the intro 1,335 packed bytes without a gain.
@@ -69,7 +69,7 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
-/// Returns the maximum, or `least` where `v` is NaN. (For `max` that depends on the CPU.)
+/// Returns the maximum, or `least` where `v` is NaN. (The result of `max` depends on the CPU.)
 #[inline(always)]
 pub(crate) fn at_least<S: Isa>(v: F<S>, least: F<S>) -> F<S> {
     if S::LIMITS_REPLACE_NAN {

@@ -20,8 +20,8 @@ pub(crate) struct Film {
 /// Four points' light or colours: blue, green, red, and an unused vector.
 pub(crate) type Four = [f32x4<Baseline>; 4];
 
-/// Thresholds that are added to a pixel's colour before truncation, in 256ths of a step. The pixel (x, y) has the word at `[y %
-/// 4][x % 4]`, with the same number for each channel, and again four further on.
+/// Thresholds that are added to a pixel's colour before truncation, in 256ths of a step. The word of the pixel (x, y), at `[y %
+/// 4][x % 4]` and again four further on, has the same number for each channel.
 pub(crate) type Dither = [[u64; 8]; 4];
 
 #[cfg(test)]

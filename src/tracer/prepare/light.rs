@@ -20,7 +20,7 @@ pub(crate) struct PreparedLight {
     pub glow2: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
-    /// The first object that is listed as an occluder. A faster test decides the hard shadows of the spheres before it.
+    /// The first object that shadow rays list as an occluder. The spheres before it cast hard shadows, by a faster test.
     pub listed_from: ObjectId,
     /// In the order of the tree's solid nodes.
     pub shadow_cones: [ShadowCone; MAX_NODES],
@@ -55,9 +55,9 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere: the part of a cone around it, with the apex at the light, that is no nearer than the sphere.
+/// The shadow of a node's sphere: a cone around the sphere, with the apex at the light, from the sphere's near side on.
 ///
-/// Unaligned vectors make it fit a cache line of 64 bytes: a frame has up to 2,572 cones.
+/// Unaligned vectors make it fit a cache line of 64 bytes: a frame has up to 2,316 cones.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
     /// The direction to the light, of length 1.
@@ -69,17 +69,17 @@ pub(crate) struct ShadowCone {
     pub solids: u8,
     pub skip: u16,
     pub object: ObjectId,
-    /// Whether the sphere contains the light, and casts its shadow outward.
+    /// Whether the light is inside the sphere, which then shadows its outside.
     pub around_light: bool,
     /// The vector to the light.
     pub from_light: Vec3,
-    /// Reduced by the discriminant's rounding error: a ray that leaves the sphere is not in its shadow. Enlarged if the light is
-    /// inside.
+    /// The squared radius, reduced by the discriminant's rounding error: a ray that leaves the sphere is not in its shadow.
+    /// Enlarged if the light is inside.
     pub r2: f32,
     /// The normal, of any length, of the plane through the light and a block's longer axis. The block's shadow is between two
-    /// planes through the light at equal angles to it.
+    /// planes through the light at equal angles to that plane.
     pub side: Vec3,
-    /// The squared sine of that angle, times the squared length of `side`.
+    /// The squared sine of these angles, times the squared length of `side`.
     pub sine2: f32,
     /// Enlarged for rounding.
     pub radius: f32,

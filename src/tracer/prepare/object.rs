@@ -63,14 +63,14 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The number of strong mirrors and glass solids that make a crowd. The show's scenes have six at most. With a lower number, one of
-/// fifty random scenes of 16 blocks is below 42 dB at the default quality.
+/// The number of strong mirrors and glass solids that make a crowd. The show's scenes have six at most. Of random scenes of 16
+/// blocks with fewer, one in fifty is below 42 dB at the default quality.
 const CROWD: usize = 12;
 
-/// The least strong weight: the presets' `key_weight`.
+/// The least `kr + kt` of strong mirrors and glass: the presets' `key_weight`.
 const STRONG: f32 = 0.3;
 
-/// The sine of half the viewing angle at which a glass sphere shows the crowd large enough.
+/// The sine of half the viewing angle from which a glass sphere shows large enough images.
 const LARGE: f32 = 0.2;
 
 fn is_strong(material: &Material) -> bool {

@@ -9,7 +9,7 @@ const MIN_HIGHLIGHT: f32 = 1e-4;
 /// Larger than any r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// A parameter, by the index of its first component. Lengths are in scene units.
+/// A surface's parameter, as the index of its first component. Lengths are in scene units.
 #[derive(Clone, Copy)]
 pub(crate) enum Parameter {
     /// A vector: the centre of a sphere or a plane.
@@ -18,10 +18,10 @@ pub(crate) enum Parameter {
     InverseRadius = 3,
     /// 0 for visible lights and the background.
     IsLit = 4,
-    /// A colour: reflected ambient light, or of a visible light or the background.
+    /// A colour: the reflected ambient light, or the colour of a visible light or the background.
     Emitted = 5,
     Diffuse = 8,
-    /// A colour: the factor of highlights on a light's colour.
+    /// A colour: the factor on a light's colour in its highlight.
     Highlight = 11,
     Ks = 14,
     Exponent,

@@ -7,7 +7,7 @@ use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
 use glam::{Vec3, Vec3A};
 
-/// Each tile has the set of groups of solids that may be visible in it.
+/// The number of groups of solids. Each tile has the set of groups that may be visible in it.
 const SOLID_GROUPS: usize = 32;
 
 /// Solids' groups, in the tree's order, then one for each light.
@@ -52,12 +52,12 @@ pub(crate) struct BvhNode {
     /// The number of nodes to advance by if it is missed.
     pub skip: u16,
     pub is_bound: bool,
-    /// A leaf's solids are the next nodes.
+    /// The number of a leaf's solids, which are the next nodes.
     pub solids: u8,
     pub is_block: bool,
     /// The longer of a block's own y and z axes.
     pub axis: Vec3A,
-    /// The squared radius of the bounding cylinder around it.
+    /// The squared radius of the block's bounding cylinder around `axis`.
     pub thin2: f32,
 }
 
@@ -96,7 +96,7 @@ impl Tree {
         &self.nodes[..self.len]
     }
 
-    /// Returns the first node for rays that can only meet `groups`. It skips the root, which such rays probably meet.
+    /// Returns the first node for rays that can only meet `groups`. Skips the root, which such rays probably meet.
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 {
             1
@@ -164,7 +164,7 @@ impl Tree {
             radius = radius.max(centre.distance(ball.centre) + ball.radius);
         }
         radius *= 1.0 + BOUND;
-        // With NaN or infinity, rays must still find the other solids in it.
+        // With NaN or infinity in a ball, rays must still find the others.
         if !(centre.abs().element_sum() + radius).is_finite() {
             (centre, radius) = (Vec3A::ZERO, UNBOUNDED);
         }

@@ -3,7 +3,7 @@ use super::{Material, Shape};
 use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
-/// A box, cylinder or capsule. Transparent blocks refract rays at each side.
+/// A box, cylinder or capsule. Transparent blocks refract rays that enter or leave.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]

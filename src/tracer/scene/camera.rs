@@ -25,7 +25,8 @@ impl Default for Camera {
     }
 }
 
-/// The ray through the pixel (x, y) has the direction `corner + x dx + y dy`, which is not normalised.
+/// The picture plane at distance 1 from the eye: the ray through the pixel (x, y) has the direction `corner + x dx + y dy`, which
+/// is not normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
     pub corner: Vec3,
@@ -73,7 +74,7 @@ impl Camera {
         of.field("field_of_view", self.field_of_view, angle)
     }
 
-    /// Returns the picture plane at distance 1 from the eye.
+    /// Returns the rays through a picture of `width` by `height` pixels.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = unit(
@@ -107,7 +108,7 @@ fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     }
 }
 
-/// Converts a number below 2^24 exactly. The cast through `i32` is a single instruction; that from `usize` is not.
+/// Converts a number below 2^24 exactly. The cast through `i32` is a single instruction; a cast from `usize` is not.
 #[inline(always)]
 pub(crate) fn pixels(count: usize) -> f32 {
     count as i32 as f32

@@ -1,7 +1,7 @@
 use core::fmt;
 use core::ops::{Deref, DerefMut};
 
-/// Up to `N` items, stored in place. It dereferences to the slice of its items.
+/// A list of up to `N` items, stored in place, which dereferences to a slice.
 ///
 /// ```
 /// use eightfold_tracer::scene::List;
@@ -58,7 +58,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
     /// Appends an item.
     ///
     /// # Errors
-    /// If the list is full. It stays unchanged.
+    /// If the list is full; it stays unchanged.
     pub fn try_push(&mut self, item: T) -> Result<(), CapacityError> {
         let len = self.len + 1;
         if len > N {

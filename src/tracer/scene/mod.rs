@@ -55,8 +55,8 @@ pub struct Scene {
     pub camera: Camera,
     /// The colour of the background at the horizon and below, 0 to 1e9 in each channel.
     pub background: Vec3,
-    /// The difference between the zenith and the horizon, which may be negative; the sum is 0 to 1e9 in each channel. Its weight
-    /// for a ray whose direction, of length 1, rises by y is `y (2 - y)`.
+    /// The zenith's colour minus `background`, which may be negative; the sum is 0 to 1e9 in each channel. Its weight for a ray
+    /// whose direction, of length 1, rises by y is `y (2 - y)`.
     pub sky: Vec3,
     /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`;
     /// the background has the rest.
@@ -375,7 +375,7 @@ pub struct Light {
     pub position: Vec3,
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
-    /// The radius of the visible light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 for an invisible one. It casts no shadow, and haze does
+    /// The radius of the visible light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 makes it invisible. It casts no shadow, and haze does
     /// not dim it.
     pub drawn_radius: f32,
     /// Whether the rays are nearly parallel: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and the light is
@@ -385,8 +385,8 @@ pub struct Light {
     /// At 0 shadows are hard and black.
     pub diameter: f32,
     /// The radius of the glow, 0 to [`MAX_LENGTH`]. A ray through the position sees the light's colour, a ray at this distance half
-    /// of it; far away the glow falls off with the squared distance. An object in front of the light hides the half behind it. The
-    /// glow of parallel lights is the sun's disc.
+    /// of it; far away the glow falls off with the squared distance. An object hides the glow behind it. The glow of a parallel
+    /// light is the sun's disc.
     pub glow: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,

@@ -19,7 +19,7 @@ pub struct Caption {
     /// | `%` | a space | the third number |
     /// | `&` | a space | the fourth number |
     ///
-    /// The last sign of a kind is the last digit; missing digits in front are spaces.
+    /// The last sign of a kind is the last digit; leading zeros are spaces.
     #[cfg_attr(feature = "serde", serde(with = "super::serial::text"))]
     pub letters: List<u8, MAX_LETTERS>,
     /// The middle of the line, relative to the picture's height from the top, 0 to 1.

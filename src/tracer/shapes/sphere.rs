@@ -132,7 +132,7 @@ pub(crate) fn deepest<S: Isa>(
     let a = at_least::<S>(to_centre.dot(d), splat(simd, 0.0));
     let a = at_most::<S>(a, length);
     let off = to_centre.add_scaled(d, -a);
-    // A point within the rounding error of the sphere lies on it.
+    // A point within the rounding error of the sphere counts as on it.
     let error = rounding::DEEP * (centre.abs().max_element() + sphere.radius);
     (a, -off.dot(off).sqrt() + (sphere.radius - error))
 }

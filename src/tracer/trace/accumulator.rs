@@ -9,7 +9,8 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The light of a point on a patterned surface, whose colour is `rest + reflectance * untextured`. Both change slowly along it.
+/// The light of a point on a patterned surface: the point's colour is `rest + reflectance * untextured`. Both layers vary slowly
+/// across the surface.
 ///
 /// The first four numbers are `rest`: highlights, reflection, transmission and haze. The others are `untextured`: ambient and
 /// diffuse light. Both are blue, green, red and 0, in steps of 1/255.

@@ -10,7 +10,7 @@ pub(crate) struct Candidate {
     lanes: u16,
 }
 
-/// Each solid occurs at most once.
+/// Lists each solid at most once.
 pub(crate) type Candidates = List<Candidate, MAX_SOLIDS>;
 
 impl Candidate {

@@ -15,7 +15,7 @@ const STATE_BITS: u32 = 2;
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
     counted: M<S>,
-    /// Most secondary rays have no such node.
+    /// Whether any node counts. Most packets of secondary rays have none.
     has_any: bool,
     states: U<S>,
 }

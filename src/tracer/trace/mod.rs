@@ -1,8 +1,7 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Rays of any points travel in packets, one per lane. Secondary rays go to a stack instead of a recursion, and the next packet is
-//! popped as soon as it fills the lanes, so few lanes are idle. Colours are integer sums, so a point's bits do not depend on the
-//! order of rays or on other points.
+//! Rays of any points travel in packets, one per lane. Secondary rays go to a stack, and a packet is popped as soon as it fills the
+//! lanes, so few lanes are idle. Colours are integer sums, so a point's bits do not depend on the order of rays or on other points.
 //!
 //! | step of a packet | module |
 //! | --- | --- |
@@ -80,7 +79,7 @@ impl Batch {
         self.surfaces.clear();
     }
 
-    /// This takes a thousandth of the time, so one instruction set is enough.
+    /// Uses the baseline only: it takes a thousandth of the time.
     #[inline(never)]
     fn finish(&mut self, film: &Film) {
         self.results.finish(film, &self.points);

@@ -4,7 +4,7 @@ use crate::prepare::World;
 use core::ops::Range;
 use fearless_simd::{f32x4, i32x4, u32x4};
 
-/// 16 kB of sums stay in the L1 cache.
+/// The capacity: 16 kB of sums stay in the L1 cache.
 pub(crate) const BATCH: usize = 1024;
 
 /// Positions are in this fraction of a pixel, so that the widest picture fits in 16 bits.
@@ -67,7 +67,7 @@ impl Queue {
             .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
-    /// Returns the primary rays of a packet. Lanes after the last point have rays of an earlier batch, which are ignored.
+    /// Returns the primary rays of a packet. Lanes after the last point have stale rays, which are ignored.
     #[inline(always)]
     pub(super) fn primary_rays<S: Isa>(&self, simd: S, world: World<'_>, start: usize) -> Rays<S> {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);

@@ -3,7 +3,8 @@ use crate::prepare::{
     ObjectId, Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable, World,
 };
 
-/// More than most tiles show. With one, the model scene takes 3 % more instructions, since primary and secondary rays alternate.
+/// The number of cached surfaces, more than most tiles show. With one, the model scene takes 3 % more instructions, since primary
+/// and secondary rays alternate.
 const CACHED: usize = 16;
 
 const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
@@ -36,7 +37,7 @@ pub(super) struct SurfaceLanes<'a, S: Isa> {
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
     /// Looks up the objects of the active lanes. Most packets hit one, usually cached; otherwise surfaces are mixed lane by lane.
-    /// The cache must be of this frame.
+    /// The cache must belong to this frame.
     #[inline(always)]
     pub fn look_up(
         simd: S,

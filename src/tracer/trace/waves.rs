@@ -29,8 +29,8 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// Replaces the rows, x and z of `count` points, y of the rays' directions and the rays' lengths, by normals. One instruction set
-/// is enough.
+/// Replaces the first three rows by normals. Before, the rows are x and z of `count` points, y of the rays' directions, and the
+/// rays' lengths. Uses the baseline only.
 #[inline(never)]
 fn tilt(world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
     tilt_by(baseline(), world, rows, count);

@@ -106,7 +106,7 @@ impl Property for Spheres {
                     assert!(t.is_none(), "{what}: {p} is hit again along {d}");
                     left += 1;
                 } else if chord * chord > 64.0 * off * radius {
-                    // Longer chords than rounding errors.
+                    // The chord is longer than rounding errors.
                     let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
                     let is_right = t.is_some_and(|t| (t - chord).abs() < most);
                     assert!(is_right, "{what}: {d} from {p} goes {t:?} of {chord}");

@@ -67,7 +67,7 @@ impl Property for Patterns {
                             continue;
                         }
                         let left = -left;
-                        // At any of the four positions.
+                        // The pixel may be any of the four.
                         let start = (x + lane).saturating_sub((x + y) % 4);
                         let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);
                         let four: [f32; 4] = SeenPattern::new(world, object)
