@@ -18,7 +18,7 @@ use options::{Options, Task};
 
 const SHOW_NANOSECONDS: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
 
-/// The exit code after losing the screen or failing to write.
+/// The exit code if the display is lost or a write fails.
 const FAILURE: i32 = 1;
 
 const MISUSE: i32 = 2;

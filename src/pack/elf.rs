@@ -109,7 +109,7 @@ pub fn segments(file: &[u8]) -> Result<Vec<Segment>, Error> {
         .collect())
 }
 
-/// Writes the program headers, and sets the section headers to none.
+/// Writes the program headers, and removes the section headers.
 pub fn set_segments(file: &mut [u8], segments: &[Segment]) -> Result<(), Error> {
     let range = segment_range(file);
     let bytes: Vec<u8> = segments

@@ -15,7 +15,6 @@ pub(super) struct Environment {
     pub floor_half: f32,
     /// See [`Waves::slope`].
     pub swell: f32,
-    /// A spotlight's aim may have any length here.
     pub lights: &'static [Light],
     /// The response of lights, copper bars and camera to the kick drum, 0 to 1. At 0 there are no copper bars.
     pub kick_response: f32,

@@ -103,8 +103,8 @@ mod tests {
 
     fn keyframes() -> impl Strategy<Value = [Keyframe; 5]> {
         let coordinate = || -5.0_f32..5.0;
-        let way = (coordinate(), coordinate(), coordinate(), -3.0_f32..3.0);
-        let any = (way, 1.0_f32..20.0, 0.0_f32..5.0, -0.2_f32..0.2);
+        let target = (coordinate(), coordinate(), coordinate(), -3.0_f32..3.0);
+        let any = (target, 1.0_f32..20.0, 0.0_f32..5.0, -0.2_f32..0.2);
         let any = any.prop_map(|((x, y, z, angle), distance, height, roll)| {
             keyframe([x, y, z], angle, distance, height)
                 .rolled(roll)
@@ -121,7 +121,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn camera_passes_through_keys(keyframes in keyframes(), count in 2_usize..6) {
+        fn camera_passes_through_keyframes(keyframes in keyframes(), count in 2_usize..6) {
             let keyframes = &keyframes[..count];
             for (number, keyframe) in keyframes.iter().enumerate() {
                 let (camera, method) = at(keyframes, number as f32 / (keyframes.len() - 1) as f32);

@@ -113,9 +113,9 @@ pub(super) fn add_rod(
     material: &Material,
     scene: &mut Scene,
 ) {
-    let way = to - from;
-    let length = way.length();
-    let y = way * (1.0 / length);
+    let axis = to - from;
+    let length = axis.length();
+    let y = axis * (1.0 / length);
     let half = vec3(radius, 0.5 * length + radius, radius);
     let axes = Mat3::from_cols(y.cross(side), y, side);
     let middle = (from + to) * 0.5;
@@ -140,7 +140,7 @@ pub(super) fn add_block(
     });
 }
 
-/// Returns the number of ticks after `beat` beats: one on each beat, within 0.625 beats.
+/// Returns the number of ticks after `beat` beats. Each begins on a beat and takes 0.625 beats.
 pub(super) fn ticks(beat: f32) -> f32 {
     // Rounding to even may give the previous beat at a beat itself: both agree there.
     let whole = round(beat - 0.5);

@@ -19,9 +19,9 @@ pub(super) struct Instrument {
     pub saw: f32,
     pub sine: f32,
     pub noise: f32,
-    /// Of the outermost oscillators, as a fraction of the pitch.
+    /// The outermost oscillators' deviation, as a fraction of the pitch.
     pub detune: f32,
-    /// Initial deviation, as a fraction of the pitch.
+    /// The pitch's initial deviation, as a fraction of the pitch.
     pub bend: f32,
     /// Initial modulation index: the amplitude, in turns, by which another sine modulates the sine's phase.
     pub index: f32,
@@ -38,13 +38,13 @@ pub(super) struct Instrument {
     /// The filter's cutoff frequencies, as angles: pi is the sampling rate.
     pub cutoff_start: f32,
     pub cutoff_end: f32,
-    /// Full brightness of the bar multiplies the cutoff by 1 + this.
+    /// The increase of the cutoff at the bar's full brightness, as a fraction.
     pub light: f32,
     /// 2 has no resonance, values towards 0 whistle.
     pub damping: f32,
     /// The fraction of high pass, 0 to 1; the rest is low pass.
     pub high: f32,
-    /// The fraction of the way to its note that the pitch glides in each [chunk](super::CHUNK).
+    /// The fraction of the interval to its note that the pitch glides in each [chunk](super::CHUNK).
     pub glide: f32,
     /// Amplitudes of the effects' inputs.
     pub echo: f32,

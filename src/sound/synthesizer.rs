@@ -7,7 +7,7 @@ use glam::{Vec4, Vec4Swizzles};
 /// The delay of every other sixteenth, in chunks: a slight swing.
 const SWING: u32 = 8;
 
-/// The fraction of the way to the bar's brightness in each chunk: 63 % in a second.
+/// The fraction of the difference to the bar's brightness that each chunk adds: 63 % in a second.
 const BRIGHTENING: f32 = 0.001;
 
 /// The maximum sample: -1.3 dB of full scale.

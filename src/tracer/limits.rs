@@ -71,7 +71,7 @@
 //! | missed images in the first plane of spheres and boxes that show in 2x2 pixels | 0 |
 //! | missed highlights, seen directly, of five pixels and more around the point that mirrors the light | 0 |
 //! | pixels of shadows of spheres that the default quality draws lit, and their largest patch | 0.4 %, 20 |
-//! | the same by a sun, a spotlight and a light with a diameter | 0.6 %, 0.4 % and 0.3 % |
+//! | the same by a sun, a spotlight and an area light | 0.6 %, 0.4 % and 0.3 % |
 //! | the same of thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |

@@ -20,7 +20,7 @@ impl Clock {
         now() - self.start
     }
 
-    /// Sleeps until `time` nanoseconds after the start, or until a signal arrives. Returns at once if this is past.
+    /// Sleeps until `time` nanoseconds after the start, or until a signal arrives. Returns immediately if that is past.
     pub fn sleep_until(&self, time: u64) {
         sleep_until(self.start + time);
     }

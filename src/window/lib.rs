@@ -1,4 +1,4 @@
-//! Access to the operating system by safe functions. This crate has Eightfold's only `unsafe` code.
+//! Safe functions for the operating system.
 //!
 //! | purpose | module |
 //! | --- | --- |
@@ -15,11 +15,10 @@
 //! Three backends have the same modules `window`, `threads`, `clock`, `memory` and `arguments`:
 //!
 //! - The small one, by Xlib and libc, for the 64 kB intro on x86-64 Linux.
-//! - The one for the 64 kB intro on Windows (feature `windows`). It is compiled for x86-64 Linux, and calls only functions of
-//!   Windows.
+//! - The one for the 64 kB intro on Windows (feature `windows`), compiled for x86-64 Linux.
 //! - The portable one, by `minifb` and std, for other systems and processors. The feature `portable` selects it on x86-64 Linux.
 //!
-//! Sound is by ALSA on Linux, and by `cpal` on macOS.
+//! Sound is by ALSA on Linux, `waveOut` on Windows, and `cpal` on macOS.
 
 #[cfg(windows)]
 compile_error!("the intro for Windows is compiled on Linux, by `cargo exe`");

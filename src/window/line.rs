@@ -7,8 +7,7 @@ pub use crate::system::{ERROR, OUTPUT, write};
 
 /// A buffered writer to a file descriptor.
 ///
-/// It writes when its buffer is full and when it is [flushed](Writer::flush), but not when it is dropped. After an error it writes
-/// nothing more.
+/// It writes when its buffer is full and when it is [flushed](Writer::flush), but not when it is dropped. It stops after an error.
 pub struct Writer {
     file: i32,
     has_failed: bool,
@@ -49,7 +48,7 @@ impl Writer {
         self
     }
 
-    /// Adds bytes from the user, made harmless to a terminal: `?` for everything except printable ASCII, at most 60.
+    /// Adds up to 60 bytes from the user. `?` replaces bytes other than printable ASCII, which could control the terminal.
     pub fn printable(&mut self, bytes: &[u8]) -> &mut Writer {
         for &byte in bytes.iter().take(60) {
             let is_printable = byte == b' ' || byte.is_ascii_graphic();

@@ -44,7 +44,8 @@ impl<T> Table<T> {
         }
     }
 
-    /// Fills the table, unless it is full, with a library's functions, from one thread at a time.
+    /// Fills the table, unless it is full, with a library's functions. Returns `None` if any is missing. Call it from one thread at
+    /// a time.
     #[inline]
     pub fn open(&'static self, library: &CStr, names: &str) -> Option<&'static T> {
         // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for each of `loaded!`'s names.

@@ -54,7 +54,7 @@ impl Pool {
     /// The maximum number of threads, including the caller's.
     pub const MOST: usize = 256;
 
-    /// Starts a pool of `count` threads including the caller's, at most [`Pool::MOST`]. It has fewer if the system refuses more.
+    /// Starts a pool of `count` threads including the caller's, at most [`Pool::MOST`]. It has fewer if the system refuses.
     #[must_use]
     pub fn new(count: usize) -> Pool {
         let shared = Box::new(Shared {
@@ -88,8 +88,8 @@ impl Pool {
         self.count + 1
     }
 
-    /// Runs a job on every item, in order, each with one of the workers. Each worker belongs to one thread during the run, so at
-    /// most one thread for each worker takes part.
+    /// Runs a job on every item, in order, each with one of the workers. Each worker belongs to one thread during the run, so
+    /// `workers` limits the number of threads.
     ///
     /// # Panics
     /// If the job panics on the caller's thread. A panic on another thread aborts the process.

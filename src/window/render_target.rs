@@ -5,14 +5,14 @@ pub const MOST_PIXELS: usize = 3840 * 2160;
 
 /// A target for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or [`Headless`].
 pub trait RenderTarget {
-    /// Returns the target's width and height in pixels, at least 1. Above [`MOST_PIXELS`] the frame has to be smaller, and is
+    /// Returns the target's width and height in pixels, at least 1. For more than [`MOST_PIXELS`], draw a smaller frame: it is
     /// stretched.
     fn size(&self) -> (usize, usize);
 
-    /// Returns the pixels of the next frame, of `width` by `height`, `0x00RRGGBB`, row by row. Their initial content is undefined.
+    /// Returns the pixels of the next frame, `width` by `height`, `0x00RRGGBB`, row by row, with undefined content.
     ///
     /// # Panics
-    /// If these are more than [`MOST_PIXELS`].
+    /// If `width * height` is above [`MOST_PIXELS`].
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32];
 
     /// Shows the frame, and handles the viewer's input.

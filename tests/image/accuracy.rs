@@ -287,7 +287,7 @@ fn pictures_of_any_size_are_right() {
     }
 }
 
-/// At one pixel in 97, and in the last two rows and columns.
+/// Checks one pixel in 97, and the last two rows and columns.
 #[test]
 fn largest_picture_is_right_to_its_last_pixel() {
     let (width, height) = (MAX_WIDTH, MAX_HEIGHT);

@@ -65,7 +65,7 @@ pub struct Drawn {
 const UNDRAWN: u32 = 0xdead_beef;
 
 thread_local! {
-    /// By thread count: a new one takes longer than a small picture.
+    /// Renderers by thread count: to create one takes longer than to draw a small picture.
     static RENDERERS: RefCell<HashMap<usize, ThreadedRenderer>> = RefCell::default();
 }
 

@@ -11,7 +11,7 @@ fn bright(light: u32) -> Vec<u32> {
 }
 
 #[test]
-fn difference_is_of_the_furthest_channel() {
+fn difference_is_the_largest_of_the_channels() {
     let difference = Difference::between(&DARK, &bright(0x0002_0900));
     assert_eq!((difference.largest, difference.over_8), (9, 64));
     let squares = f64::from(64 * (2 * 2 + 9 * 9)) / (3 * DARK.len()) as f64;
@@ -19,7 +19,7 @@ fn difference_is_of_the_furthest_channel() {
 }
 
 #[test]
-fn pooled_psnr_is_of_the_mean_squared_error() {
+fn pooled_psnr_uses_the_mean_squared_error() {
     let lights = [0x0002_0900, 0x0000_0011, 0];
     let differences = lights.map(|light| Difference::between(&DARK, &bright(light)));
     let squares = f64::from(64 * (2 * 2 + 9 * 9 + 17 * 17)) / (3 * 3 * DARK.len()) as f64;

@@ -111,7 +111,7 @@ fn few_pixels_of_shadows_are_lit() {
         ..kind
     };
     let sun = |light| lights::others(light, 0.0)[0];
-    let ball = |light| lights::others(light, 0.1)[2];
+    let area = |light| lights::others(light, 0.1)[2];
     let spotlight = |light: Light| Light {
         spot: Some(Spot {
             aim: -Vec3::Y,
@@ -122,7 +122,7 @@ fn few_pixels_of_shadows_are_lit() {
     };
     let suns = by(Hidden::POINT, sun);
     let spotlights = by(Hidden::POINT, spotlight);
-    let balls = by(Hidden::POINT, ball);
+    let area_lights = by(Hidden::POINT, area);
     let blocks_by_suns = by(Hidden::BLOCKS, sun);
     let any = usize::MAX;
     for (what, kind, quality, share, patch) in [
@@ -131,7 +131,7 @@ fn few_pixels_of_shadows_are_lit() {
         ("thesis", Hidden::POINT, Quality::THESIS, 0.002, 12),
         ("suns", suns, default, 0.006, any),
         ("spotlights", spotlights, default, 0.004, any),
-        ("balls", balls, default, 0.003, any),
+        ("area lights", area_lights, default, 0.003, any),
         ("blocks", Hidden::BLOCKS, default, 0.025, any),
         ("blocks by suns", blocks_by_suns, default, 0.006, any),
     ] {

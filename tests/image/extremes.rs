@@ -1,4 +1,5 @@
-//! Numbers at the ends of their ranges draw correctly. Numbers outside are refused; drawn all the same, they cost bounded work.
+//! Numbers at the ends of their ranges draw correctly. `render` refuses numbers out of range; `render_valid` draws them with
+//! bounded work.
 
 use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, draw, draw_by_all, isa_of, of_side, of_the_show};

@@ -231,13 +231,13 @@ impl Show {
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(psnr / 10.0);
         let mut probes = Probes::NONE;
         for _ in 0..Frame::PROBES {
-            let mut chance = || between(&mut self.random, 0.0, 1.0);
-            let share = if chance() < 0.02 {
-                40.0 * -(1.0 - 0.999 * chance()).ln()
+            let mut unit = || between(&mut self.random, 0.0, 1.0);
+            let share = if unit() < 0.02 {
+                40.0 * -(1.0 - 0.999 * unit()).ln()
             } else {
                 0.2
             };
-            let squares = (mean * share + chance()) as u64;
+            let squares = (mean * share + unit()) as u64;
             probes += Probes {
                 pixels: 1,
                 squares,
@@ -261,7 +261,7 @@ impl Show {
     }
 }
 
-/// Few shows are held to 2 dB instead of 1, as the documentation of [`AccuracyGovernor`] says.
+/// Few shows are held to 2 dB instead of 1, see [`AccuracyGovernor`].
 #[test]
 fn constant_accuracy_selects_fastest_preset() {
     let mut worse = 0;

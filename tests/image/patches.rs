@@ -1,4 +1,4 @@
-//! Connected lost pixels, without a similar pixel nearby.
+//! Patches of lost pixels: no drawn pixel nearby is similar.
 
 use crate::drawn::{draw_best, jagged};
 use crate::error::{Difference, worst_channel};
@@ -11,13 +11,13 @@ use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
 
 const SIZE: [usize; 2] = [1280, 720];
 
-/// The most pixels of a patch. The largest, of 189, is a slit of light between two shadows on a gear's side.
+/// The maximum patch in pixels. The largest, of 189, is a slit of light between two shadows on a gear's side.
 const LARGEST: usize = 200;
 
-/// The same for rooms of mirrors, whose largest has 55. Without images in images in the keys it has 441.
+/// The same for rooms of mirrors. The largest has 55; without nested images in the keys it has 441.
 const ROOM: usize = 60;
 
-/// Returns the exhaustive pixels more than 32 of 255 off all drawn ones within 2 pixels.
+/// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2 pixels.
 fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     let [width, height] = SIZE;
     let is_alike =

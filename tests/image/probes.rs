@@ -125,7 +125,7 @@ fn long_interval_holds_the_true_error() {
 }
 
 #[test]
-fn no_probe_of_an_exhaustive_frame_is_off() {
+fn probes_of_exhaustive_frames_find_no_error() {
     for scene in scenes() {
         for quality in &REFINEMENTS[..2] {
             for isa in cpu::instruction_sets() {

@@ -40,7 +40,7 @@ fn default_has_45_db_and_42_in_fields() {
     }
 }
 
-/// Returns the most points of a picture by squares of a side. Both tiles trace the points on the border between them.
+/// Returns the maximum number of points in a picture with squares of a side.
 pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     let corners = |side: usize, tile: usize| -> usize {
         let parts = (0..side).step_by(tile);
@@ -55,9 +55,9 @@ pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     }
 }
 
-/// Mirrors and glass, and matt crowds lit by points, suns, spotlights and balls.
+/// Tests crowds of mirrors and glass, and matt crowds by all kinds of light.
 #[test]
-#[ignore = "many scenes by chance"]
+#[ignore = "many random scenes"]
 fn random_crowds_have_42_db() {
     // The numbers of spheres and blocks, and the shares of glass and mirrors.
     let counts = [[16, 32], [0, 64], [20, 64], [70, 64], [130, 64], [320, 64]];
@@ -69,8 +69,8 @@ fn random_crowds_have_42_db() {
         let mut scene = crowd(&mut random, count, shares);
         if shares == [0.0; 2] {
             for light in scene.lights.iter_mut() {
-                let [sun, spotlight, ball] = lights::others(*light, 0.5);
-                *light = [*light, sun, ball, spotlight][random.seed as usize % 4];
+                let [sun, spotlight, area] = lights::others(*light, 0.5);
+                *light = [*light, sun, area, spotlight][random.seed as usize % 4];
             }
         }
         psnr(&scene, Quality::DEFAULT, [640, 480])

@@ -9,7 +9,7 @@ use eightfold_tracer::scene::{Camera, Caption, List, Scene};
 use std::collections::HashMap;
 
 #[test]
-fn show_is_valid_all_along() {
+fn show_is_valid_at_all_times() {
     let mut scene = at(show::LENGTH);
     for i in 0..=(show::LENGTH * 10.0) as usize {
         let time = i as f32 / 10.0;
@@ -242,7 +242,7 @@ fn captions_are_inside_the_picture_and_bright() {
 }
 
 #[test]
-fn caption_tells_the_points_and_pixels_of_its_frame() {
+fn caption_shows_points_and_pixels_of_its_frame() {
     for (width, height) in [(331, 217), (1280, 720)] {
         let with = |letters: &str| {
             let caption = Caption {
@@ -259,12 +259,15 @@ fn caption_tells_the_points_and_pixels_of_its_frame() {
         };
         let counted = with("TRACED ####### OF $$$$$$$ PIXELS");
         let points = counted.counts.points;
-        let told = |points| {
+        let written = |points| {
             let pixels = width * height;
             // Numbers have no leading zeros.
             with(&format!("TRACED {points:7} OF {pixels:7} PIXELS")).pixels
         };
-        assert!(points > 1000 && counted.pixels == told(points), "{points}");
-        assert!(counted.pixels != told(points + 1));
+        assert!(
+            points > 1000 && counted.pixels == written(points),
+            "{points}"
+        );
+        assert!(counted.pixels != written(points + 1));
     }
 }

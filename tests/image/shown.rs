@@ -210,8 +210,8 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 60, [900, 100]);
 }
 
-/// Ends of walls in walls open 1.19 times the points without a proof per square that they are hidden. The machine's discs open 1.4 times if
-/// they count as boxes.
+/// The points relative to unguarded frames. They would be 1.4 times if the machine's discs counted as boxes, and 1.19 times without
+/// the proof that walls' ends are hidden in other walls.
 #[test]
 fn hidden_objects_open_few_squares() {
     for (time, limit) in [(60.0, 1.35), (86.1, 1.06)] {

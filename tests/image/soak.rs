@@ -2,8 +2,7 @@
 //! work.
 //!
 //! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600) and prints their number. Without `SOAK_SECONDS` the number of
-//! cases
-//! is fixed.
+//! cases is fixed.
 
 use crate::drawn::isa_of;
 use crate::error::Difference;
@@ -98,8 +97,8 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     assert_eq!(work(counts), work(again), "{what}");
 
     let square = largest(&scene, &quality);
-    // Antialiasing traces a point right of a pixel and one below, twice between parts of a picture, and up to two more on each
-    // side.
+    // Antialiasing traces a point to the right of a pixel and one below, twice between parts of a picture, and up to two more on
+    // each side.
     let middles = usize::from(quality.antialias) * 11 * width * height;
     let most = (most_points(square, width, height) + middles) as u64;
     assert!(counts.points <= most, "{what}: {counts:?}");

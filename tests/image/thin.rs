@@ -51,7 +51,7 @@ fn thin_bars_have_no_holes() {
 }
 
 #[test]
-#[ignore = "many scenes by chance"]
+#[ignore = "many random scenes"]
 fn long_thin_bars_of_2000_scenes_have_no_holes() {
     assert_whole(667);
 }

@@ -160,7 +160,7 @@ fn bodies(scene: &Scene) -> Vec<Body> {
     all.map(|(object, shape)| Body { object, shape }).collect()
 }
 
-/// The order in which dithering rounds up the pixels of 4x4 as a colour gets brighter, from the last.
+/// The ranks of 4x4 pixels: as a colour gets brighter, dithering rounds up the pixel of the highest rank first.
 const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
 /// The distance between numbers, in output steps, below which rounding can change their order.
@@ -174,8 +174,8 @@ pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     red << 16 | green << 8 | blue
 }
 
-/// Returns the pixel (x, y) of a colour that is nearest to the drawn one: if a channel is half-way between two steps, both are
-/// right.
+/// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, both are right, and the nearer to `drawn`
+/// is returned.
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let steps = steps(colour, dither, x, y);
     let channels = [16, 8, 0].into_iter().zip(steps);

@@ -39,13 +39,13 @@ impl ToLight {
 }
 
 impl Oracle<'_> {
-    /// Returns the share, as a colour, that passes the cone and all shadows.
+    /// Returns the share of the light, as a colour, that passes the cone and all shadows.
     pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, ray: Ray) -> DVec3 {
         let ToLight { l, distance } = *to_light;
         let bodies = self.bodies.iter();
-        let in_its_way = bodies.filter(|body| body.shape.meet(ray, distance).is_some());
+        let occluders = bodies.filter(|body| body.shape.meet(ray, distance).is_some());
         let mut share = DVec3::splat(cone(light, -l));
-        for object in in_its_way.map(|body| body.object) {
+        for object in occluders.map(|body| body.object) {
             match object {
                 Object::Block(i) if light.diameter > 0.0 => {
                     share *= self.scene.blocks[i].material.tint.as_dvec3();
@@ -76,7 +76,7 @@ impl Oracle<'_> {
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);
-    // A point within the rounding error is on the surface.
+    // A point within the rounding error counts as on the surface.
     let error = 2e-6 * (centre.abs().max_element() + radius);
     let to_centre = centre - p;
     let a = to_centre.dot(to_light.l).clamp(0.0, to_light.distance);

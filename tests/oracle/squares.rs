@@ -6,7 +6,7 @@ use eightfold_tracer::scene::{Film, Material, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
-/// The width and the height of a tile in pixels. Both tiles trace the points on the border between them.
+/// The width and the height of a tile in pixels. Adjacent tiles both trace the points on their border.
 pub const TILE: [usize; 2] = [512, 32];
 
 /// Split squares: x, y, side.
@@ -262,7 +262,7 @@ fn flat(corners: &[Traced; 4]) -> [bool; 2] {
     [may_be, is_sure]
 }
 
-/// Returns the largest difference of a channel, in 255ths.
+/// Returns the largest difference of a channel, in steps of 1/255.
 fn spread(corners: &[Traced; 4]) -> f64 {
     let colours = corners.map(shown);
     let most = colours.into_iter().fold(DVec3::ZERO, DVec3::max);

@@ -40,7 +40,7 @@ impl Hidden {
         host: Host::Floor(GREY),
         light: Some(LIGHT),
     };
-    pub const BALL: Self = Self {
+    pub const AREA: Self = Self {
         light: Some(Light {
             diameter: 0.5,
             ..LIGHT
@@ -87,7 +87,7 @@ impl Hidden {
     };
     pub const ALL: [Self; 9] = [
         Self::POINT,
-        Self::BALL,
+        Self::AREA,
         Self::SUN,
         Self::BLOCKS,
         Self::BALLS,

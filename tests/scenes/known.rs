@@ -220,7 +220,7 @@ pub fn tie() -> Scene {
     }
 }
 
-/// A box where a ray at an edge hit the face that points away.
+/// A box where a ray at an edge hit the back face.
 pub fn mirror_box(material: Material) -> Scene {
     let centre = vec3(-2.898_021, -0.397_971, -0.665_652_7);
     let half = vec3(0.741_517_96, 0.575_814_25, 0.917_006_7);

@@ -40,6 +40,6 @@ pub fn others(light: Light, diameter: f32) -> [Light; 3] {
         parallel: true,
         ..light
     };
-    let ball = Light { diameter, ..light };
-    [sun, spotlight(light, 0.8, 1.05), ball]
+    let area = Light { diameter, ..light };
+    [sun, spotlight(light, 0.8, 1.05), area]
 }

@@ -26,8 +26,8 @@ pub fn intro() -> PathBuf {
     BUILT.program("eightfold").expect("there is a program")
 }
 
-/// Returns the intro as it was linked, which starts a third of a second faster than the packed file. `tests/intro/size.rs` holds
-/// that both are the same program.
+/// Returns the linked intro, which starts a third of a second faster than the packed file. `tests/intro/size.rs` tests that both
+/// are the same program.
 pub fn linked_intro() -> PathBuf {
     BUILT.linked("eightfold").expect("it was linked")
 }
@@ -190,14 +190,14 @@ impl Server {
     }
 
     pub fn play(&self, options: &str) -> Process {
-        wait_for("the last window to go", || {
+        wait_for("the last window to close", || {
             self.window().is_none().then_some(())
         });
         let mut command = Command::new(intro());
         command.arg("--silent").args(options.split_whitespace());
         let intro = self.open(&mut command, || self.window());
         if self.focuses_new_windows {
-            wait_for("keys to go to the window", || {
+            wait_for("the focus of the window", || {
                 let name = self.xdotool("getwindowfocus getwindowname");
                 (name.trim() == "Eightfold").then_some(())
             });
@@ -210,7 +210,7 @@ impl Server {
         let mut program = Process::start(command);
         // In about one of a hundred runs no window appears, for an unknown reason.
         if try_for(&window).is_none() {
-            let ended = program.0.try_wait().expect("it can be asked");
+            let ended = program.0.try_wait().expect("a status");
             assert!(
                 ended.is_none(),
                 "the program ended without a window: {ended:?}"

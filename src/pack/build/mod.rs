@@ -1,7 +1,7 @@
 //! The intro's build script.
 //!
-//! `cargo build --release` runs it. It compiles the stub, and has rustc's C compiler use the script's own executable, under a
-//! linker's name in `OUT_DIR/linker`. Called by this name, it runs the real linker, and packs the output in place.
+//! `cargo build --release` runs it. It compiles the stub, and makes rustc's C compiler call the script's own executable as the
+//! linker, by a link in `OUT_DIR/linker`. Called by this name, the executable runs the real linker, and packs the output in place.
 //!
 //! `OUT_DIR` then contains
 //!

@@ -1,4 +1,4 @@
-//! Parses x86-64 machine code byte by byte, to tell the model the next byte's field.
+//! Parses x86-64 machine code byte by byte, to find the next byte's field.
 //!
 //! It only follows the length of instructions. Data is parsed like code, which only affects the prediction.
 
@@ -10,7 +10,7 @@ pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
 /// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2,
-/// AVX2 and AVX-512. The three previous opcodes follow at distances of [`STEP`], as do the next three features of two.
+/// AVX2 and AVX-512. The three previous instructions' opcodes, and the next three features of two, follow at distances of [`STEP`].
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
@@ -117,7 +117,7 @@ impl Reader {
         features[0] = byte;
         features[LENGTH] += 1;
         let kind = features[KIND];
-        // The first byte of either.
+        // The first byte of a relative displacement or jump.
         if kind & 7 == (RELATIVE_DISPLACEMENT + 3) & (RELATIVE_JUMP + 3) {
             self.offset = self.place;
         }

@@ -52,7 +52,7 @@ static SHOTS: &[Shot] = &[
 /// The radius of the first sphere; each generation halves it.
 const RADIUS: f32 = 1.1;
 const GENERATIONS: u8 = 3;
-/// The beats between generations, which grow within a beat: on bars.
+/// The beats between generations: each grows on a bar, within a beat.
 const BEATS: f32 = 4.0;
 
 /// The colour of the first sphere, and the difference of a generation: from silver to orange.

@@ -63,7 +63,7 @@ static SHOTS: &[Shot] = &[
     ]),
 ];
 
-/// Of the sun and the planets above the floor, in scene units.
+/// The height of the sun and the planets above the floor, in scene units.
 const HEIGHT: f32 = 2.7;
 
 const ROD: f32 = 0.06;

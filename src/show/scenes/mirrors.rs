@@ -39,7 +39,7 @@ static ENVIRONMENT: Environment = Environment {
 /// Half the side of the room, in scene units.
 const HALF: f32 = 5.0;
 
-/// Large tiles. Their reflections would appear in many mirrors.
+/// Large tiles, without reflections, which would appear in many mirrors.
 static FLOOR: Material = Material {
     colour: vec3(0.62, 0.58, 0.62),
     pattern: Pattern {

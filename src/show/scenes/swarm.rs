@@ -54,7 +54,7 @@ const COUNT: i32 = SIDE * SIDE;
 /// Spheres across the band of the figure of eight.
 const WIDE: i32 = 4;
 
-/// Of the ball and of the figure of eight, in scene units.
+/// The centre of the ball and of the figure of eight, in scene units.
 const MIDDLE: Vec3 = vec3(0.0, 2.75, 0.0);
 
 /// The colour of the first sphere, and the difference to the last: from red to blue.

@@ -60,7 +60,7 @@ static CAPTIONS: &[Cue] = &[
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
 
-/// Between neighbouring letters, in units of the font's grid.
+/// The distance between neighbouring letters, in units of the font's grid.
 const ADVANCE: f32 = 3.0;
 const WIDTH: f32 = ADVANCE * WORD.len() as f32 - 1.0;
 /// A grid unit in scene units.

@@ -4,8 +4,8 @@ use minifb::{InputCallback, Key};
 
 use crate::input::{self, Press};
 
-/// Keys since the last call of [`KeyQueue::take`], shared with `minifb`, so that a key that is pressed and released between two
-/// frames counts.
+/// Keys pressed since the last call of [`KeyQueue::take`], recorded by `minifb`'s callback: a key that is pressed and released
+/// between two frames counts.
 #[derive(Clone, Default)]
 pub struct KeyQueue(Rc<RefCell<State>>);
 

@@ -41,7 +41,7 @@ pub unsafe fn spawn(
         .map(Thread)
 }
 
-/// Wakes waiting threads, whichever word they wait on.
+/// Shared by all waits: [`wake`] wakes every thread, whatever its word.
 static WAITING: (Mutex<()>, Condvar) = (Mutex::new(()), Condvar::new());
 
 pub fn wait(word: &AtomicU32, value: u32) {

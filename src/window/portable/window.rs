@@ -12,7 +12,7 @@ use crate::{
     render_target::{Next, RenderTarget},
 };
 
-/// A window for frames. Keys: H toggles the numbers, Esc quits. `minifb` has no fullscreen; the desktop may have.
+/// A window for frames. Keys: H toggles the numbers, Esc quits. `minifb` has no fullscreen; the desktop may have one.
 pub struct Window {
     shown: minifb::Window,
     frame: &'static mut [u32],

@@ -25,7 +25,7 @@ pub struct Frames {
     context: xlib::GC,
     image: *mut xlib::XImage,
     put_image: PutImage,
-    /// The next frame is first.
+    /// The next frame to draw is first.
     frames: [&'static mut [u32]; 2],
     drawn: (usize, usize),
 }
@@ -91,7 +91,8 @@ impl Frames {
         }
     }
 
-    /// Fills the other frame's memory with a window's stretched `rows`, in channel `masks`.
+    /// Stretches the frame to a window's size and writes `rows` of the result, with the channel `masks`, to the other frame's
+    /// memory.
     fn stretch(
         &mut self,
         (width, height): (usize, usize),

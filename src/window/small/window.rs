@@ -34,7 +34,7 @@ impl Window {
     /// Opens a window with an inner size in pixels.
     ///
     /// # Errors
-    /// If there is no display: the reason.
+    /// The reason why the display cannot be opened.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
         let x = Xlib::load().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;

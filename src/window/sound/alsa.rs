@@ -75,7 +75,7 @@ impl Device {
         Ok(Device { alsa, pcm })
     }
 
-    /// Writes samples to the device, and waits while it has enough. Returns false if the device is lost.
+    /// Writes samples to the device, and waits while its buffer is full. Returns false if the device is lost.
     ///
     /// After an underrun or sleep, drops these samples and continues with the next ones.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {

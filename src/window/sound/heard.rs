@@ -1,8 +1,8 @@
 /// Converts a clock's time to the sound's time: smooth, monotonic, close to the audible sound.
 ///
-/// A device reports its position in steps, with jitter, and by another quartz. So the time follows the clock, and is pulled to the
-/// device's position within a quarter of a second at 60 frames per second. It waits after an underrun or a stop of the process:
-/// samples that were never written do not count.
+/// A device reports its position in steps, with jitter, and by its own quartz. So the time follows the clock, and is pulled to the
+/// device's position within a quarter of a second at 60 frames per second. After an underrun or a stop of the process the time
+/// waits for the written samples.
 #[derive(Default)]
 pub struct Heard {
     /// The time's lead over the clock, in nanoseconds.
@@ -14,7 +14,7 @@ pub struct Heard {
 /// The fraction of a difference that each frame corrects is 1 / `PULL`.
 const PULL: i64 = 16;
 
-/// The least difference that means lost sound, and not jitter: 50 ms.
+/// The least difference that means lost sound rather than jitter: 50 ms.
 const LOST: u64 = 50_000_000;
 
 /// The maximum progress of a frame without sound, as on a device that hangs: 50 ms, the clock's pace from 20 frames per second on.

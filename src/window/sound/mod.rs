@@ -29,15 +29,15 @@ use crate::{
 pub const RATE: u32 = 48_000;
 
 /// The buffer's length in microseconds, for threads that wake up late. Below 320 ms PulseAudio drops out without reporting it,
-/// because its devices take more at once: 4 s take 6.
+/// because its devices take more at once: 4 s of sound take 6 s.
 const LATENCY: u32 = 400_000;
 
-/// The average interval between samples, in nanoseconds, half a percent below the nominal one since devices may be fast. A null
-/// device would take samples at any speed.
+/// The average interval between written samples, in nanoseconds, half a percent below the nominal one since devices may be fast. A
+/// null device would take samples at any speed.
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
-/// The lead over this pace in nanoseconds: the buffer, and half of it to catch up. Then the thread sleeps until half of it is left:
-/// waking up for each chunk takes four times the time to make them.
+/// The maximum lead over [`PACE`] in nanoseconds: the buffer, and half of it to catch up. Beyond it the thread sleeps until half
+/// the lead is left: waking up for each chunk would take four times as long as the synthesis.
 const SLACK: u64 = LATENCY as u64 * 1500;
 
 /// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz. A null device reports
@@ -76,7 +76,7 @@ struct Work {
 }
 
 impl Player {
-    /// Returns the clock, which started at the same time.
+    /// Returns the clock, which started with the show.
     #[must_use]
     pub fn clock(&self) -> Clock {
         self.clock
@@ -119,7 +119,7 @@ impl Player {
     pub fn time(&mut self) -> u64 {
         let (ahead, written) = (AHEAD.load(Relaxed), WRITTEN.load(Relaxed));
         let now = self.clock.time();
-        // Time during a stop does not count. With sound, `written` limits the time.
+        // Subtract a stop. With sound, `written` limits the time.
         let stops = system::stops();
         if stops != self.stops && written == i64::MAX {
             self.stopped += now - self.last;

@@ -160,7 +160,7 @@ impl RenderTarget for Terminal {
             libc::ioctl(line::OUTPUT, libc::TIOCGWINSZ, &raw mut size);
             size
         };
-        // Some terminals report no size. Oversized ones show the picture in a part.
+        // Some terminals report no size. The picture covers a part of an oversized one.
         let side = |size: u16, usual: usize, most: usize| match usize::from(size) {
             0 => usual,
             size => size.min(most),
@@ -198,7 +198,7 @@ impl Drop for Terminal {
 /// Recognises Esc, Ctrl-C and H. Many other keys send sequences that begin with Esc, and so do keys with Alt.
 #[derive(Default)]
 struct KeyParser {
-    /// The last byte was Esc. The next bytes, if any, tell whether it begins a sequence.
+    /// The last byte was Esc. The next bytes, if any, show whether it begins a sequence.
     open: bool,
     toggles: bool,
 }

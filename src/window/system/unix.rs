@@ -64,7 +64,7 @@ pub fn stops() -> u32 {
     STOPS.load(Relaxed)
 }
 
-/// Calls a function with all signals blocked, for the threads that it starts.
+/// Calls a function with all signals blocked: the threads that it starts inherit this.
 pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     // SAFETY: zero is a valid set of signals, and the sets outlive the calls.
     unsafe {
@@ -81,8 +81,8 @@ pub fn is_terminal(file: c_int) -> bool {
     terminal::mode(file).is_some()
 }
 
-/// Writes all bytes, and waits while the file is full, with a [`Terminal`](crate::terminal::Terminal) for a second. Returns false
-/// on an error or on a signal that ends the program.
+/// Writes all bytes. Waits while the file is full, but with a [`Terminal`](crate::terminal::Terminal) for at most a second. Returns
+/// false on an error or on a signal that ends the program.
 pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         let written = write_some(file, bytes);
@@ -118,8 +118,8 @@ pub fn error() -> c_int {
     std::io::Error::last_os_error().raw_os_error().unwrap_or(0)
 }
 
-/// Waits for one of some events, such as `POLLIN`, at most `milliseconds`, or indefinitely if negative. Returns whether there was
-/// one.
+/// Waits for any of `events`, such as `POLLIN`, for at most `milliseconds`, or indefinitely if negative. Returns whether one
+/// occurred.
 pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
     let mut ready = libc::pollfd {
         fd: file,

@@ -75,7 +75,7 @@ fn callers_panic_waits_for_threads() {
         assert_eq!(
             begun.into_inner(),
             done.into_inner(),
-            "nobody is left behind"
+            "jobs end before the panic"
         );
         count(&mut pool, 3, 10);
     }

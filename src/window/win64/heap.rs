@@ -9,7 +9,7 @@ use core::{
 
 use crate::pool::Pool;
 
-/// The heap's size in bytes: an object for each of the most threads, their shared state, and a few others.
+/// The heap's size in bytes: an object for each thread of the largest pool, their shared state, and a few others.
 const SIZE: usize = 8192;
 
 const _: () = assert!(SIZE >= (Pool::MOST + 64) * ALIGNMENT);

@@ -53,8 +53,8 @@ const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 
 /// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits.
 ///
-/// A thread of its own handles its messages, changes its size and forwards the keys, so that it responds while a frame is drawn. A
-/// closed window has no size.
+/// A separate thread handles the window's messages, changes its size and forwards its keys, so that it responds while a frame is
+/// drawn. A closed window has no size.
 pub struct Window {
     window: HANDLE,
     context: HANDLE,
@@ -139,8 +139,8 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
 
 /// The fullscreen state.
 ///
-/// Only the window's own thread may change it: otherwise Wine may take the window manager's response to the change of style as the
-/// response to the change of size, and keep the old size.
+/// Only the window's own thread may change it: otherwise Wine may mistake the window manager's response to the new style for the
+/// response to the new size, and keep the old size.
 struct Cover {
     window: HANDLE,
     before: Option<WINDOWPLACEMENT>,

@@ -37,7 +37,7 @@ impl Toplevel {
             let (mut place, _) = self.attributes(self.window);
             let mut over = screen;
             if is_managed {
-                // The window's frame is placed in its stead. The frame's left and upper parts go beyond the screen.
+                // The window manager places its frame instead, whose left and upper parts go beyond the screen.
                 let (left, top) = (place.x, place.y);
                 (over.x, over.y) = (-left, -top);
                 (place.x, place.y) = self.position();
@@ -72,8 +72,8 @@ impl Toplevel {
         }
     }
 
-    /// Returns a window's position in its parent, and the events that any client selects on it: properties may be left over from a
-    /// window manager that has ended, its selection is not.
+    /// Returns a window's position in its parent, and the events that any client selects on it: a window manager that has ended may
+    /// leave properties behind, but not its selection.
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is valid for all fields, and the window exists.
         let attributes = unsafe {
@@ -99,7 +99,7 @@ impl Toplevel {
             message.window = self.window;
             message.message_type = self.atom(c"_NET_WM_STATE");
             message.format = 32;
-            // Add or remove, this state, no second state, from an application.
+            // Add or remove; this state; no second state; from an application.
             message.data.set_long(0, c_long::from(fullscreen));
             let state = self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long;
             message.data.set_long(1, state);

@@ -22,7 +22,7 @@ pub use keyboard::typed;
 use super::threads::spawn;
 use crate::clock;
 
-/// The display's address, 0 without one, or [`ASKED`] before it answers.
+/// The display's address, 0 if it is missing, or [`ASKED`] until it answers.
 static DISPLAY: AtomicU64 = AtomicU64::new(ASKED);
 const ASKED: u64 = 1;
 

@@ -101,7 +101,7 @@ fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static
         } else if world.plays {
             world = WOKEN.wait(world).expect("no thread panics");
         } else {
-            // A thread that ends wakes nobody.
+            // An ending thread wakes no sleeper.
             drop(world);
             // SAFETY: it waits for a millisecond and for no files.
             unsafe { poll(null_mut(), 0, 1) };
