@@ -99,7 +99,6 @@ impl Playing<'_> {
         let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
         let mut by_accuracy = by_accuracy.map(|psnr| AccuracyGovernor::new(psnr as f32));
         let clock = self.player.clock();
-        // Start time of the next frame.
         let mut due = 0;
         let mut has_hud = options.has_hud;
         loop {

@@ -19,7 +19,7 @@ struct Workspace {
     workers: [Worker; MAX_THREADS],
 }
 
-/// Too large for the stack. Unused workers take no physical memory.
+/// Too large for the stack.
 static WORKSPACE: StaticCell<Workspace> = StaticCell::new(Workspace {
     scene: Scene::ZEROED,
     memory: Memory::new(),

@@ -131,7 +131,6 @@ pub(super) static STRIPED: Material = Material {
     ..MATT
 };
 
-/// Veined marble.
 pub(super) static MARBLE: Material = Material {
     colour: vec3(0.92, 0.86, 0.78),
     kd: 0.8,

@@ -154,7 +154,7 @@ impl Band<'_> {
         rows.map(|row| &mut row[..self.width]).enumerate()
     }
 
-    /// Ignores pixels outside the band.
+    /// Sets a pixel of the picture, unless it is outside the band.
     #[inline(always)]
     pub(crate) fn put(&mut self, x: usize, y: usize, pixel: u32) {
         let place = self.pixels.get_mut(y * self.stride + x);

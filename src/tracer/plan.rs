@@ -91,7 +91,6 @@ pub(crate) struct Context<'a, O> {
 }
 
 impl<O> Context<'_, O> {
-    /// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `seen`.
     pub fn trace(&self, quality: &Quality, seen: VisibleGroups, batch: &mut Batch) {
         let tracer = Tracer {
             isa: self.plan.isa,

@@ -178,7 +178,6 @@ impl Quality {
         self.square.is_power_of_two() && self.square <= Self::MAX_SQUARE
     }
 
-    /// Returns the level of the largest squares.
     pub(crate) fn top_level(&self) -> usize {
         self.square.trailing_zeros() as usize
     }

@@ -1,7 +1,7 @@
 //! Error bounds of single-precision geometry.
 //!
 //! Rounding has a relative error of at most `u` = 2^-24. A bound is the sum of the errors of its operations, in `u` of their
-//! largest number, plus some margin. Tests check the bounds with millions of rays (see [`limits`](crate::limits)).
+//! largest number, plus some margin.
 //!
 //! # Shadows of spheres by point lights
 //!

@@ -8,8 +8,7 @@ pub use crate::backend::{
 
 /// Defines the C `main`, which calls a `fn(Arguments) -> i32` for the exit code, in a crate with `#![no_main]`.
 ///
-/// Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack overflow; std's arguments add 432. As in
-/// std's start, a broken pipe is an error of the write, and the standard streams are open.
+/// Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack overflow; std's arguments add 432.
 #[macro_export]
 #[cfg(not(feature = "windows"))]
 macro_rules! main {

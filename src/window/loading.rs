@@ -56,8 +56,6 @@ impl<T> Table<T> {
         Some(unsafe { self.loaded() })
     }
 
-    /// Returns the functions.
-    ///
     /// # Safety
     /// `open` has to have succeeded.
     #[inline(always)]

@@ -79,7 +79,7 @@ fn drawn(view: &View, quality: Quality) -> Vec<u32> {
 }
 
 /// The pixel of the shaded floor of a [`Hidden`] scene: 0.2 of 0.8.
-const SHADED: u32 = 0x29_2929;
+pub const SHADED: u32 = 0x29_2929;
 
 const SCENES: u64 = 40;
 

@@ -5,7 +5,7 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::{bare, draw, draw_best, isa_of, jagged, named, of_side, of_the_show};
 use crate::error::worst_channel;
-use crate::errors::patches;
+use crate::errors::{SHADED, patches};
 use eightfold::show;
 use eightfold_oracle::geometry::{PicturePlane, Ray, Shape};
 use eightfold_scenes::{
@@ -223,9 +223,6 @@ fn hidden_objects_open_few_squares() {
         assert!(guarded <= limit * unguarded, "{}", guarded / unguarded);
     }
 }
-
-/// The pixel of the shaded floor of a [`Hidden`] scene: 0.2 of 0.8.
-const SHADED: u32 = 0x29_2929;
 
 fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;

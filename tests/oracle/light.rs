@@ -67,10 +67,7 @@ impl Oracle<'_> {
     }
 }
 
-/// Returns the share of an area light that a sphere does not block (Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
-///
-/// The rays from `p` to the light form a cone, which is `b = a size / distance` wide at the distance `a` of the sphere. While the
-/// sphere's edge crosses the cone, the share falls from 1 to 0.
+/// Returns the share of an area light that a sphere does not block, by the formula of the library's `sphere_covers`.
 ///
 /// A sphere that contains both `p` and the whole light blocks nothing: domes are lit from within.
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {

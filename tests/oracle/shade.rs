@@ -95,8 +95,8 @@ impl Oracle<'_> {
         })
     }
 
-    /// Returns the colour along a ray. `weight` is the product of the coefficients on its path, `path` the node in the ray tree: 1
-    /// for the primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of node p.
+    /// Returns the colour along a ray. `weight` is the product of the coefficients on its path, `path` the node in the ray tree, as
+    /// in the library's `slot_path`.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let nearest = self.nearest(ray, true);

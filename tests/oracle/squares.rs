@@ -6,7 +6,7 @@ use eightfold_tracer::scene::{Film, Material, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
-/// The width and the height of a tile in pixels. Adjacent tiles both trace the points on their border.
+/// The width and the height of a tile in pixels.
 pub const TILE: [usize; 2] = [512, 32];
 
 /// Split squares: x, y, side.

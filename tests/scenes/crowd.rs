@@ -1,5 +1,3 @@
-//! Crowds of mirrors, glass and plastic of all shapes.
-
 use crate::{Random, solids};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};

@@ -1,5 +1,3 @@
-//! Small objects that are easily missed, over a floor, above mirrors or behind glass.
-
 use crate::materials::{self, bright};
 use crate::{Random, solids};
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};

@@ -1,5 +1,3 @@
-//! Objects scattered around the origin.
-
 use crate::{Random, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
     Block, Camera, Caption, CopperBar, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SPHERES,

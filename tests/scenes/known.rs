@@ -1,5 +1,3 @@
-//! Scenes that once failed.
-
 use crate::View;
 use crate::materials::numbered;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};

@@ -5,8 +5,8 @@
 //! | [`Kinds`] | all shapes, materials and lights, scattered around the origin |
 //! | [`placed`] | objects in their own colours, placed and sized by pixels |
 //! | [`floor`] | a single shadow or image in a floor, or objects that rise from it |
-//! | [`Hidden`] | forty small objects over a floor, above mirrors, behind glass |
-//! | [`crowd()`] | hundreds of mirrors, glass and plastic |
+//! | [`Hidden`] | forty small objects that are easily missed, over a floor, above mirrors or behind glass |
+//! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
 //! | [`shiny()`] | highlights of all sizes |
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known`] | scenes that once failed |

@@ -1,5 +1,3 @@
-//! Objects in their own colours, placed and sized by pixels.
-
 use crate::{Random, View, coloured, scaled, solids};
 use eightfold_tracer::scene::{Camera, Light, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};

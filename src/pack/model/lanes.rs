@@ -119,7 +119,6 @@ impl Lanes {
     }
 }
 
-/// The same without SSE2, for packing on other processors.
 #[cfg(any(test, not(target_arch = "x86_64")))]
 mod plain {
     use core::array::from_fn;

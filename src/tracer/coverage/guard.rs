@@ -1,8 +1,8 @@
 //! Finds the squares of a tile that may show something between their corners.
 //!
 //! A tile meets few of the outlines. Tangents give the range of squares that an outline covers in each row, for four rows at once.
-//! Tracing gives the object at a corner. For shadows and images on a plane the region is tested: a corner that shows the plane inside it
-//! shows the shadow or image, or an occluder of it.
+//! Tracing gives the object at a corner, but not the shadows and images there. For these the guard tests whether a corner that
+//! shows the plane is inside the outline: it then shows the shadow or image, or an occluder of it.
 
 use super::highlight::MAX_HIGHLIGHTS;
 use super::screen::Rect;
@@ -171,7 +171,7 @@ impl Search<'_> {
             let is_cut_once = cuts == 1 && shown == ALL;
             let inside = match cuts {
                 0 => ALL,
-                // Any one corner.
+                // A corner is inside; any bit stands for it.
                 _ if is_cut_once => 1,
                 _ => self.squares.inside([x, y], region),
             };
@@ -214,11 +214,11 @@ pub(super) const ALL: u64 = 0b1111;
 /// the square, as it is convex.
 #[derive(Clone, Copy)]
 struct Covered {
-    /// All corners by one outline.
+    /// One outline covers all corners.
     wholly: Bits,
-    /// Some corners that show the plane.
+    /// One outline covers some corners that show the plane.
     partly: Bits,
-    /// No corner that shows the plane, or some by two outlines each.
+    /// An outline covers no corner that shows the plane, or two outlines each cover some.
     missed: Bits,
 }
 
@@ -322,7 +322,7 @@ impl<'a> Squares<'a> {
         self.pyramid.corners(self.level, x, y)
     }
 
-    /// Returns a bit for each corner of a square inside the picture that shows an object.
+    /// Returns a bit for each corner of a square that is inside the picture and shows an object.
     #[inline(never)]
     pub(super) fn shown(&self, [x, y]: [usize; 2], object: ObjectId) -> u64 {
         let corners = self.corners([x, y]);

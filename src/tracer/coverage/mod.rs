@@ -33,14 +33,11 @@
 //!   centre, and a spotlight also where it does not shine.
 //! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Slits flicker without
 //!   this rule.
-//! - Images of cylinders and capsules, which count as prisms. Images in waves have no outlines.
-//! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on another
-//!   face. Of thousands of highlights of five pixels or more with a visible centre 0 were missed, and few parts of others
-//!   (`docs/accuracy.md`).
-//! - Wider things can have holes of up to 8 pixels, as far as tests show: at a corner, and in a narrow visible strip of a sunken log.
+//! - Images of cylinders and capsules, which count as prisms.
+//! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on
+//!   another face.
 //!
-//! `cargo lab missed` counts the rest: gaps, shadows on spheres and blocks, highlights in mirrors, other reflections, and refractions.
-//! Guaranteed shadows can be too small: up to 0.4 % of the pixels of small spheres' shadows are lit (`tests/image/errors.rs`).
+//! [`limits`](crate::limits) lists the rest in figures, and `cargo lab missed` counts it.
 
 mod guard;
 mod highlight;

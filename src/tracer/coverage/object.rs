@@ -44,7 +44,7 @@ impl ObjectBounds {
         self.most.is_finite()
     }
 
-    /// Returns its least and greatest height above `height`.
+    /// Returns the object's least and greatest height above `height`.
     pub fn above(&self, height: f32) -> [f32; 2] {
         [self.least.y - height, self.most.y - height]
     }
@@ -135,7 +135,7 @@ impl Coverage {
         }
         for (i, plane) in world.planes().iter().enumerate() {
             let id = ObjectId::new(world.first_plane() + i);
-            // Forward, a plane has no order.
+            // No bound forward: planes have no order.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
             let [least, most] = ends(plane.centre.into(), extent);
             self.objects[id.index()] = ObjectBounds {
@@ -147,7 +147,7 @@ impl Coverage {
             let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
             let far = self.eye.reach(centre, half.length());
             let to = (centre - world.eye).abs();
-            // Above the plane, the eye may look straight down; outside, the far end is the flattest.
+            // An eye above the rectangle may look straight down; beside it, the angle is least at the far end.
             let is_beside = to.x > half.x || to.z > half.z;
             let steep = if is_beside { to.y / far } else { 1.0 };
             let width = 2.0 * half.x.min(half.z) * steep / far;

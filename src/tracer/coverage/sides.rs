@@ -18,7 +18,7 @@ use glam::{BVec4A, Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// Clips per end: the first tangent touches the cone on its own side, later ones inside the rectangle.
+/// Cuts at each end of a row's range: the first tangent touches the cone on its own side, later ones inside the rectangle.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).

@@ -157,7 +157,6 @@ proptest! {
     }
 }
 
-/// They meet less than 1 % of the squares.
 #[test]
 fn small_shadows_have_small_bounds() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

@@ -109,8 +109,8 @@ impl BoundingCone {
         })
     }
 
-    /// Returns its bounds, by the normals of the planes that appear as the lines u = 0, v = 0, and the line at infinity: the camera's axes,
-    /// if the tip is the eye.
+    /// Returns the cone's bounds, by the normals of the planes that appear as the lines u = 0, v = 0, and the line at infinity: the
+    /// camera's axes, if the tip is the eye.
     ///
     /// The plane of u = c has the normal of u minus c times the last one. It touches the cone where its angle with the axis is the cone's
     /// own (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal normals).

@@ -1,8 +1,8 @@
 //! Antialiasing, the second phase of a frame: pixels at edges are blended with points between them.
 //!
-//! Where two neighbours differ by an edge, the midpoint between them is traced, once for both. Each pixel owns the half up to it, and
-//! bisects this half: if the pixel and the midpoint differ by [`HALF`], the point between them is traced, and if that differs from either
-//! end by [`QUARTER`], one more point on that side.
+//! Where two neighbours differ by an edge, the midpoint between them is traced, once for both. Each pixel bisects its half up to
+//! the midpoint: if the pixel and the midpoint differ by [`HALF`], the point between them is traced, and if that differs from
+//! either end by [`QUARTER`], one more point on that side.
 //!
 //! ```text
 //!     a          midpoint         b
@@ -14,11 +14,11 @@
 //!                    an edge
 //! ```
 //!
-//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and a side
-//! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the line that crosses the edge steeply
-//! measures coverage better than a mean of both. Marks compare pixels as drawn, also across bands, so any number of threads gives the same
-//! bits, and even areas keep theirs. A filled square of 8 has no edges inside: only rough cells and the pixels on their borders are
-//! searched. Things that fall between samples stay invisible.
+//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and
+//! a side without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the line that crosses the
+//! edge steeply measures coverage better than a mean of both. Marks compare pixels as drawn, also across bands, so any number of
+//! threads gives the same bits, and even areas keep theirs. A filled square of 8 has no edges inside: only rough cells and the
+//! pixels on their borders are searched.
 
 use super::worker::{Interval, STRETCH, Worker};
 use crate::MAX_WIDTH;

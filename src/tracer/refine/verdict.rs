@@ -32,8 +32,8 @@ impl Limit {
     }
 }
 
-/// Returns the factor on the tolerance for squares of a side, 1 for 8 pixels. An error in a square of 4 covers a quarter of the pixels, so
-/// it may be twice as large. In crowded tiles (`crowding`, 0 to 1) errors in small squares add up, so the factor is smaller.
+/// Returns the factor on tolerances for squares of a side in pixels, see [`Quality`]. In crowded tiles (`crowding`, 0 to 1) errors
+/// in small squares add up, so the factor is smaller.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     let growth = 8.0 / side as f32;
     growth + crowding * (growth.min(1.0) - growth)

@@ -36,7 +36,7 @@ impl Worker {
     /// Returns zeroed memory.
     #[must_use]
     pub const fn new() -> Self {
-        // Evaluated at compile time: unoptimised code would build each part on the stack.
+        // As in `Memory::new`.
         const {
             Self {
                 batch: Batch::new(),
@@ -63,7 +63,6 @@ impl Default for Worker {
 
 const _: () = assert!(Worker::BYTES <= 460_000);
 
-/// Points are traced in clusters, since neighbours hit the same objects.
 pub(super) const CLUSTER_WIDTH: usize = 4;
 /// A cluster's points are the bits of a word. (Clusters of 8x8 points make the show 6 % slower.)
 pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;

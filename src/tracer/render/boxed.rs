@@ -7,7 +7,7 @@ use std::vec;
 pub struct BoxedMemory(Box<[Memory]>);
 
 impl BoxedMemory {
-    /// Allocates empty memory. `Box::new` would copy it from the stack in unoptimised programs.
+    /// Allocates empty memory.
     #[must_use]
     pub fn new() -> Self {
         Self(vec![const { Memory::new() }].into_boxed_slice())

@@ -47,8 +47,6 @@ impl Frame<'_> {
 
 /// Renders frames, with one instruction set and one [`Memory`].
 ///
-/// Without the feature `std`, pass a `&'static mut Memory` to [`Renderer::with_memory`].
-///
 /// # Measuring the error of a frame
 ///
 /// The [probes](Frame::with_probes) of several frames estimate the accuracy:

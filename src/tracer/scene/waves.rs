@@ -26,7 +26,7 @@ pub struct Waves {
 }
 
 impl Waves {
-    /// More than the ratio of the longest to the shortest wave.
+    /// An upper bound of the longest wave's length, relative to the shortest's.
     pub const FINEST: f32 = 20.0;
     /// The ratio of the lengths of a wave and the previous one.
     pub const SHORTER: f32 = 0.5625;

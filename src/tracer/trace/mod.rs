@@ -97,7 +97,7 @@ pub(crate) struct Tracer<'a, I> {
 /// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `seen`.
 pub(crate) type Kernel = fn(&Tracer<'_, Level>, VisibleGroups, &mut Batch);
 
-/// The linker drops the AVX-512 kernel if a program never refers to this function.
+/// See [`Renderer::narrow`](crate::Renderer::narrow).
 pub(crate) fn trace_wide(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
     match avx512(tracer.isa) {
         Some(isa) => by_isa!(isa: trace_packets(tracer.by(isa), seen, batch)),

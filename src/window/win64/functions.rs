@@ -111,8 +111,6 @@ unsafe impl Sync for Functions {}
 
 static FUNCTIONS: Functions = Functions(UnsafeCell::new(MaybeUninit::uninit()));
 
-/// Returns the table.
-///
 /// # Safety
 /// [`load`] has to have succeeded.
 #[inline(always)]

@@ -148,7 +148,6 @@ struct Cover {
 }
 
 impl Cover {
-    /// Makes the window cover its monitor, without frame and cursor, or restores it.
     fn set(&mut self, on: bool) {
         if on == self.before.is_some() {
             return;

@@ -1,7 +1,7 @@
 //! The Windows stub: unpacks the program and loads it at its addresses.
 //!
 //! The packer links it from a separate object, see `src/pack/build`. The object is a Linux ELF file, because the build machine has
-//! only Linux's core library. The [loader], which runs after unpacking, is packed with the program.
+//! only Linux's core library.
 
 #![no_std]
 #![no_main]
@@ -27,7 +27,7 @@ use system::{COMMIT_RESERVE, READ_EXECUTE, READ_WRITE, RELEASE, System, protect}
 // It checks the FNV-1a checksum of all bytes after this section. This section, the headers and the import table are unverified.
 // (Windows refuses truncated files.)
 //
-// `fail` attaches to the parent's console (-1), prints to standard error (-12), and exits with code 1.
+// `fail` attaches to the parent's console (-1), prints `rsi` bytes at `rdi` on standard error (-12), and exits with code 1.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -53,7 +53,6 @@ global_asm!(
     "lea rdi, [rip + 4f]",
     "push 32",
     "pop rsi",
-    // Prints `rsi` bytes at `rdi` on standard error, and exits with code 1.
     "fail:",
     "and rsp, -16",
     "sub rsp, 48",

@@ -6,7 +6,7 @@ use crate::quality::Quality;
 use crate::trace::Sample;
 use proptest::prelude::*;
 
-/// Returns whether the keys agree, and whether the square is flat, filled, patterned.
+/// Returns whether the square is agreeing, flat, filled and patterned.
 fn verdict(quality: &Quality, side: usize, corners: [(Sample, u32); 4]) -> [bool; 4] {
     let samples = corners.map(|(sample, _)| sample);
     let agreeing = corners.iter().all(|&(_, key)| key == corners[0].1);

@@ -9,7 +9,6 @@ use crate::plan::Context;
 
 /// A pixel on the upper or left side of a filled square; the other sides are its neighbours'.
 const SIDE: u8 = 1;
-/// A traced point.
 const POINT: u8 = 2;
 
 /// In pixels.

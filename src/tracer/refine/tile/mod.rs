@@ -129,7 +129,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         ((split - CROWDED.start) / (CROWDED.end - CROWDED.start)).clamp(0.0, 1.0)
     }
 
-    /// Returns the factor on tolerances for the squares of a level.
     pub fn growth(&self, level: usize) -> f32 {
         growth(1 << level, self.crowding)
     }

@@ -165,7 +165,6 @@ impl<O: Observer> Tile<'_, '_, O> {
             let shows = |which: &[bool]| sample.object().is_some_and(|id| which[id.index()]);
             let mut key = batch.results.key(i);
             if plan.glitters && shows(&world.glitters) {
-                // Unique.
                 key = (y << 16 | x) as u32;
             }
             if has_patterns && batch.results.is_fine(i) {

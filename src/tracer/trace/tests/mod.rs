@@ -45,7 +45,6 @@ fn on_every_instruction_set(property: &impl Property) {
 struct Random(u64);
 
 impl Random {
-    /// The tests must pass with any `RAY_SEED`.
     fn new(seed: u64) -> Self {
         let other = std::env::var("RAY_SEED").map_or(0, |seed| seed.parse().unwrap());
         Self(seed ^ other << 32)

@@ -1,4 +1,4 @@
-//! Small distant spheres. With `PRECISION_SEEDS=60` and `--nocapture` the test prints the figures of [`crate::limits`] in a minute.
+//! Small distant spheres: the figures of [`crate::limits`], whose command takes a minute.
 
 use super::*;
 
@@ -9,8 +9,7 @@ const SEEDS: u64 = 1;
 /// The probability that a seed exceeds its bound.
 const EXCEEDED: f64 = 1e-6;
 
-/// Distances in radii, and bounds on the wrong rays per million: for a sphere at the origin with FMA, without FMA, and for spheres
-/// up to twice as far from the origin.
+/// Distances in radii, and bounds on the wrong rays per million, as in the columns of [`crate::limits`].
 const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e0, [3.0, 4.0, 5.0]),
     (1e1, [1.0, 1.0, 1.0]),
