@@ -1,5 +1,4 @@
-//! Governors select the preset that holds a frame rate or an accuracy. They have no clock: equal times or probes give equal
-//! presets.
+//! Governors have no clock: equal times or probes give equal presets.
 
 use crate::counts::Probes;
 use crate::quality::Quality;

@@ -76,9 +76,9 @@
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
 //! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
-//! | crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480 | 42 dB |
-//! | crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
-//! | floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, 480x270 | 42 dB |
+//! | the same: crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480 | 42 dB |
+//! | the same: crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
+//! | the same: floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, 480x270 | 42 dB |
 //! | the guard's share of the time in the model scene (by `lab trade`), default quality | 10 % |
 //!
 //! # Approximations
@@ -96,9 +96,9 @@
 //!
 //! - Coincident surfaces: rounding decides which one a ray hits.
 //! - Chords of a sphere shorter than the rounding error: the ray misses.
-//! - Shadows between corners. The guard tests shadows on planes, and light between them. Where a point light low above a plane
-//!   lights only a few pixels, the corner inside a sphere's shadow may be dark without it: a shadow wider than a square can be
-//!   missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
+//! - Shadows between corners. The guard tests shadows on planes, and light between them. A point light low above a plane may light
+//!   only a few pixels: a corner in a sphere's shadow is then as dark without the shadow, and even a shadow wider than a square can
+//!   be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
 //! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and holes in thin
 //!   shadows by lights with a diameter, whose soft edges are unguarded.
 //! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of

@@ -121,7 +121,7 @@ fn show_is_as_traced() {
 }
 
 #[test]
-fn silhouettes_and_rays_are_the_oracles() {
+fn silhouettes_and_rays_match_the_oracle() {
     let near = |count: u64, expected: u64| count.abs_diff(expected) <= expected / 5000;
     let (width, height) = (1024, 768);
     let scene = show::model_scene(0.0);
@@ -244,7 +244,7 @@ fn random_scenes_are_as_traced_and_refined() {
 
 /// Rounding decides every pixel of this scene.
 #[test]
-fn colour_half_way_between_steps_is_either() {
+fn colour_half_way_between_steps_rounds_either_way() {
     assert_traced(&known::tie(), [96, 72], "a tie");
     for quality in RULES.map(bare) {
         assert_refined(&known::tie(), &quality, [96, 72], "a tie");

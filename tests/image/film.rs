@@ -16,7 +16,7 @@ fn empty(steps: f32, dither: f32) -> Scene {
 }
 
 #[test]
-fn tolerance_of_a_film_is_a_share_of_the_qualitys() {
+fn film_tolerance_scales_quality_tolerances() {
     let mut scene = show::model_scene(1.0);
     let quality = Quality::DEFAULT;
     let halved = Quality {

@@ -68,7 +68,7 @@ fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
 }
 
 #[test]
-fn golden_scenes() {
+fn scenes_match_golden_pictures() {
     hold(
         "model",
         &show::model_scene(2.0),
@@ -98,7 +98,7 @@ fn golden_scenes() {
 }
 
 #[test]
-fn golden_show() {
+fn show_matches_golden_pictures() {
     // Times in milliseconds that show every scene and every position of a caption.
     for (name, time, quality) in [
         ("title", 9_000, NamedQuality::EXHAUSTIVE),

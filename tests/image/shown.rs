@@ -297,8 +297,7 @@ fn mirror(random: &mut Random) -> View {
     sized(scene)
 }
 
-/// Images of spheres and boxes in 2x2 pixels are promised. The outline of a round block's image is that of a prism, so a
-/// corner inside it can count as showing the block.
+/// Images of spheres and boxes in 2x2 pixels are promised, those of round blocks are not.
 fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let is_image = |pixel: u32| pixel != 0 && pixel.to_be_bytes().iter().all(|&c| c < 128);
     let width = view.width;
@@ -392,8 +391,7 @@ fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     })
 }
 
-/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light, lit. Others are
-/// partly hidden, in shadow, cut by an edge, or on white.
+/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light, lit.
 fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let spheres = scene.spheres.iter().map(Shape::from);

@@ -4,13 +4,14 @@
 
 use super::operands::operands_by_runs;
 
-/// The number of features, with some spare, a power of two. Contexts are sets of features. Features 0 to 3 are the last bytes,
+/// The number of features, a power of two; some are unused. Contexts are sets of features. Features 0 to 3 are the last bytes,
 /// newest first.
 pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
 /// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2,
-/// AVX2 and AVX-512. The three previous instructions' opcodes, and the next three features of two, follow at distances of [`STEP`].
+/// AVX2 and AVX-512. The opcodes of the three previous instructions follow at distances of [`STEP`], the first two with their next
+/// three features.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;

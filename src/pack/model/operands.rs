@@ -22,7 +22,7 @@ const fn operands(map: u32, opcode: u32) -> u32 {
     }
 }
 
-/// Below this opcode, map 0 repeats every eight.
+/// Below this opcode, map 0 repeats every eight opcodes.
 const REPEATING: u32 = 0x40;
 
 /// A run-length code of [`operands`] (length times 8, plus value) for opcodes 0 to 7 and from [`REPEATING`] on of map 0, and maps 1

@@ -49,7 +49,7 @@ pub(crate) struct BvhNode {
     pub groups: GroupSet,
     /// Meaningless for a bound.
     pub object: ObjectId,
-    /// The number of nodes to advance by if it is missed.
+    /// The number of nodes to advance by if this one is missed.
     pub skip: u16,
     pub is_bound: bool,
     /// The number of a leaf's solids, which are the next nodes.

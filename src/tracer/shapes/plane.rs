@@ -5,8 +5,8 @@ use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// Returns the distance of a direction inside each of the four planes through the eye and an edge.
 ///
-/// A ray d meets the plane at `eye + d h / q`, where q is the rate of approach, -d.y or d.y. It is inside an edge at the distance
-/// `reach` along x if `reach q - h d.x >= 0`. Results are below 1, so that one rounding margin fits all.
+/// From the height h, a ray d meets the plane at `eye + d h / q`, where q is its rate of approach, -d.y or d.y. It is inside an
+/// edge at the distance `reach` along x if `reach q - h d.x >= 0`. Results are below 1, so that one rounding margin fits all.
 pub(crate) fn sides(plane: &Plane, eye: Vec3A, d: Vec3A) -> Vec4 {
     let from = eye - Vec3A::from(plane.centre);
     let reach = Vec4::new(plane.half_x, plane.half_x, plane.half_z, plane.half_z)

@@ -118,7 +118,8 @@ pub(crate) fn distance<S: Isa>(
     near.simd_gt(zero).select(near, far)
 }
 
-/// Returns the distance along each ray, within `length`, nearest to a sphere's centre, and the depth there, negative outside.
+/// Returns the distance, at most `length`, at which each ray is nearest to a sphere's centre, and its depth there, negative
+/// outside.
 #[inline(always)]
 pub(crate) fn deepest<S: Isa>(
     simd: S,

@@ -377,7 +377,7 @@ mod tests {
     use super::KeyParser;
 
     #[test]
-    fn escape_ends_and_sequences_do_not() {
+    fn escape_ends_show_and_sequences_do_not() {
         let endings: [&[&[u8]]; 8] = [
             &[b"\x1b", b""],
             &[b"\x1b\x1b", b""],
@@ -411,7 +411,7 @@ mod tests {
     }
 
     #[test]
-    fn h_toggles() {
+    fn h_toggles_numbers() {
         let toggles = |typed: &[u8]| {
             let mut keys = KeyParser::default();
             assert!(!keys.ends(typed));
