@@ -1,6 +1,6 @@
 //! Scalar functions that `core` lacks, for animated scenes.
 //!
-//! They return the same bits on every platform: each is correctly rounded, or uses only sums and products.
+//! The public functions return the same bits on every platform: they use only correctly rounded operations.
 
 pub use crate::lanes::ROUND_TO_INTEGER;
 

@@ -28,8 +28,8 @@ pub struct Quality {
     pub key_depth: u32,
     /// The least weight of rays whose objects are part of the key, 0 to infinity, to exclude weak reflections of a floor. A ray's
     /// weight is the product of the exposure and of `kr`, `kt` and the haze's factors along its path. If `key_weight` is above 0
-    /// and a scene has twelve strong mirrors or glass solids, all their points have different keys, and squares have 4 pixels at
-    /// most: reflections in a dense cluster are tiny.
+    /// and a scene has twelve or more strong mirrors or glass solids, all their points have different keys, and squares have 4
+    /// pixels at most: reflections in a dense cluster are tiny.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
@@ -40,7 +40,7 @@ pub struct Quality {
     /// The least weight of secondary rays, 0 to infinity.
     pub least_contribution: f32,
     /// Whether edges are antialiased. Where neighbouring pixels differ by 20/255 or more in a channel, the point half-way between
-    /// is traced and mixed into both; up to two more points per pixel find the edge by bisection.
+    /// is traced and mixed into both; up to two more points on each side find the edge by bisection.
     pub antialias: bool,
 }
 

@@ -95,8 +95,7 @@ impl Oracle<'_> {
         })
     }
 
-    /// Returns the colour along a ray. `weight` is the product of the coefficients on its path, `path` the node in the ray tree, as
-    /// in the library's `slot_path`.
+    /// Returns the colour along a ray. `weight` and `path` are as in the library's `Rays`.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let nearest = self.nearest(ray, true);

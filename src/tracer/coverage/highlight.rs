@@ -79,7 +79,7 @@ impl Highlight {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
 
-    /// Returns the decay at which the highlight does not exceed the corners of any square of `side` pixels, by the bounds of
+    /// Returns the decay beyond which no square of `side` pixels is visibly brighter than its corners, by the bounds of
     /// [`Highlight::is_missed`].
     fn reach(&self, side: usize) -> f32 {
         let peak = self.strength / self.most(pixels(side));
@@ -131,7 +131,7 @@ impl Highlight {
 }
 
 impl Coverage {
-    /// Computes the highlights, after the objects: none on waves or from inside a sphere or cylinder.
+    /// Computes the highlights, after the objects: none on waves, or on a solid around the eye.
     pub(super) fn set_highlights(&mut self, world: World<'_>) {
         self.highlights.clear();
         for i in 0..world.background() {

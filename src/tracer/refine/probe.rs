@@ -88,7 +88,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         if probes == 0 {
             break;
         }
-        // Antialiasing is the frame's own.
+        // Edges are antialiased below, as in the frame.
         let quality = &Quality::EXHAUSTIVE;
         context.trace(quality, all, &mut worker.batch);
         for probe in 0..probes {

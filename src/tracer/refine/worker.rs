@@ -11,7 +11,7 @@ pub struct Worker {
     pub(super) pyramid: Pyramid,
     pub(super) marks: Marks,
     pub(super) guard: Guard,
-    /// The points' indices in the pyramid, or of pixels in the band.
+    /// The points' indices in the pyramid, or their pixels' in the band.
     pub(super) targets: [u32; BATCH],
     pub(super) intervals: [Interval; BATCH],
     pub(super) found: usize,
@@ -70,7 +70,7 @@ pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 pub(super) struct Marks {
     /// The squares to judge: the top level's, then the parts of split ones.
     pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// The squares that may show something between their corners; before the guard runs, their parts.
+    /// The squares that may show something between their corners; before the guard runs, the parts of such squares.
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Filled squares; single pixels are never filled, so half the rows suffice.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],

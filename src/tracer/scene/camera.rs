@@ -13,7 +13,7 @@ pub struct Camera {
     pub eye: Vec3,
     /// The point in the middle of the picture, other than `eye`, with the same range.
     pub look_at: Vec3,
-    /// The upward direction of the picture, of any length, not parallel to the line of sight.
+    /// The upward direction of the picture, of any length, more than 0.001 radians off the line of sight.
     pub up: Vec3,
     /// The vertical field of view in radians, above 0 and below pi.
     pub field_of_view: f32,

@@ -469,7 +469,7 @@ impl Light {
         }
     }
 
-    /// Returns whether shadows are hard.
+    /// Returns whether the light has neither a diameter nor a cone, and is not parallel.
     pub(crate) fn is_point(&self) -> bool {
         self.diameter == 0.0 && !self.parallel && self.spot.is_none()
     }

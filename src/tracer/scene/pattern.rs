@@ -7,9 +7,9 @@ use glam::Vec3;
 /// A procedural texture that darkens the colour of a surface.
 ///
 /// Coordinates are relative to the object's centre, along its own axes; spheres and planes have the scene's axes. Along each axis a
-/// triangle wave between -1 and 1 has a maximum at 0. The smallest magnitude with the sign of the waves' product is multiplied by
-/// `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three checkers, with fields
-/// half a period wide. Noise along x turns stripes into marble.
+/// triangle wave between -1 and 1 has a maximum at 0. The smallest of the waves' magnitudes, with the sign of their product, is
+/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three
+/// checkers, with fields half a period wide. Noise along x turns stripes into marble.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -18,11 +18,11 @@ pub struct Pattern {
     pub waves: Vec3,
     /// The share of the colour that the darkest points lose, 0 to 1.
     pub depth: f32,
-    /// The steepness of transitions, up to 1000: 1 is the triangle wave itself. Against aliasing, transitions are at least one
-    /// pixel wide, and waves shorter than a pixel average out.
+    /// The steepness of transitions, 0 to 1000: 1 is the triangle wave itself. Against aliasing, transitions are at least one pixel
+    /// wide, and waves shorter than a pixel average out.
     pub edge: f32,
-    /// The ratio of light to dark, -1 to 1: `balance * max(edge, 1)` is added to the pattern. With sharp edges, light stripes take
-    /// the share `(1 + balance) / 2`, the mean far from the eye. Near 1 thin dark veins are left.
+    /// The balance of light and dark, -1 to 1: `balance * max(edge, 1)` is added to the pattern. With sharp edges, light stripes
+    /// take the share `(1 + balance) / 2`, the mean far from the eye. Near 1 thin dark veins are left.
     pub balance: f32,
     /// The amplitude in periods of the noise that shifts the pattern along x, 0 to 1000. Octaves of half the size and amplitude are
     /// added while their amplitude is above [`Pattern::LEAST_WARP`].

@@ -8,7 +8,7 @@ pub(crate) struct Rays<S: Isa> {
     pub o: Vec3x<S>,
     /// Of length 1.
     pub d: Vec3x<S>,
-    /// The product of the coefficients along the path.
+    /// See [`Quality::key_weight`].
     pub weight: F<S>,
     /// The index of the point in the batch, and the node in its ray tree: `slot << PATH_BITS | path`. A primary ray has the path 1;
     /// a ray with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the [`departure`] and

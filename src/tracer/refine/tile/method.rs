@@ -11,7 +11,7 @@ use crate::plan::Context;
 const SIDE: u8 = 1;
 const POINT: u8 = 2;
 
-/// In pixels.
+/// The width of the front in pixels.
 const FRONT: usize = 3;
 
 impl<O: Observer> Tile<'_, '_, O> {
