@@ -2,7 +2,6 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
     pub mean: f64,
-    pub largest: u32,
     /// Pixels with a channel more than 8 off.
     pub over_8: usize,
     /// The mean square.
@@ -15,21 +14,18 @@ impl Difference {
     /// Compares `0x00RRGGBB` pixels.
     pub fn between(a: &[u32], b: &[u32]) -> Self {
         assert_eq!(a.len(), b.len(), "pictures of different sizes");
-        let (mut sum, mut squares, mut largest, mut over_8) = (0_u64, 0_u64, 0, 0);
+        let (mut sum, mut squares, mut over_8) = (0_u64, 0_u64, 0);
         for (&a, &b) in a.iter().zip(b) {
             for d in channels(a, b) {
                 sum += u64::from(d);
                 squares += u64::from(d * d);
             }
-            let worst = worst_channel(a, b);
-            largest = largest.max(worst);
-            over_8 += usize::from(worst > 8);
+            over_8 += usize::from(worst_channel(a, b) > 8);
         }
         let count = (a.len() * 3) as f64;
         let square = squares as f64 / count;
         Self {
             mean: sum as f64 / count,
-            largest,
             over_8,
             square,
             psnr: decibels(square),

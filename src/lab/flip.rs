@@ -30,24 +30,6 @@ impl Flip {
     }
 }
 
-#[derive(Clone, Default)]
-pub struct Flips {
-    sum: f64,
-    pixels: usize,
-}
-
-impl Flips {
-    pub fn add(&mut self, flip: &Flip) {
-        self.sum += flip.mean() * flip.errors.len() as f64;
-        self.pixels += flip.errors.len();
-    }
-
-    /// Weighs all pixels equally.
-    pub fn mean(&self) -> Option<f64> {
-        (self.pixels > 0).then(|| self.sum / self.pixels as f64)
-    }
-}
-
 fn image(width: usize, pixels: &[u32]) -> FlipImageRgb8 {
     let height = pixels.len() / width;
     FlipImageRgb8::with_data(width as u32, height as u32, &rgb(pixels))

@@ -1,7 +1,7 @@
 use crate::error::Difference;
 use crate::markdown::{self, Column, known, percent};
 use crate::measure::{Measurement, Run, Sampling, Setting, Shot, Technique};
-use crate::timing::{median, percentile};
+use crate::timing::{mean, median, percentile};
 use eightfold_tracer::Quality;
 use serde::Serialize;
 
@@ -39,7 +39,7 @@ pub struct Row {
     pub pops: Option<f64>,
     pub flip_mean: Option<f64>,
     pub missed_objects: Option<f64>,
-    pub psnr_to_64_db: Option<f64>,
+    pub psnr_to_64_db: f64,
     pub flip_to_64: Option<f64>,
     /// See [`crate::trade`].
     pub on_front: bool,
@@ -78,11 +78,11 @@ impl Row {
                 psnr_db: Difference::pooled_psnr(&run.differences),
                 psnr_worst_db: psnr.fold(f64::INFINITY, f64::min),
                 pixels_over_8: per_frame(over_8 as u64),
-                pops: run.seen.pops(),
-                flip_mean: run.seen.flips.mean(),
-                missed_objects: run.seen.missed(),
-                psnr_to_64_db: run.seen.psnr_to_64_db(),
-                flip_to_64: run.seen.flips_to_64.mean(),
+                pops: mean(&run.seen.pops),
+                flip_mean: mean(&run.seen.flips),
+                missed_objects: mean(&run.seen.missed),
+                psnr_to_64_db: Difference::pooled_psnr(&run.seen.differences_to_64),
+                flip_to_64: mean(&run.seen.flips_to_64),
                 on_front: false,
             }
         };
@@ -155,22 +155,18 @@ const RACES: [Column<Race>; 8] = [
     ("scene", |race| race.own.scene.clone()),
     ("quality", |race| race.own.name.clone()),
     ("speed-up", |race| known(race.own.speedup, 2)),
-    ("dB to 64 samples", |race| known(psnr_to_64(&race.own), 1)),
+    ("dB to 64 samples", |race| known(race.own.psnr_to_64_db, 1)),
     ("resolution", |race| known(race.enlarged[0], 2)),
     ("its dB to 64", |race| known(race.enlarged[1], 1)),
     ("ahead by", |race| {
-        known(psnr_to_64(&race.own) - race.enlarged[1], 1)
+        known(race.own.psnr_to_64_db - race.enlarged[1], 1)
     }),
     ("checkerboard", |race| {
         let row = race.checkerboard.as_ref();
-        let [speedup, psnr] = [row.map(|row| row.speedup), row.map(psnr_to_64)];
+        let [speedup, psnr] = [row.map(|row| row.speedup), row.map(|row| row.psnr_to_64_db)];
         format!("{}, {}", known(speedup, 2), known(psnr, 1))
     }),
 ];
-
-fn psnr_to_64(row: &Row) -> f64 {
-    row.psnr_to_64_db.unwrap_or(f64::NAN)
-}
 
 /// Compares qualities with enlarged frames of equal time, interpolated between measured ones or the smallest if all are slower, and
 /// with the checkerboard.
@@ -183,7 +179,7 @@ pub fn races(rows: &[Row]) -> String {
                 Sampling::Enlarged(scale) => Some(scale),
                 _ => row.is_exact().then_some(1.0),
             };
-            scale.map(|scale| [row.speedup, scale, psnr_to_64(row)])
+            scale.map(|scale| [row.speedup, scale, row.psnr_to_64_db])
         };
         let mut frames: Vec<[f64; 3]> = rows.iter().filter_map(frame).collect();
         frames.sort_by(|a, b| a[0].total_cmp(&b[0]));

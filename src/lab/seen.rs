@@ -1,8 +1,7 @@
 use crate::arguments::{Size, processors};
 use crate::error::{Difference, worst_channel};
-use crate::flip::{Flip, Flips};
+use crate::flip::Flip;
 use crate::interrupt;
-
 use crate::missed::Visible;
 use crate::picture::Mean;
 use crate::technique::Technique;
@@ -19,29 +18,15 @@ const STILL: u32 = 4;
 
 #[derive(Clone, Default)]
 pub struct Seen {
-    /// To the reference.
-    pub flips: Flips,
-    pops: usize,
-    pairs: usize,
-    missed: usize,
-    differences_to_64: Vec<Difference>,
-    pub flips_to_64: Flips,
-}
-
-impl Seen {
-    pub fn pops(&self) -> Option<f64> {
-        (self.pairs > 0).then(|| self.pops as f64 / self.pairs as f64)
-    }
-
-    pub fn missed(&self) -> Option<f64> {
-        let views = self.differences_to_64.len();
-        (views > 0).then(|| self.missed as f64 / views as f64)
-    }
-
-    pub fn psnr_to_64_db(&self) -> Option<f64> {
-        let differences = &self.differences_to_64;
-        (!differences.is_empty()).then(|| Difference::pooled_psnr(differences))
-    }
+    /// Mean FLIP of each view, to the reference.
+    pub flips: Vec<f64>,
+    /// For each pair of consecutive frames.
+    pub pops: Vec<f64>,
+    /// Objects of each view.
+    pub missed: Vec<f64>,
+    /// Of each view, to 64 samples a pixel.
+    pub differences_to_64: Vec<Difference>,
+    pub flips_to_64: Vec<f64>,
 }
 
 pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
@@ -82,12 +67,14 @@ pub fn look(
                 let now = draw(technique, scene, renderer);
                 if i > 0 {
                     let references = [&references[i - 1][..], &references[i]];
-                    seen.pops += pops(references, [&before, &now]);
-                    seen.pairs += 1;
+                    let pops = pops(references, [&before, &now]);
+                    seen.pops.push(pops as f64);
                 } else {
-                    seen.missed += visible.missed(&references[0], &now);
-                    seen.flips.add(&Flip::between(width, &references[0], &now));
-                    seen.flips_to_64.add(&Flip::between(width, &samples, &now));
+                    let missed = visible.missed(&references[0], &now);
+                    seen.missed.push(missed as f64);
+                    let flip = |picture: &[u32]| Flip::between(width, picture, &now).mean();
+                    seen.flips.push(flip(&references[0]));
+                    seen.flips_to_64.push(flip(&samples));
                     let difference = Difference::between(&samples, &now);
                     seen.differences_to_64.push(difference);
                 }

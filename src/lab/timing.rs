@@ -1,6 +1,11 @@
 use crate::arguments::processors;
 use std::fs;
 
+/// Returns `None` without numbers.
+pub fn mean(numbers: &[f64]) -> Option<f64> {
+    (!numbers.is_empty()).then(|| numbers.iter().sum::<f64>() / numbers.len() as f64)
+}
+
 /// Averages the middle two of an even number.
 pub fn median(times: &[f64]) -> f64 {
     let times = sorted(times);
