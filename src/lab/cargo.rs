@@ -96,11 +96,3 @@ impl Build {
             .filter(move |message| message["reason"] == reason)
     }
 }
-
-pub fn intro() -> Result<PathBuf> {
-    Build::release("eightfold")?.program("eightfold")
-}
-
-pub fn intro_for_windows() -> Result<PathBuf> {
-    Build::windows()?.program("eightfold")
-}

@@ -5,13 +5,8 @@ use std::sync::{Mutex, PoisonError};
 /// Records the squares that contain a pixel, and the points around it.
 pub struct Inspector {
     pixel: [usize; 2],
-    heard: Mutex<Heard>,
-}
-
-#[derive(Default)]
-struct Heard {
-    squares: Vec<String>,
-    points: Vec<String>,
+    squares: Mutex<Vec<String>>,
+    points: Mutex<Vec<String>>,
 }
 
 impl Inspector {
@@ -21,37 +16,39 @@ impl Inspector {
     pub fn new(x: usize, y: usize) -> Self {
         Self {
             pixel: [x, y],
-            heard: Mutex::default(),
+            squares: Mutex::default(),
+            points: Mutex::default(),
         }
     }
 
     /// Returns, as JSON, the squares from the largest to the smallest, each with its corner, its sides and a sentence, and the
     /// traced points.
     pub fn json(self) -> String {
-        let heard = self.heard.into_inner();
-        let Heard { squares, points } = heard.unwrap_or_else(PoisonError::into_inner);
+        let [squares, points] = [self.squares, self.points]
+            .map(|list| list.into_inner().unwrap_or_else(PoisonError::into_inner));
         let (squares, points) = (squares.join(","), points.join(","));
         format!(r#"{{"squares":[{squares}],"points":[{points}]}}"#)
-    }
-
-    fn hear(&self, note: impl FnOnce(&mut Heard)) {
-        note(&mut self.heard.lock().unwrap_or_else(PoisonError::into_inner));
     }
 
     fn note(&self, [x, y]: [usize; 2], [w, h]: [usize; 2], what: &str) {
         let [px, py] = self.pixel;
         if (x..x + w).contains(&px) && (y..y + h).contains(&py) {
             let square = format!(r#"{{"x":{x},"y":{y},"w":{w},"h":{h},"what":"{what}"}}"#);
-            self.hear(|heard| heard.squares.push(square));
+            push(&self.squares, square);
         }
     }
+}
+
+fn push(list: &Mutex<Vec<String>>, text: String) {
+    let list = list.lock();
+    list.unwrap_or_else(PoisonError::into_inner).push(text);
 }
 
 impl Observer for &Inspector {
     fn point(self, x: usize, y: usize, _: Counts) {
         let [px, py] = self.pixel;
         if x.abs_diff(px).max(y.abs_diff(py)) <= Inspector::NEAR {
-            self.hear(|heard| heard.points.push(format!("[{x},{y}]")));
+            push(&self.points, format!("[{x},{y}]"));
         }
     }
 

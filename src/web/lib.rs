@@ -205,28 +205,16 @@ pub extern "C" fn draw(
     probes: u16,
     seed: u32,
 ) -> usize {
-    let Workspace {
-        memory,
-        worker,
-        scene,
-        ..
-    } = &mut *workspace();
-    let State {
-        quality,
-        width,
-        height,
-        pixels,
-        figures,
-        ..
-    } = &mut *state();
+    let (space, state) = (&mut *workspace(), &mut *state());
     let mut done = Counts::NONE;
     done.points = before as u64;
-    let mut share = Share::new(worker, from..to, pass, done);
-    let mut renderer = Renderer::narrow(Level::baseline(), memory);
-    let frame = Frame::new(*width, *height, pixels).with_probes(probes, seed);
-    renderer.render_valid(scene, quality, frame, &mut share);
+    let mut share = Share::new(&mut space.worker, from..to, pass, done);
+    let mut renderer = Renderer::narrow(Level::baseline(), &mut space.memory);
+    let frame = Frame::new(state.width, state.height, &mut state.pixels);
+    let frame = frame.with_probes(probes, seed);
+    renderer.render_valid(&space.scene, &state.quality, frame, &mut share);
     let counts = share.counts;
-    *figures = [
+    state.figures = [
         share.drawn[0] as f64,
         share.drawn[1] as f64,
         counts.points as f64,
@@ -268,23 +256,13 @@ fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {
 /// (x, y).
 #[unsafe(no_mangle)]
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
-    let Workspace {
-        memory,
-        worker,
-        scene,
-        ..
-    } = &mut *workspace();
-    let state = &mut *state();
+    let (space, state) = (&mut *workspace(), &mut *state());
     let inspector = Inspector::new(x, y);
     let frame = Frame::new(state.width, state.height, &mut state.pixels);
     // Scenes are valid here: from the show, or from a validated file.
-    let _ = Renderer::narrow(Level::baseline(), memory).render_observed(
-        scene,
-        &state.quality,
-        frame,
-        &mut Share::new(worker, from..to, 0, Counts::NONE),
-        &inspector,
-    );
+    let mut share = Share::new(&mut space.worker, from..to, 0, Counts::NONE);
+    let mut renderer = Renderer::narrow(Level::baseline(), &mut space.memory);
+    let _ = renderer.render_observed(&space.scene, &state.quality, frame, &mut share, &inspector);
     state.tell(inspector.json())
 }
 
@@ -305,13 +283,9 @@ pub extern "C" fn restart_sound() {
 /// Returns the address of the next samples, at most 128, left and right alternating. The song repeats.
 #[unsafe(no_mangle)]
 pub extern "C" fn play(count: usize) -> *const f32 {
-    let Workspace {
-        synthesizer,
-        samples,
-        ..
-    } = &mut *workspace();
-    synthesizer.play(&mut samples[..count]);
-    samples.as_flattened().as_ptr()
+    let space = &mut *workspace();
+    space.synthesizer.play(&mut space.samples[..count]);
+    space.samples.as_flattened().as_ptr()
 }
 
 #[unsafe(no_mangle)]

@@ -84,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     } else if let Some(name) = &arguments.video {
         video::write(&mut recorder, frames, name)
     } else if let Some(name) = &arguments.sheet {
-        write_sheet(&mut recorder, &frames, arguments.frames, name)
+        write_sheet(&mut recorder, &frames, name)
     } else {
         Ok(())
     }
@@ -99,7 +99,7 @@ fn range(arguments: &Arguments) -> Result<Range<usize>> {
 }
 
 /// Padded names sort by number.
-fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> Result<()> {
+fn write_files(recorder: &mut Recorder<'_>, frames: Range<usize>, folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| output::cannot("make", folder))?;
     let width = recorder.size.width;
     recorder.draw_each(frames, |frame, pixels| {
@@ -108,24 +108,20 @@ fn write_files(recorder: &mut Recorder, frames: Range<usize>, folder: &Path) -> 
     })
 }
 
-/// Shows the middle frames of `count` equal parts of the range.
-fn write_sheet(
-    recorder: &mut Recorder,
-    range: &Range<usize>,
-    count: usize,
-    name: &Path,
-) -> Result<()> {
+/// Shows the middle frames of equal parts of the range.
+fn write_sheet(recorder: &mut Recorder<'_>, range: &Range<usize>, name: &Path) -> Result<()> {
     output::check(name)?;
-    let frames = (0..count).map(|i| range.start + (2 * i + 1) * range.len() / (2 * count));
-    let (fps, mut tiles) = (recorder.fps, Vec::new());
-    recorder.draw_each(frames, |frame, pixels| {
+    let Arguments { fps, frames, .. } = *recorder.arguments;
+    let middle = |i| range.start + (2 * i + 1) * range.len() / (2 * frames);
+    let mut tiles = Vec::new();
+    recorder.draw_each((0..frames).map(middle), |frame, pixels| {
         tiles.push(Tile {
             pixels: pixels.to_vec(),
             caption: format!("{:.2} s", frame as f64 / f64::from(fps)),
         });
         Ok(())
     })?;
-    output::write(name, &sheet(recorder.size, columns(count), &tiles)?)
+    output::write(name, &sheet(recorder.size, columns(frames), &tiles)?)
 }
 
 /// Returns the column count from sqrt(`count`) to 2 sqrt(`count`) that leaves the fewest empty places.

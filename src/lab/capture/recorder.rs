@@ -2,12 +2,10 @@ use super::Arguments;
 use crate::arguments::{Size, processors};
 use crate::interrupt;
 use crate::picture::Mean;
-use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::{progress, wav};
 use anyhow::Result;
 use eightfold::sound::RATE;
-use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec2, vec2};
 use eightfold_tracer::scene::Camera;
 use eightfold_window::cpu;
@@ -17,21 +15,17 @@ use std::ops::Range;
 /// Default supersampling of blurred frames.
 const BLURRED: usize = 4;
 
-pub struct Recorder {
-    scene: SceneName,
-    pub fps: u32,
+pub struct Recorder<'a> {
+    pub arguments: &'a Arguments,
     pub size: Size,
-    quality: Quality,
     /// Samples per pixel along each axis.
     supersample: usize,
-    shutter: f32,
-    aperture: f32,
     renderer: ThreadedRenderer,
     pixels: Vec<u32>,
 }
 
-impl Recorder {
-    pub fn new(arguments: &Arguments) -> Self {
+impl<'a> Recorder<'a> {
+    pub fn new(arguments: &'a Arguments) -> Self {
         let default = match arguments.sheet {
             Some(_) => Size::new(320, 240),
             None => Size::new(1024, 768),
@@ -40,13 +34,9 @@ impl Recorder {
         let is_blurred = arguments.shutter > 0.0 || arguments.aperture > 0.0;
         let default = if is_blurred { BLURRED } else { 1 };
         Self {
-            scene: arguments.scene,
-            fps: arguments.fps,
+            arguments,
             size,
-            quality: arguments.quality.quality,
             supersample: arguments.supersample.unwrap_or(default),
-            shutter: arguments.shutter,
-            aperture: arguments.aperture,
             renderer: ThreadedRenderer::new(processors()),
             pixels: vec![0; size.area()],
         }
@@ -70,23 +60,24 @@ impl Recorder {
     }
 
     fn draw(&mut self, frame: usize) -> &[u32] {
-        let n = self.supersample;
+        let (arguments, n) = (self.arguments, self.supersample);
         let mut mean = Mean::default();
         for i in 0..n * n {
             // A low-discrepancy sequence, independent of the place in the pixel (Roberts, "The unreasonable effectiveness of
             // quasirandom sequences", 2018).
             let spread = |step: f32| (0.5 + i as f32 * step).fract();
-            let delay = self.shutter * spread(0.618_034);
-            let time = (frame as f64 + f64::from(delay)) / f64::from(self.fps);
-            let mut scene = self.scene.at(time as f32);
+            let delay = arguments.shutter * spread(0.618_034);
+            let time = (frame as f64 + f64::from(delay)) / f64::from(arguments.fps);
+            let mut scene = arguments.scene.at(time as f32);
             let lens = spread(0.754_877_7).sqrt() * Vec2::from_angle(TAU * spread(0.569_840_3));
-            let shift = self.move_camera(&mut scene.camera, 0.5 * self.aperture * lens);
+            let shift = self.move_camera(&mut scene.camera, 0.5 * arguments.aperture * lens);
             let place = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
             let offset = shift + vec2(place(i % n), place(i / n));
             self.renderer.set_offset(offset.x, offset.y);
             let (level, width) = (cpu::best().level, self.size.width);
+            let quality = &arguments.quality.quality;
             self.renderer
-                .draw(level, &scene, &self.quality, width, &mut self.pixels);
+                .draw(level, &scene, quality, width, &mut self.pixels);
             mean.add(&self.pixels);
         }
         mean.write(&mut self.pixels);
@@ -108,8 +99,9 @@ impl Recorder {
 
     /// Returns `None` outside the show.
     pub fn sound(&self, frames: &Range<usize>) -> Option<Vec<[f32; 2]>> {
-        let start = (self.scene.start()? * RATE as f32) as u32;
-        let samples = |frame: usize| (frame as u64 * u64::from(RATE)).div_ceil(self.fps.into());
+        let start = (self.arguments.scene.start()? * RATE as f32) as u32;
+        let fps = u64::from(self.arguments.fps);
+        let samples = |frame: usize| (frame as u64 * u64::from(RATE)).div_ceil(fps);
         let position = |frame| start + samples(frame) as u32;
         Some(wav::record(position(frames.start)..position(frames.end)))
     }

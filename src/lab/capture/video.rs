@@ -16,11 +16,14 @@ const H264: &str = "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -
 const AAC: &str = "-map 0:v -map 1:a -c:a aac -b:a 192k";
 const WEBP: &str = "-c:v libwebp_anim -quality 70 -loop 0";
 
-pub fn write(recorder: &mut Recorder, frames: Range<usize>, name: &Path) -> Result<()> {
+pub fn write(recorder: &mut Recorder<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
     let kind = name.extension().unwrap_or_default();
     let out = output::part(name)?;
     let mut ffmpeg = Command::new("ffmpeg");
-    let (size, rate) = (recorder.size.to_string(), recorder.fps.to_string());
+    let (size, rate) = (
+        recorder.size.to_string(),
+        recorder.arguments.fps.to_string(),
+    );
     ffmpeg
         .args(INPUT.split(' '))
         .args(["-video_size", &size, "-framerate", &rate, "-i", "-"]);

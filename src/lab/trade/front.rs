@@ -1,6 +1,5 @@
 use crate::row::Row;
 use crate::technique::Sampling;
-use eightfold_tracer::Quality;
 
 /// Marks the Pareto front of allowed rows in speed, FLIP and pops. After Ctrl-C, PSNR replaces FLIP and pops.
 pub fn mark(rows: &mut [Row]) {
@@ -26,14 +25,9 @@ pub fn from_the_slowest(rows: &[Row]) -> Vec<&Row> {
 
 /// Requires a guard, comparisons of colours, objects and lights, and no missed objects.
 fn is_allowed(row: &Row) -> bool {
-    let Quality {
-        square,
-        guarded,
-        tolerance_agreeing,
-        tolerance_differing,
-        ..
-    } = row.quality;
-    let compares_keys = tolerance_differing == 0.0 && tolerance_agreeing != 0.0;
+    let quality = &row.quality;
+    let compares_keys = quality.tolerance_differing == 0.0 && quality.tolerance_agreeing != 0.0;
+    let has_rules = quality.guarded && (compares_keys || quality.square == 1);
     let misses_none = row.missed_objects.is_none_or(|missed| missed == 0.0);
-    row.sampling == Sampling::Full && (compares_keys || square == 1) && guarded && misses_none
+    row.sampling == Sampling::Full && has_rules && misses_none
 }

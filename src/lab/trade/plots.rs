@@ -15,17 +15,13 @@ const PSNR: &str = "dB to exhaustive";
 const SPEED_UP: &str = "speed-up over exhaustive frames";
 
 pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
+    let resolution = curves(&trade.by_resolution, "pixels of the picture", UpperLeft);
+    let objects = curves(&trade.by_spheres, "small spheres", UpperRight);
     for (name, chart) in [
         ("front", front(trade)),
         ("squares", squares(trade)),
-        (
-            "resolution",
-            curves(&trade.by_resolution, "pixels of the picture", UpperLeft),
-        ),
-        (
-            "objects",
-            curves(&trade.by_spheres, "small spheres", UpperRight),
-        ),
+        ("resolution", resolution),
+        ("objects", objects),
     ] {
         if !chart.series.is_empty() {
             let svg = chart.svg(&trade.heading)?;
@@ -67,9 +63,8 @@ fn front(trade: &Trade) -> Chart {
 fn squares(trade: &Trade) -> Chart {
     let series = |(name, base): (&str, Quality)| {
         let is_varied = |row: &&Row| {
-            let Quality {
-                square, antialias, ..
-            } = row.quality;
+            let square = row.quality.square;
+            let antialias = row.quality.antialias;
             let varied = Quality {
                 square,
                 antialias,

@@ -44,24 +44,16 @@ pub enum Overlay {
 }
 
 impl Overlay {
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "picture",
-            Self::Points => "points",
-            Self::Squares => "squares",
-            Self::Heat => "heat map",
-            Self::Error => "error",
-        }
-    }
+    const KEYS: [(char, Self, &str); 4] = [
+        ('p', Self::Points, "points"),
+        ('s', Self::Squares, "squares"),
+        ('h', Self::Heat, "heat map"),
+        ('e', Self::Error, "error"),
+    ];
 
-    fn of(key: char) -> Option<Self> {
-        match key {
-            'p' => Some(Self::Points),
-            's' => Some(Self::Squares),
-            'h' => Some(Self::Heat),
-            'e' => Some(Self::Error),
-            _ => None,
-        }
+    pub fn name(self) -> &'static str {
+        let row = Self::KEYS.iter().find(|row| row.1 == self);
+        row.map_or("picture", |row| row.2)
     }
 }
 
@@ -110,7 +102,7 @@ impl Controls {
         if let Some(quality) = number.and_then(|number| NamedQuality::all().nth(number - 1)) {
             self.quality = quality;
         }
-        if let Some(overlay) = Overlay::of(key) {
+        if let Some(&(_, overlay, _)) = Overlay::KEYS.iter().find(|row| row.0 == key) {
             let is_current = self.overlay == overlay;
             self.overlay = if is_current { Overlay::None } else { overlay };
         }
