@@ -1,7 +1,7 @@
 use super::{Oracle, Traced, pixel, pixel_like};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
-use std::thread::available_parallelism;
+use rayon::prelude::*;
 
 /// All pixels of a picture, and a border of one pixel.
 pub struct Frame {
@@ -15,25 +15,16 @@ pub struct Frame {
 impl Frame {
     pub fn new(scene: &Scene, quality: &Quality, width: usize, height: usize) -> Self {
         let oracle = Oracle::new(scene, quality, width, height);
-        let mut points = vec![Traced::default(); (width + 2) * (height + 2)];
-        let threads = available_parallelism().map_or(1, usize::from);
-        let rows = (height + 2).div_ceil(threads);
-        std::thread::scope(|scope| {
-            for (i, part) in points.chunks_mut(rows * (width + 2)).enumerate() {
-                let oracle = &oracle;
-                scope.spawn(move || {
-                    for (j, point) in part.iter_mut().enumerate() {
-                        let (x, y) = (j % (width + 2), i * rows + j / (width + 2));
-                        *point = oracle.trace(x as isize - 1, y as isize - 1);
-                    }
-                });
-            }
-        });
+        let trace = |i: usize| {
+            let (x, y) = (i % (width + 2), i / (width + 2));
+            oracle.trace(x as isize - 1, y as isize - 1)
+        };
+        let points = (0..(width + 2) * (height + 2)).into_par_iter().map(trace);
         Self {
             width,
             height,
             dither: scene.film.dither,
-            points,
+            points: points.collect(),
         }
     }
 
