@@ -2,18 +2,7 @@ use crate::drawn::{REFINEMENTS, draw_best};
 use eightfold::show;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
-use eightfold_tracer::scene::{Film, Scene};
-
-fn empty(steps: f32, dither: f32) -> Scene {
-    Scene {
-        background: Vec3::splat(steps / 255.0),
-        film: Film {
-            dither,
-            ..Film::PLAIN
-        },
-        ..Scene::default()
-    }
-}
+use eightfold_tracer::scene::Scene;
 
 #[test]
 fn film_tolerance_scales_quality_tolerances() {
@@ -39,7 +28,11 @@ fn dither_keeps_means_between_two_steps() {
     let (width, height) = (70, 46);
     for quality in REFINEMENTS {
         for sixteenths in 0..=16 {
-            let scene = empty(10.0 + sixteenths as f32 / 16.0, 1.0);
+            let mut scene = Scene {
+                background: Vec3::splat((10.0 + sixteenths as f32 / 16.0) / 255.0),
+                ..Scene::default()
+            };
+            scene.film.dither = 1.0;
             let drawn = draw_best(&scene, &quality, width, height);
             let at = |x: usize, y: usize| drawn.pixels[y * width + x] & 0xff;
             // In any 4x4 pixels, the number of brighter ones is the fraction in sixteenths.

@@ -69,32 +69,33 @@ fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
 
 #[test]
 fn scenes_match_golden_pictures() {
-    hold(
-        "model",
-        &show::model_scene(2.0),
-        &Quality::EXHAUSTIVE,
-        640,
-        360,
-    );
-    hold(
-        "squares",
-        &show::model_scene(1.0),
-        &Quality::THESIS,
-        320,
-        240,
-    );
-    hold("field", &show::field(64, 1.0), &Quality::THESIS, 320, 240);
-    hold(
-        "between",
-        &between_corners().scene,
-        &Quality::DEFAULT,
-        320,
-        240,
-    );
     // Thin rods, which were once dashed.
     let file = SceneFile::parse("fence.ron", include_str!("../../examples/scenes/fence.ron"));
     let fence = file.expect("a scene").at(0.0);
-    hold("fence", &fence, &Quality::DEFAULT, 640, 360);
+    for (name, scene, quality, (width, height)) in [
+        (
+            "model",
+            show::model_scene(2.0),
+            Quality::EXHAUSTIVE,
+            (640, 360),
+        ),
+        (
+            "squares",
+            show::model_scene(1.0),
+            Quality::THESIS,
+            (320, 240),
+        ),
+        ("field", show::field(64, 1.0), Quality::THESIS, (320, 240)),
+        (
+            "between",
+            between_corners().scene,
+            Quality::DEFAULT,
+            (320, 240),
+        ),
+        ("fence", fence, Quality::DEFAULT, (640, 360)),
+    ] {
+        hold(name, &scene, &quality, width, height);
+    }
 }
 
 #[test]
@@ -116,12 +117,7 @@ fn show_matches_golden_pictures() {
         ("eight", 102_600, NamedQuality::EXHAUSTIVE),
         ("finale", 110_600, NamedQuality::EXHAUSTIVE),
     ] {
-        let still = Still {
-            time,
-            quality,
-            width: 320,
-            height: 180,
-        };
+        let still = Still::new(time, quality, 320, 180);
         let name = format!("show-{name}");
         hold(&name, &still.scene(), &quality.quality, 320, 180);
         let shipped = cpu::shipped().map(|isa| (isa.name, still.shipped(isa, 2)));

@@ -26,17 +26,9 @@ fn scene(method: Method) -> Scene {
 }
 
 fn drawn(method: Method, quality: Quality) -> Drawn {
-    let (width, height) = SIZE;
-    let [two, three] = [2, 3].map(|threads| {
-        draw(
-            cpu::best(),
-            threads,
-            &scene(method),
-            &quality,
-            width,
-            height,
-        )
-    });
+    let ((width, height), scene) = (SIZE, scene(method));
+    let [two, three] =
+        [2, 3].map(|threads| draw(cpu::best(), threads, &scene, &quality, width, height));
     assert!(two.pixels == three.pixels, "{method:?}");
     two
 }

@@ -19,6 +19,15 @@ pub struct Still {
 }
 
 impl Still {
+    pub fn new(time: u32, quality: NamedQuality, width: usize, height: usize) -> Self {
+        Self {
+            time,
+            quality,
+            width,
+            height,
+        }
+    }
+
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::default();
         show::at((f64::from(self.time) / 1000.0) as f32, &mut scene);
@@ -73,30 +82,18 @@ pub const TIMES: [u32; 18] = [
 fn shipped_bits_match_by_every_quality() {
     for (i, quality) in NamedQuality::all().enumerate() {
         for time in [TIMES[i], TIMES[i + 7]] {
-            let still = Still {
-                time,
-                quality,
-                width: 331,
-                height: 217,
-            };
-            still.assert_same();
+            Still::new(time, quality, 331, 217).assert_same();
         }
     }
 }
 
 #[test]
 fn shipped_bits_match_at_every_size() {
-    let still = |time, quality, width, height| Still {
-        time,
-        quality,
-        width,
-        height,
-    };
     for (width, height) in [(1, 1), (7, 3), (1, 100), (MAX_WIDTH, 9), (9, MAX_HEIGHT)] {
-        still(17_300, NamedQuality::EXHAUSTIVE, width, height).assert_same();
+        Still::new(17_300, NamedQuality::EXHAUSTIVE, width, height).assert_same();
     }
     let quality = "default".parse().expect("a quality");
-    let largest = still(33_500, quality, MAX_WIDTH, MAX_HEIGHT);
+    let largest = Still::new(33_500, quality, MAX_WIDTH, MAX_HEIGHT);
     let isa = cpu::best();
     assert!(largest.shipped(isa, 2) == largest.drawn(isa));
 }

@@ -3,6 +3,8 @@
 use crate::drawn::{draw_best, of_the_show as at};
 use eightfold::show::{self, grid};
 use eightfold::sound::pulse;
+use eightfold_lab::missed::effects::{objects, without};
+use eightfold_oracle::Object;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Camera, Caption, List, Scene};
@@ -66,36 +68,22 @@ fn copper_bars_flash_with_the_kicks_of_one_bar() {
 #[test]
 fn every_object_of_the_show_is_seen() {
     const MOMENTS: usize = 8;
-    let mut unseen: HashMap<(&str, usize), Vec<usize>> = HashMap::new();
+    let mut unseen: HashMap<(&str, usize), Vec<Object>> = HashMap::new();
     for (number, name) in show::NAMES.into_iter().enumerate() {
         let start = show::CUTS[number];
         let end = show::CUTS.get(number + 1).unwrap_or(&show::BARS);
         for moment in 0..MOMENTS {
             let bars = (end - start) as f32 * (moment as f32 + 0.5) / MOMENTS as f32;
             let scene = at((start as f32 + bars) * grid::BAR);
-            let (spheres, blocks) = (scene.spheres.len(), scene.blocks.len());
             let draw = |scene: &Scene| draw_best(scene, &Quality::EXHAUSTIVE, 240, 135).pixels;
             let whole = draw(&scene);
-            let objects = unseen.entry((name, spheres + blocks));
-            let objects = objects.or_insert_with(|| (0..spheres + blocks).collect());
-            objects.retain(|&object| {
-                let mut without = scene.clone();
-                if object < spheres {
-                    without.spheres = without_item(&scene.spheres, object);
-                } else {
-                    without.blocks = without_item(&scene.blocks, object - spheres);
-                }
-                draw(&without) == whole
-            });
+            let all: Vec<Object> = objects(&scene).collect();
+            let objects = unseen.entry((name, all.len())).or_insert(all);
+            objects.retain(|&object| draw(&without(&scene, object)) == whole);
         }
     }
     unseen.retain(|_, objects| !objects.is_empty());
-    assert!(unseen.is_empty(), "objects, the spheres first: {unseen:?}");
-}
-
-fn without_item<T: Copy + Default, const N: usize>(list: &[T], number: usize) -> List<T, N> {
-    let others = list.iter().enumerate().filter(|(i, _)| *i != number);
-    others.map(|(_, item)| *item).collect()
+    assert!(unseen.is_empty(), "{unseen:?}");
 }
 
 #[test]

@@ -16,9 +16,8 @@ impl View {
         scene.background = vec3(0.1, 0.15, 0.3);
         scene.planes[0].material = Material::matt(Vec3::splat(0.7), 1.0);
         let material = Material::matt(Vec3::X, 1.0);
-        scene
-            .spheres
-            .push(Sphere::new(centre, radius.max(MIN_LENGTH), material));
+        let sphere = Sphere::new(centre, radius.max(MIN_LENGTH), material);
+        scene.spheres.push(sphere);
         scene.lights.push(Light::new(light, Vec3::splat(0.73)));
     }
 
@@ -175,9 +174,8 @@ pub fn contact(random: &mut Random) -> View {
             let flat = (size * size + rise * rise) / (2.0 * rise.max(1e-6 * size));
             let radius = [flat, size][kind];
             let centre = at + Vec3::Y * (side * (rise - radius));
-            view.scene
-                .spheres
-                .push(Sphere::new(centre, radius, material));
+            let sphere = Sphere::new(centre, radius, material);
+            view.scene.spheres.push(sphere);
             continue;
         }
         let mut block = solids::block(random, at, Vec3::splat(size), material);

@@ -174,12 +174,10 @@ pub fn slit(random: &mut Random) -> Scene {
     let apart = direction.normalize_or(Vec3::X) * (1.0 + random.between(-0.02, 0.05));
     for side in [-1.0, 1.0] {
         let centre = Vec3::Y * 1.5 + side * apart;
-        scene
-            .spheres
-            .push(Sphere::new(centre, 1.0, Material::BLACK));
+        let sphere = Sphere::new(centre, 1.0, Material::BLACK);
+        scene.spheres.push(sphere);
     }
-    scene
-        .lights
-        .push(Light::new(light_place(random), Vec3::ONE));
+    let light = Light::new(light_place(random), Vec3::ONE);
+    scene.lights.push(light);
     scene
 }

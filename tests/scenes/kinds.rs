@@ -77,9 +77,8 @@ impl Kinds {
         for _ in 0..count(random, self.spheres) {
             let radius = random.power(self.smallest, 0.2);
             let material = (self.material)(random);
-            scene
-                .spheres
-                .push(Sphere::new(place(random), radius, material));
+            let sphere = Sphere::new(place(random), radius, material);
+            scene.spheres.push(sphere);
         }
         for _ in 0..count(random, self.planes) {
             let centre = vec3(0.3, random.between(-2.0, 0.0), -0.2);
@@ -90,9 +89,8 @@ impl Kinds {
         for _ in 0..count(random, self.blocks) {
             let half = random.vector(Vec3::splat(0.2), Vec3::splat(1.5));
             let (centre, material) = (place(random), (self.material)(random));
-            scene
-                .blocks
-                .push(solids::block(random, centre, half, material));
+            let block = solids::block(random, centre, half, material);
+            scene.blocks.push(block);
         }
         for _ in 0..count(random, self.lights) {
             scene.lights.push((self.light)(random));

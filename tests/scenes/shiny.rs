@@ -26,16 +26,14 @@ pub fn shiny(random: &mut Random, are_blocks: bool) -> Scene {
             });
         } else {
             let above = random.one_of([0.0, at.y]) + radius;
-            scene
-                .spheres
-                .push(Sphere::new(at.with_y(above), radius, material));
+            let sphere = Sphere::new(at.with_y(above), radius, material);
+            scene.spheres.push(sphere);
         }
     }
     if random.below(2) == 0 {
         let [x, z] = [0; 2].map(|_| random.power(0.3, 2.0));
-        scene
-            .planes
-            .push(Plane::new(Vec3::ZERO, x, z, materials::shiny(random)));
+        let plane = Plane::new(Vec3::ZERO, x, z, materials::shiny(random));
+        scene.planes.push(plane);
     }
     for _ in 0..1 + random.below(3) {
         let wide = random.one_of([8.0, 8.0, 40.0]);

@@ -48,16 +48,14 @@ impl Seen {
                 Self::AsShadows => Material::matt(Vec3::splat(0.8), 0.9),
                 Self::AsImages => Material::mirror(0.7),
             };
-            others
-                .planes
-                .push(Plane::new(Vec3::ZERO, 50.0, 50.0, floor));
+            let plane = Plane::new(Vec3::ZERO, 50.0, 50.0, floor);
+            others.planes.push(plane);
         }
         for _ in 0..random.one_of([0, 0, 4]) {
             let centre = random.vector(vec3(-3.0, 0.0, -3.0), vec3(3.0, 3.0, 4.0));
             let radius = random.power(-1.0, 0.0);
-            others
-                .spheres
-                .push(Sphere::new(centre, radius, Material::BLACK));
+            let sphere = Sphere::new(centre, radius, Material::BLACK);
+            others.spheres.push(sphere);
         }
         let [with, without] = [Some(&bars.scene), None].map(|bars| self.joined(&others, bars));
         let mut views = [with, without].map(|scene| View {
@@ -88,15 +86,9 @@ impl Seen {
         let mut scene = others.clone();
         let floor = scene.planes.iter().next().map(|plane| plane.material);
         if let Some(bars) = bars {
-            bars.spheres
-                .iter()
-                .for_each(|&sphere| scene.spheres.push(sphere));
-            bars.planes
-                .iter()
-                .for_each(|&plane| scene.planes.push(plane));
-            bars.blocks
-                .iter()
-                .for_each(|&block| scene.blocks.push(block));
+            scene.spheres.extend(bars.spheres.iter().copied());
+            scene.planes.extend(bars.planes.iter().copied());
+            scene.blocks.extend(bars.blocks.iter().copied());
         }
         let mut coloured = coloured(&scene, 28);
         if let (Some(floor), Some(plane)) = (floor, coloured.planes.iter_mut().next()) {
@@ -148,9 +140,8 @@ impl Seen {
                 for i in 0..count {
                     if scene.spheres.len() + 4 < MAX_SPHERES {
                         let centre = from + along * (1.5 * radius * i as f32);
-                        scene
-                            .spheres
-                            .push(Sphere::new(centre, radius, Material::BLACK));
+                        let sphere = Sphere::new(centre, radius, Material::BLACK);
+                        scene.spheres.push(sphere);
                     }
                 }
             }

@@ -112,12 +112,13 @@ fn differ(a: u32, b: u32) -> bool {
     worst_channel(a, b) > MAX_ERROR
 }
 
-fn objects(scene: &Scene) -> impl Iterator<Item = Object> {
+/// Returns the spheres, then the blocks.
+pub fn objects(scene: &Scene) -> impl Iterator<Item = Object> {
     let spheres = (0..scene.spheres.len()).map(Object::Sphere);
     spheres.chain((0..scene.blocks.len()).map(Object::Block))
 }
 
-fn without(scene: &Scene, object: Object) -> Scene {
+pub fn without(scene: &Scene, object: Object) -> Scene {
     let mut scene = scene.clone();
     match object {
         Object::Sphere(i) => scene.spheres = all_but(&scene.spheres, i),

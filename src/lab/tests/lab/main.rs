@@ -97,15 +97,6 @@ fn interrupted(command: &mut Command) -> Output {
     child.wait_with_output().unwrap()
 }
 
-/// Limits files to 1 KiB, without the signal.
-fn limited(line: &str) -> Output {
-    let mut sh = Command::new("bash");
-    sh.args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""])
-        .arg(env!("CARGO_BIN_EXE_lab"))
-        .args(line.split_whitespace());
-    sh.output().expect("bash runs")
-}
-
 #[test]
 fn file_and_standard_output_are_equal() {
     let folder = tempfile::tempdir().unwrap();
@@ -137,8 +128,11 @@ fn full_disk_keeps_old_file() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("frame.png");
     std::fs::write(&file, "before").unwrap();
-    let output = limited(&format!("render --size 640x480 --out {}", file.display()));
-    assert_one_line(&output, 1, &["frame.png"]);
+    // Limit files to 1 KiB, without the signal.
+    let limited = "trap '' XFSZ; ulimit -f 1; exec \"$0\" render --size 640x480 --out \"$1\"";
+    let mut bash = Command::new("bash");
+    let bash = bash.args(["-c", limited, env!("CARGO_BIN_EXE_lab")]);
+    assert_one_line(&bash.arg(&file).output().unwrap(), 1, &["frame.png"]);
     assert_eq!(std::fs::read(&file).unwrap(), b"before");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     let output = render(Path::new("/dev/full"), "");

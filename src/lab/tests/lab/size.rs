@@ -1,5 +1,7 @@
 use crate::printed;
+use eightfold_lab::cargo::Build;
 use eightfold_stage::intro;
+use std::path::PathBuf;
 
 fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
     let start = format!("| {title} |");
@@ -21,25 +23,25 @@ fn sum(rows: &[Vec<&str>], column: usize) -> u64 {
 #[ignore = "the intro for Windows is compiled"]
 fn sections_of_windows_intro_add_up() {
     let text = printed("size --windows --functions 1");
-    let path = eightfold_lab::cargo::intro_for_windows().expect("the intro");
-    let file = std::fs::metadata(path).expect("the intro").len();
-    let sections = table(&text, "section");
+    let build = Build::windows().expect("cargo builds the intro");
+    assert_sections(&text, build.program("eightfold").expect("the intro"));
+}
+
+/// Asserts that the sections add up to the file. Returns the linked and packed bytes of the code.
+fn assert_sections(text: &str, intro: PathBuf) -> [u64; 2] {
+    let file = std::fs::metadata(intro).expect("the intro").len();
+    let sections = table(text, "section");
     let (whole, parts) = sections.split_last().expect("a line for the file");
     assert_eq!(number(whole[2]), file);
     assert!(sum(parts, 2).abs_diff(file) <= parts.len() as u64, "{text}");
+    let code = parts.iter().find(|row| row[0] == ".text").expect("code");
+    [1, 2].map(|column| number(code[column]))
 }
 
 #[test]
 fn tables_add_up_to_file() {
     let text = printed("size --functions 12");
-    let file = std::fs::metadata(intro()).expect("the intro").len();
-
-    let sections = table(&text, "section");
-    let (whole, parts) = sections.split_last().expect("a line for the file");
-    assert_eq!(number(whole[2]), file);
-    assert!(sum(parts, 2).abs_diff(file) <= parts.len() as u64, "{text}");
-    let code = parts.iter().find(|row| row[0] == ".text").expect("code");
-    let (bytes, packed) = (number(code[1]), number(code[2]));
+    let [bytes, packed] = assert_sections(&text, intro());
     assert!(packed < bytes / 2, "{text}");
 
     let crates = table(&text, "crate");

@@ -126,9 +126,8 @@ fn surface_reflects_share_of_sky() {
 fn ball_hides_share_of_light() {
     // Ball and light are concentric discs, with areas as the squared sines.
     let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
-    scene
-        .spheres
-        .push(Sphere::new(vec3(0.0, 3.0, 0.0), 0.3, Material::BLACK));
+    let sphere = Sphere::new(vec3(0.0, 3.0, 0.0), 0.3, Material::BLACK);
+    scene.spheres.push(sphere);
     let hidden = (0.3_f64 / 3.0).powi(2) / (1.0_f64 / 6.0).powi(2);
     assert_near(seen(&scene, 4096), (1.0 - hidden) * COLOUR.as_dvec3(), 0.04);
 }
@@ -181,9 +180,8 @@ fn error_is_within_standard_error() {
     let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
     scene.lights[0].colour *= 0.5;
     scene.camera = Camera::new(vec3(0.0, 2.0, 9.0), Vec3::ZERO, 0.6);
-    scene
-        .spheres
-        .push(Sphere::new(vec3(0.0, 1.5, 0.0), 1.0, WHITE));
+    let sphere = Sphere::new(vec3(0.0, 1.5, 0.0), 1.0, WHITE);
+    scene.spheres.push(sphere);
     let size = Size::new(24, 18);
     let grey = vec![0x0080_8080; size.area()];
     let compare = |samples, seed| Comparison::new(&grey, &draw(&scene, size, samples, seed));

@@ -8,18 +8,13 @@ fn ball(radius: &str) -> String {
 }
 
 #[test]
-fn written_file_is_shown() {
+fn written_or_replaced_file_is_shown() {
     let Some(view) = View::of_file() else { return };
-    // Two texts of the same length in a row.
+    // Texts of the same length in a row.
     for radius in ["1.4", "0.7", "0.8"] {
         view.write(&ball(radius));
     }
     view.assert_shows_file();
-}
-
-#[test]
-fn replaced_file_is_shown() {
-    let Some(view) = View::of_file() else { return };
     let [new, old] = ["new", "old"].map(|name| view.folder.path().join(name));
     fs::write(&new, ball("1.4")).expect("it is written");
     fs::rename(&new, &view.file).expect("it is replaced");
