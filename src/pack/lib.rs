@@ -83,7 +83,7 @@ fn checksum(bytes: &[u8]) -> u32 {
     })
 }
 
-/// The maximum size of a program with its loader, which takes 16 seconds.
+/// The maximum size of a program with its loader, which unpacks in 16 seconds.
 const LONGEST: usize = 1 << 24;
 
 const DAMAGED: &str = "packed data is damaged";

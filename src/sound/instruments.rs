@@ -27,13 +27,13 @@ pub(super) struct Instrument {
     pub index: f32,
     /// The modulating sine's pitch relative to the note's.
     pub ratio: f32,
-    /// Inverse time constants in samples. The level decays while the note is held.
+    /// Inverse time constants, in 1 / samples. The level decays while the note is held.
     pub attack: f32,
     pub decay: f32,
     pub release: f32,
     /// The note's duration in beats.
     pub gate: f32,
-    /// The inverse time constant of pitch, modulation index and filter, in samples.
+    /// The inverse time constant of pitch, modulation index and filter, in 1 / samples.
     pub sweep: f32,
     /// The filter's cutoff frequencies, as angles: pi is the sampling rate.
     pub cutoff_start: f32,
@@ -61,7 +61,7 @@ const fn hz(frequency: f32) -> f32 {
     frequency * PI / RATE as f32
 }
 
-/// Converts a time constant in seconds to its inverse in samples.
+/// Converts a time constant in seconds to its inverse, in 1 / samples.
 const fn s(time: f32) -> f32 {
     1.0 / (time * RATE as f32)
 }

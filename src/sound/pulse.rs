@@ -8,7 +8,7 @@ pub struct Pulse {
     pub bar: u32,
     /// Beats since the start of the bar, 0 to below 4.
     pub beat: f32,
-    /// 1 at the start of a beat with a kick, halved every twelfth of a second; 0 in a beat without one.
+    /// The kick's loudness, 0 to 1, at the start of its beat, halved every twelfth of a second; 0 in a beat without one.
     pub kick: f32,
 }
 

@@ -10,7 +10,6 @@ pub(crate) const HOME: c_uint = 0xff50;
 pub(crate) const LEFT: c_uint = 0xff51;
 pub(crate) const RIGHT: c_uint = 0xff53;
 pub(crate) const F1: c_uint = 0xffbe;
-/// Shows or hides the numbers.
 pub(crate) const H: c_uint = b'h' as c_uint;
 pub(crate) const NONE: c_uint = 0xff_ffff;
 

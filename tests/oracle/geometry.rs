@@ -293,7 +293,6 @@ fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
         })
 }
 
-/// Intersects the caps and the side of a cylinder around the y axis.
 fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
     let cap = |end: f64| {
         let t = face(&ray, end * half.y, 1);

@@ -11,7 +11,7 @@
 //! | `eightfold.map` | the latest link's map |
 //! | `linker/` | the linker and the stub |
 //!
-//! A program that cannot be packed is linked as usual, with a warning.
+//! A program that cannot be packed is linked as usual, with a warning; for Windows this is an error.
 
 mod linker;
 mod order;

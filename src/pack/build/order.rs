@@ -1,7 +1,7 @@
 //! Orders functions by similarity, because the packer's model adapts as it goes: a random order costs 600 bytes more.
 //!
-//! Similarity is the cosine of tf-idf vectors of three-byte sequences, in exact arithmetic, so the order is the same on every
-//! machine.
+//! Similarity is the cosine of tf-idf vectors of three-byte sequences, in correctly rounded arithmetic, so the order is the same on
+//! every machine.
 
 use std::{
     cmp::{Ordering, Reverse},

@@ -68,7 +68,7 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: boo
     inputs.push(Input::Mouse(mouse));
 }
 
-/// Returns the button of an X11 number; 4 and 5 are the wheel.
+/// Returns the button of an X11 number.
 fn button(number: u32) -> Option<Button> {
     Some(match number {
         1 => Button::Left,

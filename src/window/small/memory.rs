@@ -2,8 +2,7 @@ use core::{ptr::null_mut, slice};
 
 use crate::{line, render_target::MOST_PIXELS};
 
-/// Returns zeroed memory for two frames, committed when it is written. Ends the process if there is no address space
-/// left.
+/// Returns zeroed memory for two frames, committed when it is written. Ends the process if no address space is left.
 pub fn pixels() -> &'static mut [u32] {
     const COUNT: usize = 2 * MOST_PIXELS;
     // SAFETY: the mapping is new, and is never unmapped.

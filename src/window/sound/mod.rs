@@ -1,7 +1,7 @@
 //! Sound and its clock.
 //!
-//! A thread writes samples to the device 400 ms before they are heard, so slow frames do not interrupt the sound. Pictures are
-//! drawn for the [time](Player::time) that is heard.
+//! A thread writes samples to the device up to 400 ms before they are heard, so slow frames do not interrupt the sound. Pictures
+//! are drawn for the [time](Player::time) that is heard.
 
 #[cfg_attr(feature = "windows", path = "waveout.rs")]
 #[cfg_attr(all(target_os = "linux", not(feature = "windows")), path = "alsa.rs")]
@@ -32,8 +32,8 @@ pub const RATE: u32 = 48_000;
 /// because its devices take more at once: 4 s of sound take 6 s.
 const LATENCY: u32 = 400_000;
 
-/// The average interval between written samples, in nanoseconds, half a percent below the nominal one since devices may be fast. A
-/// null device would take samples at any speed.
+/// The least average interval between written samples, in nanoseconds, half a percent below the nominal one since devices may be
+/// fast. A null device would take samples at any speed.
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
 /// The maximum lead over [`PACE`] in nanoseconds: the buffer, and half of it to catch up. Beyond it the thread sleeps until half
@@ -98,7 +98,8 @@ impl Player {
         }
     }
 
-    /// Plays a source on an ALSA device until the process ends; `default` is the desktop's.
+    /// Plays a source until the process ends: on Linux on an ALSA device, whose name may be `default`, elsewhere on the default
+    /// device.
     ///
     /// If the device is missing, refuses the format, or does not open within three seconds, the time is by the clock, and standard
     /// error tells the reason.

@@ -5,9 +5,7 @@ use x11_dl::xlib::{ControlMask, Mod1Mask, Mod4Mask, XKeyEvent};
 use super::functions::Xlib;
 use crate::input;
 
-/// Fullscreen.
 pub const F: c_uint = b'f' as c_uint;
-/// Window.
 pub const W: c_uint = b'w' as c_uint;
 
 /// Modifiers that make a key another program's command: Ctrl, Alt, Super.
