@@ -5,16 +5,17 @@
 //! shows the plane is inside the outline: it then shows the shadow or image, or an occluder of it.
 
 use super::highlight::MAX_HIGHLIGHTS;
-use super::screen::Rect;
+use super::screen::{Rect, corners};
 use super::sides::Region;
 use super::{Coverage, MAX_OUTLINES, Outline, rectangle};
 use crate::grid::{Area, Bits, Pyramid, each};
 use crate::lanes::*;
 use crate::picture::TILE_HEIGHT;
 use crate::prepare::{ObjectId, World};
-use crate::rounding::{COLUMN, HIT, SEEN, hit_error};
+use crate::rounding::COLUMN;
 use crate::scene::camera::pixels;
 use crate::trace::{Sample, seen_points};
+use fearless_simd::u32x4;
 use glam::Vec4;
 
 /// The outlines and highlights of a tile that no corner has shown yet.
@@ -111,7 +112,10 @@ impl Search<'_> {
             region,
             open,
             #[inline(always)]
-            |square| {
+            |square @ [x, y]| {
+                if may_be_missed && self.open[y].has(x) {
+                    return;
+                }
                 may_be_missed |= match outline {
                     Outline::Object(id) => self.look_for_object(id, square),
                     Outline::Image(_) => self.look_on_plane(0, region, square),
@@ -124,8 +128,8 @@ impl Search<'_> {
 
     /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
     fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
-        let is_missed = match self.squares.shown([x, y], id) {
-            0 => !self.is_hidden(id, [x, y]),
+        let is_missed = match self.squares.shown(x, y, id) {
+            0 => !self.is_hidden(id, x, y),
             ALL => false,
             _ => self.is_thin,
         };
@@ -140,23 +144,28 @@ impl Search<'_> {
     /// Occluders are convex: if the eye is outside, everything that the square shows in front of the occluder lies in the pyramid of the
     /// eye and the corners' points. A plane that separates `back` from the pyramid proves that it is hidden.
     #[inline(never)]
-    fn is_hidden(&self, back: ObjectId, square: [usize; 2]) -> bool {
+    fn is_hidden(&self, back: ObjectId, x: usize, y: usize) -> bool {
         let &Squares {
             world, coverage, ..
         } = self.squares;
-        let [front, others @ ..] = self.squares.corners(square).map(Sample::label);
-        if front == 0 || front > world.background() || others != [front; 3] {
+        let labels = self.squares.labels(x, y);
+        let front = labels[0] as usize;
+        let is_uniform = labels.simd_eq(labels[0]).all_true();
+        if front == 0 || front > world.background() || !is_uniform {
             return false;
         }
         let front = ObjectId::new(front - 1);
         if coverage.has_less_power(front, back) {
             return true;
         }
-        let (d, t) = seen_points(world, &world.object(front).0, self.squares.places(square));
+        let points = || {
+            let places = corners(self.squares.pixels(x, y));
+            let (d, t) = seen_points(world, &world.object(front).0, places);
+            [d.x * t, d.y * t, d.z * t, t]
+        };
         let [front, back] = [front, back].map(|id| &coverage.objects[id.index()]);
-        let slack = SEEN / HIT * (front.hit_error() + hit_error(world.eye, 0.0));
-        let points = [d.x * t, d.y * t, d.z * t, t];
-        front.excludes(world.eye.extend(0.0)) && back.is_beyond(world.eye, points, slack)
+        let eye = world.eye.extend(0.0);
+        front.excludes(eye) && back.is_beyond(front, eye, points)
     }
 
     /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
@@ -164,16 +173,17 @@ impl Search<'_> {
     /// that meets a square contains a corner. Shadows wait for [`Search::settle`], since another one may cover the square.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
-        let shown = self.squares.shown([x, y], plane);
+        let shown = self.squares.shown(x, y, plane);
         // Otherwise the plane is hidden, or its own outline has opened the square.
         if shown != 0 {
-            let cuts = self.squares.cuts([x, y], region);
+            let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
+            let cuts = region.sides.cuts(rect, region.margin);
             let is_cut_once = cuts == 1 && shown == ALL;
             let inside = match cuts {
                 0 => ALL,
                 // A corner is inside; any bit stands for it.
                 _ if is_cut_once => 1,
-                _ => self.squares.inside([x, y], region),
+                _ => region.corners(rect),
             };
             let covered = &mut self.covered[y % SQUARE_ROWS];
             let is_open = shown & inside == 0 || self.is_thin;
@@ -234,10 +244,14 @@ pub(crate) struct Squares<'a> {
     pub(super) world: World<'a>,
     pub(super) coverage: &'a Coverage,
     pub(super) area: &'a Area,
-    pyramid: &'a Pyramid,
+    /// The samples of the corners, row by row.
+    grid: &'a [u64],
+    stride: usize,
     pub(super) level: usize,
     /// Columns and rows of corners inside the picture.
     inside: [usize; 2],
+    /// The first square's corners, in pixels.
+    first: Vec4,
 }
 
 /// Rows that a region is clipped to at once.
@@ -251,15 +265,18 @@ impl<'a> Squares<'a> {
         pyramid: &'a Pyramid,
         level: usize,
     ) -> Self {
+        let side = 1 << level;
         Self {
             world,
             coverage,
             area,
-            pyramid,
+            grid: pyramid.grid(level),
+            stride: Pyramid::stride(level),
             level,
+            first: rectangle(area.left, area.top, area.left + side, area.top + side),
             inside: [
-                (area.picture[0] - area.left).div_ceil(1 << level),
-                (area.picture[1] - area.top).div_ceil(1 << level),
+                (area.picture[0] - area.left).div_ceil(side),
+                (area.picture[1] - area.top).div_ceil(side),
             ],
         }
     }
@@ -318,18 +335,18 @@ impl<'a> Squares<'a> {
         [first, last].map(|squares| squares.into())
     }
 
-    fn corners(&self, [x, y]: [usize; 2]) -> [Sample; 4] {
-        self.pyramid.corners(self.level, x, y)
+    #[inline(always)]
+    fn labels(&self, x: usize, y: usize) -> u32x4<Baseline> {
+        let start = y * self.stride + x;
+        Sample::labels(&self.grid[start..start + self.stride + 2])
     }
 
     /// Returns a bit for each corner of a square that is inside the picture and shows an object.
     #[inline(never)]
-    pub(super) fn shown(&self, [x, y]: [usize; 2], object: ObjectId) -> u64 {
-        let corners = self.corners([x, y]);
-        let [upper, right, lower, last] =
-            corners.map(|corner| u64::from(corner.label() == object.index() + 1));
+    pub(super) fn shown(&self, x: usize, y: usize, object: ObjectId) -> u64 {
+        let label = object.index() as u32 + 1;
+        let mut shown = self.labels(x, y).simd_eq(label).to_bitmask();
         // The first corner is always inside.
-        let mut shown = upper | right << 1 | lower << 2 | last << 3;
         if x + 1 == self.inside[0] {
             shown &= 0b0101;
         }
@@ -339,35 +356,10 @@ impl<'a> Squares<'a> {
         shown
     }
 
-    /// Returns the number of a region's sides that may cut a square: 2 for a cone.
-    fn cuts(&self, square: [usize; 2], region: &Region) -> u32 {
-        let rect = self.coverage.axes.rect(self.pixels(square));
-        region.sides.cuts(rect, region.margin)
-    }
-
-    /// Returns a bit for each corner of a square that is certainly inside a region. Inlining costs bytes.
-    #[inline(never)]
-    pub(super) fn inside(&self, square: [usize; 2], region: &Region) -> u64 {
-        let [x, y] = self.places(square);
-        let points = self.coverage.axes.points::<Baseline>(x, y);
-        region.contains::<Baseline>(points).to_bitmask()
-    }
-
     /// Returns the corners of a square in pixels.
     #[inline(never)]
-    pub(super) fn pixels(&self, [x, y]: [usize; 2]) -> Vec4 {
-        let [left, right] = [x, x + 1].map(|x| self.area.left + (x << self.level));
-        let [top, bottom] = [y, y + 1].map(|y| self.area.top + (y << self.level));
-        rectangle(left, top, right, bottom)
-    }
-
-    #[inline(always)]
-    fn places(&self, square: [usize; 2]) -> [F<Baseline>; 2] {
-        let [left, top, right, bottom] = self.pixels(square).to_array();
-        let simd = baseline();
-        [
-            F::<Baseline>::simd_from(simd, [left, right, left, right]),
-            F::<Baseline>::simd_from(simd, [top, top, bottom, bottom]),
-        ]
+    pub(super) fn pixels(&self, x: usize, y: usize) -> Vec4 {
+        let [x, y] = [x << self.level, y << self.level];
+        self.first + rectangle(x, y, x, y)
     }
 }

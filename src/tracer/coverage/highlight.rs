@@ -234,8 +234,7 @@ impl Search<'_> {
         let (is_even, reach) = (highlight.is_even(side), highlight.reach(side));
         for y in 0..squares.rows() {
             let y = y % TILE_HEIGHT;
-            let closed = all[y] & !self.open[y];
-            let row = squares.pixels([0, y]);
+            let row = squares.pixels(0, y);
             if row.w < highlight.bounds.y || row.y > -highlight.bounds.w {
                 continue;
             }
@@ -244,12 +243,15 @@ impl Search<'_> {
                 let column = (x - pixels(squares.area.left)) / pixels(side);
                 (column.max(0.0) as i32).min(squares.columns() as i32 - 1)
             });
-            closed.for_each_in(first, last, |x| {
-                let shown = squares.shown([x, y], highlight.object);
+            all[y].for_each_in(first, last, |x| {
+                if self.open[y].has(x) {
+                    return;
+                }
+                let shown = squares.shown(x, y, highlight.object);
                 if shown == 0 || shown == ALL && is_even {
                     return;
                 }
-                if highlight.is_missed(squares.pixels([x, y]), shown) {
+                if highlight.is_missed(squares.pixels(x, y), shown) {
                     self.open[y].set(x);
                 }
             });

@@ -49,15 +49,28 @@ impl ObjectBounds {
         [self.least.y - height, self.most.y - height]
     }
 
-    /// Returns whether a plane across an axis separates the object from the eye and four points. `points` has the coordinates of the
-    /// vectors from the eye, and the forward distances; their error is at most `slack`.
-    pub fn is_beyond(&self, eye: Vec3A, points: [F<Baseline>; 4], slack: f32) -> bool {
-        let [least, most] = [self.least, self.most].map(|end| end - eye.extend(0.0));
+    /// Returns whether a plane across an axis separates the object from the eye and `points` on the object `front`: the coordinates of the
+    /// vectors from the eye, and the forward distances.
+    pub fn is_beyond(
+        &self,
+        front: &Self,
+        eye: Vec4,
+        points: impl FnOnce() -> [F<Baseline>; 4],
+    ) -> bool {
+        let slack = SEEN / HIT * (front.hit_error() + hit_error(Vec3A::from_vec4(eye), 0.0));
+        let [least, most] = [self.least, self.most].map(|end| end - eye);
         let gaps = least.max(-most) - (least.abs() + most.abs()) * SEEN - slack;
-        let axes = points.into_iter().enumerate();
+        let is_negative = most.cmplt(Vec4::ZERO);
+        let reach = Vec4::select(is_negative, eye - front.least, front.most - eye);
+        let is_gap = gaps.cmpge(Vec4::ZERO);
+        // All of `front` is on the eye's side.
+        if (is_gap & reach.cmple(gaps)).any() {
+            return true;
+        }
+        let axes = points().into_iter().enumerate();
         axes.fold(false, |is_beyond, (i, along)| {
             let along = if most[i] < 0.0 { -along } else { along };
-            is_beyond | (gaps[i] >= 0.0) & along.simd_le(splat(along.token(), gaps[i])).all_true()
+            is_beyond | (gaps[i] >= 0.0) & along.simd_le(gaps[i]).all_true()
         })
     }
 

@@ -33,6 +33,12 @@ pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) ->
     Vec4::new(pixels(left), pixels(top), pixels(right), pixels(bottom))
 }
 
+/// Returns the coordinates of a rectangle's corners: upper left, upper right, lower left, lower right.
+#[inline(always)]
+pub(super) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
+    [rect.xzxz(), rect.yyww()].map(|ends| F::<Baseline>::simd_from(baseline(), ends.to_array()))
+}
+
 /// A bounding rectangle: the least u and v, and the greatest negated.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct ScreenBounds(Vec4);
@@ -80,12 +86,6 @@ impl Axes {
             right: (left + width) * self.pixel,
             bottom: (top + height) * self.pixel,
         }
-    }
-
-    #[inline(always)]
-    pub fn points<S: Isa>(&self, x: F<S>, y: F<S>) -> [F<S>; 2] {
-        let [middle_x, middle_y, ..] = self.middle.to_array();
-        [(x - middle_x) * self.pixel, (y - middle_y) * self.pixel]
     }
 
     pub fn pixel_at(&self, u: f32, v: f32) -> Vec2 {

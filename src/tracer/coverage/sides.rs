@@ -7,7 +7,7 @@
 //! The difference of both sides is concave in u and v: nowhere above its tangent plane, whose maximum over a square is at a corner. So a
 //! square is outside if the tangent plane at its centre is negative at all corners.
 
-use super::screen::{Axes, Rect, Rects, ScreenBounds};
+use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::rounding::{SIDE, hit_error};
@@ -92,6 +92,9 @@ impl Sides {
                 let middle = (rects.top + rects.bottom) * 0.5;
                 let row: [F<S>; 3] = array::from_fn(|i| middle * down[i] + terms[i]);
                 for _ in 0..TANGENTS {
+                    if rects.left.simd_gt(rects.right).all_true() {
+                        return;
+                    }
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
                         // On the axis any direction across is valid, also zero.
@@ -136,8 +139,8 @@ impl Sides {
 
     /// Returns a lower bound of the depth of rays; negative if they may be outside.
     #[inline(never)]
-    fn depth<S: Isa>(&self, u: F<S>, v: F<S>) -> F<S> {
-        let at = |terms: &Terms| -> [F<S>; 4] {
+    fn depth(&self, u: F<Baseline>, v: F<Baseline>) -> F<Baseline> {
+        let at = |terms: &Terms| -> [F<Baseline>; 4] {
             let [right, down, terms] = terms.map(|terms| terms.to_array());
             array::from_fn(|i| u * right[i] + v * down[i] + terms[i])
         };
@@ -206,10 +209,11 @@ impl Region {
         [rects.left, rects.right]
     }
 
+    /// Returns a bit for each corner of a rectangle that is certainly inside.
     #[inline(always)]
-    pub fn contains<S: Isa>(&self, [u, v]: [F<S>; 2]) -> M<S> {
-        let depth = self.sides.depth::<S>(u, v);
-        depth.simd_ge(splat(u.token(), self.margin))
+    pub fn corners(&self, rect: Rect) -> u64 {
+        let [u, v] = corners(rect);
+        self.sides.depth(u, v).simd_ge(self.margin).to_bitmask()
     }
 }
 

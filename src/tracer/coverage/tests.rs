@@ -167,20 +167,14 @@ fn small_shadows_have_small_bounds() {
             .expect("it has no filter")
             .current();
         scene.spheres[0].radius = 0.02;
-        let Coverage {
-            axes,
-            outlines,
-            screen,
-            outlined,
-            ..
-        } = &*Bounds::of(&scene).coverage;
-        let shadow = outlines[..*outlined].iter().position(
+        let coverage = Bounds::of(&scene).coverage;
+        let shadow = coverage.outlines[..coverage.outlined].iter().position(
             |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == 0),
         );
         for y in (0..SIZE[1]).step_by(8) {
             for x in (0..SIZE[0]).step_by(8) {
-                let rect = axes.rect(rectangle(x, y, x + 8, y + 8));
-                met += usize::from(shadow.is_some_and(|shadow| screen[shadow].meets(rect)));
+                let rect = coverage.axes.rect(rectangle(x, y, x + 8, y + 8));
+                met += usize::from(shadow.is_some_and(|i| coverage.screen[i].meets(rect)));
                 tried += 1;
             }
         }

@@ -92,11 +92,8 @@ impl Pyramid {
         [upper, upper + 1, lower, lower + 1]
     }
 
-    /// Returns the samples of [`Pyramid::corner_indices`].
-    pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
-        let (start, stride) = (Self::index(level, x, y), Self::stride(level));
-        // A single slice needs a single bounds check.
-        let samples = &self.samples[start..start + stride + 2];
-        [0, 1, stride, stride + 1].map(|i| Sample(samples[i]))
+    /// Returns the samples of a level.
+    pub fn grid(&self, level: usize) -> &[u64] {
+        &self.samples[STARTS[level]..STARTS[level + 1]]
     }
 }

@@ -1,6 +1,6 @@
 use crate::lanes::*;
 use crate::prepare::ObjectId;
-use fearless_simd::{i16x8, i32x4, u64x2};
+use fearless_simd::{i16x8, i32x4, u32x4, u64x2};
 
 /// The fractional bits of a sum of output steps: half a step is exact, and a ray tree's rounding errors add up to less than 1/100
 /// of a step.
@@ -40,11 +40,16 @@ impl Sample {
     }
 
     pub fn object(self) -> Option<ObjectId> {
-        self.label().checked_sub(1).map(ObjectId::new)
+        let label = (self.0 & !Self::PATTERN) >> OBJECT;
+        label.checked_sub(1).map(|i| ObjectId::new(i as usize))
     }
 
-    pub fn label(self) -> usize {
-        ((self.0 & !Self::PATTERN) >> OBJECT) as usize
+    /// Returns the object's number plus one at each corner of a square. `samples` are from the upper left corner to the lower right one.
+    #[inline(always)]
+    pub fn labels(samples: &[u64]) -> u32x4<Baseline> {
+        let [upper, lower] = [&samples[..2], &samples[samples.len() - 2..]]
+            .map(|pair| u64x2::from_slice(baseline(), pair).bitcast::<u32x4<Baseline>>());
+        (upper.unzip_high(lower) << 2) >> (OBJECT - 30)
     }
 
     /// Returns the mean colour, and the object if both are the same.

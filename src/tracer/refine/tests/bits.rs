@@ -31,14 +31,6 @@ proptest! {
     }
 
     #[test]
-    fn bits_for_each_visits_set_bits_in_order(bits in bits()) {
-        let mut called = Vec::new();
-        bits.for_each(|i| called.push(i));
-        let expected: Vec<usize> = (0..COUNT).filter(|&i| bits.has(i)).collect();
-        prop_assert_eq!(called, expected);
-    }
-
-    #[test]
     fn bits_for_each_in_visits_only_the_range(
         bits in bits(),
         first in 0..COUNT as i32,
