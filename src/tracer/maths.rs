@@ -1,6 +1,6 @@
 //! Scalar functions that `core` lacks, for animated scenes.
 //!
-//! The public functions return the same bits on every platform: they use only correctly rounded operations.
+//! Public functions return the same bits on every platform: they use only correctly rounded operations.
 
 pub use crate::lanes::ROUND_TO_INTEGER;
 

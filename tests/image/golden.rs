@@ -17,7 +17,7 @@ use eightfold_tracer::scene::Scene;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// In steps of 1/255: rounding decides a few squares differently on other instruction sets.
+/// The largest mean error, in steps of 1/255: rounding decides a few squares differently on other instruction sets.
 const MEAN: f64 = 0.05;
 /// Pixels in a thousand that may differ by more than 8/255.
 const OVER_8: usize = 1;

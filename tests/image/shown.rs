@@ -45,7 +45,7 @@ impl Effect {
         }
     }
 
-    /// Whether every pixel differs by more than `tolerance` in a channel.
+    /// Returns whether every pixel differs by more than `tolerance` in a channel.
     fn is_missed(&self, exhaustive: &[u32], drawn: &[u32], tolerance: u32) -> bool {
         let mut pixels = self.pixels.iter();
         pixels.all(|&i| worst_channel(exhaustive[i], drawn[i]) > tolerance)
@@ -210,8 +210,8 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 60, [900, 100]);
 }
 
-/// The points relative to unguarded frames. They would be 1.4 times if the machine's discs counted as boxes, and 1.19 times without
-/// the proof that walls' ends are hidden in other walls.
+/// Limits the points relative to unguarded frames. They would be 1.4 times as many if the machine's discs counted as boxes, and
+/// 1.19 times without the proof that walls' ends are hidden in other walls.
 #[test]
 fn hidden_objects_open_few_squares() {
     for (time, limit) in [(60.0, 1.35), (86.1, 1.06)] {
@@ -361,7 +361,7 @@ fn thin_and_near_images_are_shown() {
 /// The step of numerical derivatives, in pixels.
 const NEAR: f64 = 1e-4;
 
-/// Whether one of the pixels, or a neighbour, shows a point that mirrors a light to the eye.
+/// Returns whether one of the pixels, or a neighbour, shows a point that mirrors a light to the eye.
 fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
     // The difference between the mirrored ray and the direction to the light.

@@ -117,7 +117,7 @@ impl<'a> Squares<'a> {
         traced
     }
 
-    /// Whether a point shows a small strong mirror or glass in a crowd, which cannot be interpolated.
+    /// Returns whether a point shows a small strong mirror or glass in a crowd, which cannot be interpolated.
     fn glitters(&self, x: usize, y: usize) -> bool {
         let Oracle { scene, quality, .. } = self.oracle;
         let object = self.oracle.object_at(x as isize, y as isize);

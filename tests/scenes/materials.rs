@@ -72,7 +72,7 @@ pub fn shiny(random: &mut Random) -> Material {
     }
 }
 
-/// Returns an ambient colour unique to a number: at least `step` of 255 apart in a channel.
+/// Returns a material with a colour unique to a number: at least `step` of 255 apart in a channel.
 pub fn numbered(number: usize, step: usize) -> Material {
     let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
     Material {
@@ -81,7 +81,7 @@ pub fn numbered(number: usize, step: usize) -> Material {
     }
 }
 
-/// Returns a colour unique to a number below 64; channels are at least half of 255.
+/// Returns a material with a colour unique to a number below 64; channels are at least half of 255.
 pub fn bright(number: usize) -> Material {
     let digit = |unit: usize| (128 + 30 * (number / unit % 4)) as f32 / 255.0;
     Material::matt(vec3(digit(1), digit(4), digit(16)), 0.8)

@@ -1,5 +1,4 @@
-//! Bars of one to five pixels in any direction, single, crossing, in front of patterns and behind other objects, seen directly, as
-//! shadows on a floor, and as images in one.
+//! Bars of one to five pixels in any direction, single, crossing, in front of patterns and behind other objects.
 
 use crate::materials::numbered;
 use crate::{Random, View, coloured, solids};
