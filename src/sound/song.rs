@@ -95,7 +95,7 @@ static PARTS: [Part; TRACKS] = [
             pattern(b".111 .111 .111 .115"),
         ],
     },
-    // Pad, and its copy with swapped sides.
+    // Pads.
     Part {
         bars: bars(b"aaaaaa aaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaaaa aaaaaa aaaa.."),
         patterns: &[pattern(b"1... .... .... ....")],

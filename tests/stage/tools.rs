@@ -63,7 +63,7 @@ pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// Returns a command that runs a tool of `tools.txt`.
 ///
 /// # Panics
-/// If the tool is missing. Tests use [`needs!`] first.
+/// If the tool is missing.
 pub fn tool(name: &str) -> Command {
     let package = package(name);
     assert!(

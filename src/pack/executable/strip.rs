@@ -1,5 +1,3 @@
-//! Strips an executable to the parts that starting needs.
-
 use std::ops::Range;
 
 use crate::{

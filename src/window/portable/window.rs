@@ -57,7 +57,7 @@ impl Window {
         self.shown.set_title(&title.to_string_lossy());
     }
 
-    /// Ignored: `minifb` has no fullscreen.
+    /// Ignored.
     pub fn set_fullscreen(&mut self, _: bool) {}
 }
 

@@ -8,7 +8,7 @@ use crate::input;
 pub const F: c_uint = b'f' as c_uint;
 pub const W: c_uint = b'w' as c_uint;
 
-/// Modifiers that make a key another program's command: Ctrl, Alt, Super.
+/// Modifiers that make a key another program's command.
 const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
 
 /// Returns a pressed key's number without Shift, by the current layout. If the layout has no Latin letter there, F, H and W are at
