@@ -97,8 +97,8 @@
 //! - Coincident surfaces: rounding decides which one a ray hits.
 //! - Chords of a sphere shorter than the rounding error: the ray misses.
 //! - Shadows between corners. The guard tests shadows on planes, and light between them. A point light low above a plane may light
-//!   only a few pixels: a corner in a sphere's shadow is then as dark without the shadow, and even a shadow wider than a square can
-//!   be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
+//!   only a few pixels: a corner in a sphere's shadow can then be as dark without the shadow, and even a shadow wider than a square
+//!   can be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
 //! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and holes in thin
 //!   shadows by lights with a diameter, whose soft edges are unguarded.
 //! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
