@@ -11,7 +11,7 @@ use std::{error::Error, process::ExitCode};
 const LENGTH: f32 = 10.0;
 const BEAT: f32 = 0.5;
 
-/// The soundtrack: the number of the next sample, and the last block.
+/// The soundtrack: the index of the next sample, and the last block.
 struct Kick(u32, [[f32; 2]; 48]);
 
 static KICK: StaticCell<Kick> = StaticCell::new(Kick(0, [[0.0; 2]; 48]));

@@ -17,7 +17,7 @@ function finish() {
 }
 
 BEGIN {
-    printf "\n%-36s %7s %7s %9s %9s\n", "suite", "passed", "failed", "left out", "seconds"
+    printf "\n%-36s %7s %7s %9s %9s\n", "suite", "passed", "failed", "skipped", "seconds"
 }
 
 /^ +Running unittests / {

@@ -9,9 +9,9 @@ use std::thread::available_parallelism;
 
 pub const QUALITY: &str = "exhaustive, thesis, or a preset, from finest to fastest";
 
-/// More threads than a frame has bands.
+/// The maximum exceeds the bands of the largest frame.
 pub const THREADS: RangeInclusive<usize> = 1..=256;
-/// The results of more frames would not fit in memory.
+/// Results of more frames would not fit in memory.
 pub const FRAMES: RangeInclusive<usize> = 1..=100_000;
 /// Seconds from the start of a scene.
 pub const SECONDS: RangeInclusive<f32> = -1e6..=1e6;

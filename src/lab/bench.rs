@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 /// Measures the speed and the error of frames
 ///
-/// Prints a Markdown table with a row per scene of the show. Always measures exhaustive frames, for comparison. Settings take turns,
+/// Prints a Markdown table with a row per setting and scene. Also measures exhaustive frames, for comparison. Settings take turns,
 /// frame by frame. Times of one thread are processor time. Ctrl-C prints the figures so far.
 #[derive(Args)]
 pub struct Arguments {
@@ -26,11 +26,11 @@ pub struct Arguments {
     threads: Vec<usize>,
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"], help = format!("{}; repeatable", arguments::QUALITY))]
     quality: Vec<NamedQuality>,
-    /// Leaves all edges jagged; by default all are antialiased
+    /// Draws jagged edges; by default all are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Adds exhaustive frames of 0.4 to 0.9 of the side, enlarged; a checkerboard, which traces every second pixel; and `default`
-    /// without its guard. Prints the dB to 64 samples that a quality gains at equal time
+    /// Adds enlarged exhaustive frames of 0.4 to 0.9 of the side, a checkerboard of traced pixels, and `default` without its guard.
+    /// Prints the dB to 64 samples that a quality gains at equal time
     #[arg(long)]
     rivals: bool,
     /// Frames of each setting, at even intervals

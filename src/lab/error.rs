@@ -1,4 +1,4 @@
-/// In 255ths, over all channels.
+/// The difference of two pictures, over all channels, in steps of 1/255.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
     pub mean: f64,
@@ -32,7 +32,7 @@ impl Difference {
         }
     }
 
-    /// Returns the PSNR in dB of the mean square.
+    /// Returns the PSNR in dB of all pictures together.
     pub fn pooled_psnr(differences: &[Self]) -> f64 {
         let sum: f64 = differences.iter().map(|each| each.square).sum();
         decibels(sum / differences.len() as f64)

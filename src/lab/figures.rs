@@ -26,7 +26,7 @@ pub struct Arguments {
 
 const COLUMNS: usize = 2;
 
-/// The error shown in white: above the 99th percentile of `fastest`.
+/// The FLIP error shown in white, above the 99th percentile of `fastest`.
 const FLIP_SHOWN: f32 = 0.25;
 
 pub fn run(arguments: &Arguments) -> Result<()> {

@@ -6,10 +6,10 @@ use std::sync::{Arc, LazyLock};
 
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// As in shells.
+/// The exit code of an interrupted program in shells.
 const EXIT_CODE: u8 = 128 + SIGINT as u8;
 
-/// Makes the first signal set a flag, and the second one end the program. Panics if the system refuses.
+/// Makes the first signal set a flag and the second end the program. Panics if the system refuses.
 pub fn listen() {
     for signal in [SIGINT, SIGTERM] {
         let exits = flag::register_conditional_shutdown(signal, EXIT_CODE.into(), STOPPED.clone());
@@ -22,7 +22,7 @@ pub fn is_stopped() -> bool {
     STOPPED.load(SeqCst)
 }
 
-/// Fails once a signal has arrived.
+/// Returns an error after a signal.
 pub fn check(results: &str) -> Result<(), Exit> {
     if is_stopped() {
         return Err(Exit::new(EXIT_CODE, format!("interrupted; {results}")));

@@ -2,7 +2,7 @@ pub fn percent(fraction: f64) -> String {
     format!("{:.1} %", 100.0 * fraction)
 }
 
-/// Formats `digits` decimals, or a dash for unknown or infinite numbers: the PSNR of equal pictures.
+/// Formats `digits` decimals, or a dash for unknown or infinite numbers, such as the PSNR of equal pictures.
 pub fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
     match number.into().filter(|number| number.is_finite()) {
         Some(number) => format!("{number:.digits$}"),

@@ -25,7 +25,7 @@ pub struct ShotArguments {
     pub isa: Option<Isa>,
 }
 
-/// Every shot is measured in every size, with every number of threads, by every technique.
+/// Measures every shot in every size, with every number of threads, by every technique.
 pub struct Measurement {
     pub shots: Vec<Shot>,
     pub isa: Isa,
@@ -78,7 +78,6 @@ pub struct Setting {
     pub shot: usize,
     pub size: Size,
     pub threads: usize,
-    /// One for each technique.
     pub runs: Vec<Run>,
 }
 

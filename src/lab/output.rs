@@ -8,7 +8,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use tempfile::NamedTempFile;
 
-/// Writes standard output (`-`), devices and pipes directly.
+/// Replaces a file; writes directly to standard output (`-`), devices and pipes.
 pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     let is_special = fs::metadata(name).is_ok_and(|there| !there.is_file());
     if name != Path::new("-") && !is_special {
@@ -33,7 +33,7 @@ pub fn write_json(name: &Path, value: &impl Serialize) -> Result<()> {
     write(name, &json)
 }
 
-/// Checks the file before a long measurement.
+/// Checks that a file can be written, before a long measurement.
 pub fn check(name: &Path) -> Result<()> {
     ensure!(!name.is_dir(), "{}: is a folder", cannot("write", name));
     if name == Path::new("-") || name.exists() {

@@ -24,7 +24,7 @@ pub struct Row {
     pub fps_worst_second: f64,
     pub ms_median: f64,
     pub ms_p99: f64,
-    /// The reference's first quartile of times, divided by this one: other programs lengthen the slower frames.
+    /// First quartile of the reference's times, divided by this row's: other programs lengthen slower frames.
     pub speedup: f64,
     pub traced_fraction: f64,
     /// Primary and secondary rays.
@@ -41,7 +41,6 @@ pub struct Row {
     pub missed_objects: Option<f64>,
     pub psnr_to_64_db: f64,
     pub flip_to_64: Option<f64>,
-    /// See [`crate::trade`].
     pub on_front: bool,
 }
 
@@ -168,8 +167,8 @@ const RACES: [Column<Race>; 8] = [
     }),
 ];
 
-/// Compares qualities with enlarged frames of equal time, interpolated between measured ones or the smallest if all are slower, and
-/// with the checkerboard.
+/// Compares qualities with the checkerboard, and with enlarged frames of equal time: interpolated between measured ones, or the smallest
+/// if all are slower.
 pub fn races(rows: &[Row]) -> String {
     let setting = |row: &Row| (row.scene.clone(), row.width, row.height, row.threads);
     let settings = rows.chunk_by(|a, b| setting(a) == setting(b));

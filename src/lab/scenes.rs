@@ -51,8 +51,7 @@ impl SceneName {
         }
     }
 
-    /// Omits overlays that differ between qualities, which would count as errors: the explanation of the method, and captions
-    /// that count points.
+    /// Omits overlays that differ between qualities and would count as errors: the method's, and captions that count points.
     pub fn without_overlay(self, time: f32) -> Scene {
         let mut scene = self.at(time);
         scene.method = Method::default();
@@ -62,7 +61,7 @@ impl SceneName {
         scene
     }
 
-    /// Returns its start in the show in seconds.
+    /// Returns the start in seconds of the show; `None` outside of it.
     pub fn start(self) -> Option<f32> {
         match self {
             Self::Show => Some(0.0),

@@ -11,20 +11,18 @@ use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;
 
 const GRID: usize = 8;
-/// A pixel pops if a channel changes by more than this in one frame, in 255ths,
+/// A pixel pops if a channel changes by more than [`POP`] of 255 in a frame, and by at most [`STILL`] in the reference.
 const POP: u32 = 16;
-/// while the reference changes by at most this.
 const STILL: u32 = 4;
 
 #[derive(Clone, Default)]
 pub struct Seen {
-    /// Mean FLIP of each view, to the reference.
+    /// Mean FLIP to the reference, per view.
     pub flips: Vec<f64>,
-    /// For each pair of consecutive frames.
+    /// Per pair of frames.
     pub pops: Vec<f64>,
-    /// Objects of each view.
+    /// Objects per view.
     pub missed: Vec<f64>,
-    /// Of each view, to 64 samples a pixel.
     pub differences_to_64: Vec<Difference>,
     pub flips_to_64: Vec<f64>,
 }

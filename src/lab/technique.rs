@@ -17,9 +17,9 @@ pub struct Technique {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
     Full,
-    /// A smaller frame, enlarged by a Catmull-Rom filter: its relative side.
+    /// The relative side of a smaller frame, enlarged by a Catmull-Rom filter.
     Enlarged(f64),
-    /// Every second pixel. The others are the mean of the more similar pair of horizontal or vertical neighbours.
+    /// Every second pixel is traced; the others are means of the more similar horizontal or vertical neighbours.
     Checkerboard,
 }
 

@@ -26,7 +26,7 @@ impl Threads for PoolThreads {
 }
 
 impl ThreadedRenderer {
-    /// The caller's thread counts, too.
+    /// `threads` includes the caller's.
     pub fn new(threads: usize) -> Self {
         let pool = Pool::new(threads);
         assert_eq!(pool.threads(), threads, "the system starts no more threads");
@@ -41,7 +41,7 @@ impl ThreadedRenderer {
         }
     }
 
-    /// Draws a frame, also of an invalid scene.
+    /// Draws a frame without validation.
     pub fn draw(
         &mut self,
         level: Level,
@@ -89,7 +89,7 @@ impl ThreadedRenderer {
     }
 }
 
-/// Uses the best instruction set of this machine.
+/// Draws a frame by the best instruction set of this machine.
 pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Vec<u32> {
     let mut pixels = vec![0; size.area()];
     let level = cpu::best().level;

@@ -1,7 +1,6 @@
 use crate::arguments::processors;
 use std::fs;
 
-/// Returns `None` without numbers.
 pub fn mean(numbers: &[f64]) -> Option<f64> {
     (!numbers.is_empty()).then(|| numbers.iter().sum::<f64>() / numbers.len() as f64)
 }

@@ -57,7 +57,7 @@ impl Node {
         }
     }
 
-    /// Becomes a copy of a value with another name.
+    /// Copies a value, except its name.
     pub fn copy(&mut self, other: &Self) {
         let name = std::mem::take(&mut self.name);
         *self = other.clone();

@@ -4,7 +4,7 @@
 //! Workers draw shares of a frame's bands (`share`), and exchange the rows that antialiasing needs.
 //!
 //! The interface is `extern "C"` and a view of memory, as only numbers, pixels and samples cross it; wasm-bindgen would add a
-//! script to load. Names must differ from C's library, for tests on other systems.
+//! script to load. Names must differ from the C library's, for tests on other systems.
 
 mod inspector;
 mod share;
@@ -79,8 +79,8 @@ fn state() -> MutexGuard<'static, State> {
     STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns the page's constants as zero-terminated JSON: the show's length in seconds, its scenes with their starts in seconds, the
-/// names of the qualities from the most accurate to the fastest, the default quality, a frame's probes, and the sampling rate.
+/// Returns the page's constants as zero-terminated JSON: the show's length and its scenes' starts in seconds, the names of the qualities
+/// from the most accurate to the fastest, the default quality, a frame's probes, and the sampling rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
@@ -101,8 +101,7 @@ pub extern "C" fn about() -> *const u8 {
     state().tell(text)
 }
 
-/// Sets the size of the next frames. Returns the address of their pixels, a word each, in rows from the top; it is valid until the
-/// size changes.
+/// Sets the size of the next frames. Returns the address of their pixels, a word each, valid until the size changes.
 #[unsafe(no_mangle)]
 pub extern "C" fn resize(width: usize, height: usize) -> *mut u32 {
     let mut state = state();
@@ -128,7 +127,7 @@ pub extern "C" fn set_model(time: f32) {
     show::model(time, &mut workspace().scene);
 }
 
-/// Returns the address of space for a UTF-8 text of this size.
+/// Returns the address of space for a UTF-8 text.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(bytes: usize) -> *mut u8 {
     let mut state = state();
@@ -136,8 +135,7 @@ pub extern "C" fn room(bytes: usize) -> *mut u8 {
     state.text.as_mut_ptr()
 }
 
-/// Parses the text in [`room`] as a scene file. Returns the address of a zero-terminated error with line and column, or of an empty
-/// text.
+/// Parses the text in [`room`] as a scene file. Returns the address of a zero-terminated error, or of an empty text.
 #[unsafe(no_mangle)]
 pub extern "C" fn read_file() -> *const u8 {
     let mut state = state();
@@ -193,9 +191,8 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) {
     };
 }
 
-/// Draws the bands that begin in some rows, in one pass over the frame, see `share`. `before` is the number of points in the
-/// previous passes of all workers. The seed selects the probed pixels. Returns the frame's number of passes; [`figures`] has the
-/// results.
+/// Draws the bands that begin in rows `from..to`, in one pass of the frame, see `share`. `before` is the number of points in the
+/// previous passes of all workers. The seed selects the probed pixels. Returns the frame's number of passes.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
     from: usize,
@@ -226,7 +223,7 @@ pub extern "C" fn draw(
     share.passes
 }
 
-/// Returns the address of seven numbers about the last [`draw`]: its first row, and the first row after it (smaller if it drew
+/// Returns the address of seven numbers about the last [`draw`]: its first row, and the row after its last (smaller if it drew
 /// none); its points and rays; the probed pixels, the sum of their squared errors, and the sum of these errors' squares.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
@@ -252,8 +249,8 @@ fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {
     probes
 }
 
-/// Draws the bands that begin in some rows. Returns the address of zero-terminated JSON about the squares that contain the pixel
-/// (x, y).
+/// Draws the bands that begin in rows `from..to`. Returns the address of zero-terminated JSON about the squares that contain the
+/// pixel (x, y), and the points around it.
 #[unsafe(no_mangle)]
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
     let (space, state) = (&mut *workspace(), &mut *state());
@@ -266,7 +263,7 @@ pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const 
     state.tell(inspector.json())
 }
 
-/// Converts some rows to a canvas' RGBA bytes. They must be drawn again before the next call.
+/// Converts rows to a canvas' RGBA bytes. Draw them again before the next call.
 #[unsafe(no_mangle)]
 pub extern "C" fn colour(from: usize, to: usize) {
     let state = &mut *state();
@@ -280,7 +277,7 @@ pub extern "C" fn restart_sound() {
     workspace().synthesizer.seek(0);
 }
 
-/// Returns the address of the next samples, at most 128, left and right alternating. The song repeats.
+/// Returns the address of the next samples, at most [`SAMPLES`], left and right alternating. The song repeats.
 #[unsafe(no_mangle)]
 pub extern "C" fn play(count: usize) -> *const f32 {
     let space = &mut *workspace();

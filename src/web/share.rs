@@ -1,7 +1,7 @@
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
 
-/// Draws the bands that begin in some rows, in one of a frame's passes.
+/// Draws a worker's bands in one of a frame's passes.
 ///
 /// The passes are: drawing; antialiasing, if enabled; captions, if any. Each needs the pixels of the previous pass, and
 /// antialiasing also needs a row of each neighbour.

@@ -69,7 +69,7 @@ fn help_and_version_are_printed() {
 }
 
 #[test]
-fn option_has_its_effect() {
+fn options_have_their_effects() {
     let said = |options: &str| run(&mut headless(options)).1;
     assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
     assert!(said("--seconds=.3 --size=2x3").contains(", 2x3,"));

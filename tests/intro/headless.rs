@@ -1,4 +1,4 @@
-//! Without a display and a terminal the intro plays, reports this, and returns the right exit code.
+//! Without a display and a terminal the intro plays, prints a line, and returns the right exit code.
 
 use eightfold::sound::Synthesizer;
 use eightfold_stage::{
@@ -30,7 +30,7 @@ fn soundtrack_is_played() {
     assert!(heard[..bytes.len()] == bytes, "other bits");
 }
 
-/// A device of the PulseAudio plugin accepts more samples at once than hardware.
+/// The PulseAudio plugin accepts more samples at once than hardware.
 #[test]
 #[ignore = "a sound server is started"]
 fn pulseaudio_plays_at_speed_one() {
@@ -53,7 +53,7 @@ fn pulseaudio_plays_at_speed_one() {
     command.env_remove("DISPLAY");
     let (output, said) = run(command.env("ALSA_CONFIG_PATH", &configuration));
     assert_eq!(texts(&output).1, NO_SCREEN);
-    // With the plugin's own buffer it took 5 s and more. A busy machine may be late by less.
+    // With the plugin's buffer it took 5 s and more. A busy machine is late by less.
     let seconds = said
         .split(" in ")
         .nth(1)
@@ -63,8 +63,8 @@ fn pulseaudio_plays_at_speed_one() {
 }
 
 #[test]
-fn silent_display_is_given_up_after_some_seconds() {
-    // A server that accepts and never answers. The port of display 0 is 6000.
+fn silent_display_counts_as_none_within_8_s() {
+    // A server that never answers. The port of display 0 is 6000.
     let mut displays = 500..600_u16;
     let bound = displays.find_map(|display| {
         let listener = TcpListener::bind(("127.0.0.1", 6000 + display)).ok()?;
@@ -80,7 +80,7 @@ fn silent_display_is_given_up_after_some_seconds() {
 }
 
 #[test]
-fn missing_linker_or_descriptors_are_one_line() {
+fn missing_linker_or_descriptors_print_one_line() {
     let told = "eightfold: dynamic linker cannot be loaded\n";
     let folder = tempfile::tempdir().unwrap();
     let copied = Command::new("install")
@@ -160,13 +160,12 @@ fn closed_streams_do_not_become_the_display() {
 }
 
 #[test]
-fn address_space_is_small() {
+fn address_space_of_118000_kib_is_enough() {
     let folder = tempfile::tempdir().unwrap();
     let configuration = folder.path().join("asound.conf");
     fs::write(&configuration, "pcm.default { type null }").unwrap();
     let configuration = configuration.display();
-    // In KiB. Memory for the largest frames and all threads is the larger part. A null sound device adds a thread and its own
-    // libraries.
+    // In KiB, mostly memory for the largest frames and all threads. A null sound device adds a thread and libraries.
     for (limit, sound) in [(118_000, "--silent"), (140_000, "")] {
         let play = format!("INTRO {sound} --seconds 0.2 --threads 2 > /dev/null");
         let limited = format!("ulimit -v {limit}; ALSA_CONFIG_PATH={configuration} {play}");
@@ -233,7 +232,7 @@ fn waiting_for_a_frame_uses_no_processor() {
 }
 
 #[test]
-fn stack_of_96_kib_is_enough() {
+fn intro_runs_with_a_stack_of_96_kib() {
     for (kilobytes, expected) in [(96, 0), (95, 1)] {
         for options in ["--still 62.5", "--seconds 0.2"] {
             let play = format!("exec INTRO --silent {options} --size 64x48 > /dev/null");

@@ -1,4 +1,4 @@
-//! Both files have at most 65,536 bytes, as `cargo build --release` and `cargo exe` pack them.
+//! The files of `cargo build --release` and `cargo exe` have at most 65,536 bytes.
 
 use eightfold_lab::{cargo::Build, output::read};
 use eightfold_stage::{intro, linked_intro, run, texts};
@@ -18,7 +18,7 @@ fn file_has_at_most_64_kib() {
     assert_is_packed(&intro(), &linked_intro());
 }
 
-/// `tests/platforms` starts cut and damaged files in Wine.
+/// `tests/platforms exe` starts cut and damaged files.
 #[test]
 #[ignore = "the intro for Windows is compiled"]
 fn intro_for_windows_has_at_most_64_kib() {
@@ -29,7 +29,7 @@ fn intro_for_windows_has_at_most_64_kib() {
 
 /// Cuts simulate interrupted downloads, at page borders and elsewhere.
 #[test]
-fn damaged_or_cut_intro_says_so() {
+fn damaged_or_cut_intro_prints_one_line() {
     // The checksum covers neither the headers nor itself.
     const CHECKED: usize = 400;
     let packed = read(&intro()).expect("the intro");
@@ -37,8 +37,7 @@ fn damaged_or_cut_intro_says_so() {
     let (source, path) = (folder.path().join("bytes"), folder.path().join("damaged"));
     let assert_damaged = |what: String, bytes: &[u8]| {
         fs::write(&source, bytes).expect("it can be written");
-        // Copied by another process: Linux does not start a program while a child that another test has forked has it open for
-        // writing.
+        // Another process copies it: Linux starts no program that a child of another test has open for writing.
         let copied = Command::new("install").args([&source, &path]).status();
         assert!(copied.expect("install is there").success());
         let (output, _) = run(Command::new(&path).arg("--version"));
@@ -61,7 +60,7 @@ fn damaged_or_cut_intro_says_so() {
     }
 }
 
-/// Linux kills a program silently if its headers ask for more memory than it may have.
+/// Linux kills a program without a message if its headers request more memory than the limit.
 #[test]
 fn too_little_memory_is_named_in_one_line() {
     let told = "eightfold: memory is below 105 MB\n";

@@ -13,13 +13,13 @@ use std::{
 
 struct Terminal {
     socket: PathBuf,
-    /// Process ids of the shell, and of tmux, which reads the output.
+    /// Process ids of the shell and of tmux.
     shell: String,
     reader: String,
 }
 
 impl Terminal {
-    /// Starts the intro, and waits for a picture. At the end the terminal shows the exit code, and whether its mode was restored.
+    /// Starts the intro, and waits for a picture. At the end the terminal shows the exit code and whether its mode was restored.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         Terminal::run(columns, rows, &format!("{} {options}", intro().display()))
     }
@@ -103,7 +103,7 @@ impl Terminal {
         run(pkill.args(["--signal", name, "-P", &self.shell, "eightfold"]));
     }
 
-    /// Sends a signal to tmux. Nobody reads the output while tmux is stopped.
+    /// Sends a signal to tmux, which reads the output unless stopped.
     fn signal_reader(&self, name: &str) {
         sh(&format!("kill -{name} {}", self.reader));
     }
@@ -122,7 +122,7 @@ impl Drop for Terminal {
     }
 }
 
-/// Returns a command that runs the intro in a terminal of `script`, without keys.
+/// Returns a command that runs the intro in a terminal without keys.
 fn script(intro_in_shell: &str) -> process::Command {
     let mut script = tool("script");
     script.args(["-qec", intro_in_shell, "/dev/null"]);
@@ -230,7 +230,7 @@ fn continued_process_restores_the_picture() {
     needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(60, 20, "");
     let tty = terminal.value("pane_tty");
-    // Without a reader, the intro stops in the middle of a frame.
+    // Without a reader, the intro waits in the middle of a frame.
     terminal.signal_reader("STOP");
     sleep(Duration::from_millis(500));
     terminal.signal("STOP");

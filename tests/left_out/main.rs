@@ -1,4 +1,4 @@
-//! Lists the skipped tests of `cargo test`, and how to run them.
+//! Lists the skipped tests of `cargo test`.
 
 use eightfold_stage::missing;
 use std::{collections::BTreeMap, env, fs, path::Path};
@@ -28,12 +28,12 @@ fn main() {
     for folder in ["src", "tests"] {
         count(&root.join(folder), &mut reasons);
     }
-    println!("Tests that were left out:");
+    println!("Skipped tests, by reason:");
     for (reason, tests) in reasons {
-        println!("    {tests:3}, which take long: {reason}");
+        println!("    {tests:3}  {reason}");
     }
     for (tool, package) in missing() {
-        println!("    those that need {tool}: apt-get install {package}");
+        println!("         {tool} is missing: apt-get install {package}");
     }
-    println!("`tests/run` installs what is missing, and runs them all.\n");
+    println!("`tests/run` installs the tools and runs these tests.\n");
 }

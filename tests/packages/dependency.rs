@@ -9,7 +9,7 @@ use std::{
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// Returns the folder for the packed crate and its dependent. Compiled files stay there for the next run.
+/// Returns the folder of the packed crate and its dependent. Compiled files stay for the next run.
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("dependency")
 }
@@ -44,7 +44,7 @@ fn package() -> PathBuf {
     folder().join(name)
 }
 
-/// A crate with the README's example. Its test runs on a thread of 2 MiB.
+/// A crate with the README's example, whose test runs on a thread of 2 MiB.
 const DEPENDENT: &str = r##"
 #![doc = include_str!("README.md")]
 

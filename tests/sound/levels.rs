@@ -35,7 +35,7 @@ fn song_has_a_build_a_break_and_a_climax() {
 }
 
 #[test]
-fn bar_before_the_last_two_is_not_silent() {
+fn bars_before_the_last_two_are_audible() {
     let bars = song().chunks_exact(BAR).take(show::BARS as usize - 2);
     for (bar, samples) in bars.enumerate() {
         let (loudness, _) = meter(samples);
@@ -64,7 +64,7 @@ fn both_sides_are_centred_and_equally_loud() {
 
 /// A click is a step much larger than its neighbours.
 #[test]
-fn cut_is_no_click() {
+fn cuts_have_no_clicks() {
     let song = song();
     let largest = |from: usize, to: usize| {
         let steps = song[from - 1..to].windows(2);

@@ -7,8 +7,7 @@ const FRAME: usize = RATE as usize / 1000;
 /// Milliseconds before and after an onset whose energies are compared.
 const SPAN: usize = 8;
 
-/// Returns the energy of the treble per millisecond, by differences between samples. A kick starts with treble; its bass rises over
-/// 50 ms.
+/// Returns the treble's energy per millisecond, by differences of samples. A kick starts with treble; its bass rises over 50 ms.
 fn energies() -> Vec<f32> {
     let steps = song().windows(2).map(|pair| {
         let step = [0, 1].map(|side| pair[1][side] - pair[0][side]);
@@ -22,7 +21,7 @@ fn energies() -> Vec<f32> {
 }
 
 #[test]
-fn kick_is_heard_where_the_picture_has_one() {
+fn kicks_are_heard_within_10_ms_of_their_beats() {
     let energies = energies();
     let rise = |at: usize| {
         let sum = |from: usize| energies[from..from + SPAN].iter().sum::<f32>();

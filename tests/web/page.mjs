@@ -131,7 +131,7 @@ const tests = {
     await page.click("input[value=none] + span");
   },
 
-  async "a pointer on a square tells why it was split, with a loupe"() {
+  async "a pointer on a square shows why it was split, with a loupe"() {
     await page.value("eightfold.seek(20)");
     await input("quality", 4);
     await page.until("!eightfold.isStale()");

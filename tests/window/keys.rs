@@ -94,7 +94,7 @@ fn h_toggles_the_hud() {
 }
 
 #[test]
-fn idle_keyboard_keeps_the_screen_on() {
+fn screen_stays_on_while_the_show_plays() {
     needs!(DISPLAY, &["xprintidle"]);
     let server = on_screen(Server::start);
     let idle = || -> u64 {

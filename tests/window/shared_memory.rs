@@ -1,4 +1,4 @@
-//! Shared memory with the X server, also where it fails, as in containers.
+//! Shared memory with the X server, which fails in containers.
 
 use eightfold_stage::{DISPLAY, Process, Server, intro, needs, run, wait_for};
 use std::{
@@ -13,7 +13,7 @@ const YES_AND_NOTHING: &str = "
     #[unsafe(no_mangle)] extern \"C\" fn XShmAttach() -> i32 { 1 }
     #[unsafe(no_mangle)] extern \"C\" fn XShmPutImage() -> i32 { 1 }";
 
-/// A system that creates shared memory but has no addresses for it.
+/// A system that creates shared memory but maps none.
 const NO_ADDRESSES: &str = "
     #[unsafe(no_mangle)] extern \"C\" fn shmat() -> isize { -1 }";
 
@@ -27,7 +27,7 @@ fn build(folder: &Path, name: &str, code: &str) -> PathBuf {
     library
 }
 
-/// Plays until the window shows a frame, which is not black.
+/// Plays until the window shows a frame without black pixels.
 fn play(server: &Server, command: &mut Command) -> Process {
     let command = command.args(["--silent", "--size", "200x150"]);
     let intro = server.open(command, || server.window());

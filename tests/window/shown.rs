@@ -66,8 +66,8 @@ fn environment_variables_do_not_block_the_window() {
     }
 }
 
-/// Compares a small window with all frames that it can show by then. After 1.5 s the fade-in is over, in which successive frames
-/// differ most. `tolerance` is the mean difference of 255.
+/// Compares a small window with all frames up to the present. After 1.5 s the fade-in, in which frames differ most, is over.
+/// `tolerance` is the mean difference of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let start = Instant::now();
     let intro = server.play("--size 200x150 --seconds 60 --quality default");

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// Draws frames as PNG files, a video or a contact sheet, and writes their sound
 ///
-/// Frames have the same bytes for any number of threads and any range, on AVX2 and AVX-512, so machines can split a capture.
+/// Frames have the same bytes for any number of threads and any range, by AVX2 and AVX-512, so machines can share a capture.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),

@@ -84,7 +84,7 @@ impl<'a> Recorder<'a> {
         &self.pixels
     }
 
-    /// Returns the offset in pixels that keeps the point in focus in place.
+    /// Moves the camera on its lens. Returns the offset in pixels that keeps the point in focus in place.
     fn move_camera(&self, camera: &mut Camera, lens: Vec2) -> Vec2 {
         let sight = camera.look_at - camera.eye;
         let forward = sight.normalize();

@@ -112,7 +112,6 @@ fn differ(a: u32, b: u32) -> bool {
     worst_channel(a, b) > MAX_ERROR
 }
 
-/// Returns the spheres, then the blocks.
 pub fn objects(scene: &Scene) -> impl Iterator<Item = Object> {
     let spheres = (0..scene.spheres.len()).map(Object::Sphere);
     spheres.chain((0..scene.blocks.len()).map(Object::Block))
@@ -153,7 +152,7 @@ fn kind(scene: &Scene, object: Object, host: Object, is_seen: bool) -> Kind {
     }
 }
 
-/// Black for lights and the background.
+/// Returns black for lights and the background.
 fn material(scene: &Scene, object: Object) -> Material {
     object.material(scene).copied().unwrap_or(Material::BLACK)
 }

@@ -17,8 +17,8 @@ use std::path::Path;
 
 /// Counts the small objects, shadows and images that a quality misses
 ///
-/// Prints a Markdown table. Without a sphere, box or cylinder, an exhaustive frame changes by more than 8/255 in the pixels of the
-/// object, its shadows or its images. Effects in at most 16 pixels are small; they are missed if all these pixels are wrong.
+/// Prints a Markdown table. Removes each sphere and block from the scene: pixels of the exhaustive frame that change by more than 8/255
+/// show the object, its shadow or its image. Effects in at most 16 pixels are small, and missed if all these pixels are wrong.
 /// `unguarded` is without the guard.
 #[derive(Args)]
 pub struct Arguments {
@@ -29,7 +29,7 @@ pub struct Arguments {
     size: Size,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: NamedQuality,
-    /// Random scenes of each of nine sorts
+    /// Random scenes of each of nine kinds
     #[arg(long, value_name = "N", default_value = "20", value_parser = within(arguments::FRAMES))]
     seeds: usize,
     /// Frames of a scene, at even intervals

@@ -14,8 +14,8 @@ use std::path::Path;
 
 /// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown tables
 ///
-/// `bytes` is the linked size, `packed` the sum of the packer's costs. A generic function counts for the crate that instantiates it, if
-/// the linker recorded it, with one row for all instances. Inlined code counts for its caller.
+/// `bytes` is the linked size, `packed` the sum of the packer's costs. All instances of a generic function share a row, and count for the
+/// crate that instantiates them if its name is recorded. Inlined code counts for its caller.
 #[derive(Args)]
 pub struct Arguments {
     /// Measures the intro for Windows
@@ -26,7 +26,7 @@ pub struct Arguments {
     functions: usize,
 }
 
-/// Smaller shares are listed as one.
+/// Sections with smaller shares of the file have one row.
 const LISTED: f64 = 0.005;
 
 #[derive(Clone, Copy, Default)]

@@ -7,6 +7,7 @@ use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use serde::Serialize;
 
+/// Repetitions of a frame.
 const FRAMES: usize = 7;
 /// Relative to `--size`.
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 2.8];
@@ -37,7 +38,7 @@ pub fn by_spheres(of: &Measurement) -> Vec<Curve> {
     })
 }
 
-/// Measures the first frames of scenes. Returns no curves after Ctrl-C.
+/// Measures the first frame of each scene. Returns no curves after Ctrl-C.
 fn curves(
     of: &Measurement,
     scenes: &[SceneName],

@@ -20,7 +20,7 @@ const MAX_SAMPLES: u32 = 1 << 20;
 
 /// Path-traces a scene, with area lights, indirect light and caustics
 ///
-/// Prints the RMS error and PSNR of the `default` picture, and the path tracer's noise.
+/// Prints the RMS error and PSNR of the `default` picture, and the path tracer's standard error.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]

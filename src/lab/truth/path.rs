@@ -12,9 +12,9 @@ use eightfold_tracer::glam::{DVec2, DVec3};
 use eightfold_tracer::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
-/// Bounces before Russian roulette.
+/// Bounces without Russian roulette.
 const SURE_BOUNCES: u32 = 4;
-/// Ends paths between perfect mirrors.
+/// Below 1, so that paths between perfect mirrors end.
 const MAX_SURVIVAL: f64 = 0.95;
 
 pub struct PathTracer<'a> {

@@ -1,7 +1,7 @@
 use crate::arguments::NamedQuality;
 use eightfold_window::input::Press;
 
-/// The maximum; a step is one frame.
+/// The maximum frame rate; Left and Right step by one frame.
 pub const FPS: f64 = 60.0;
 
 /// The rays per point shown in white: about the maximum of the model scene, where glass and mirror meet.
@@ -11,7 +11,7 @@ pub const MOST_ERROR: u32 = 32;
 
 pub const KEYS: [(&str, &str); 17] = [
     ("Space", "pauses, resumes"),
-    ("Left, Right", "a frame back or on, and pauses"),
+    ("Left, Right", "pauses, steps a frame back or on"),
     ("Home", "restarts"),
     ("1 to 9", "exhaustive, thesis, then finest to fastest"),
     ("P", "traced points, white"),

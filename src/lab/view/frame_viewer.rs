@@ -46,7 +46,7 @@ impl FrameViewer {
         }
     }
 
-    /// Returns false if nothing changes. Probes estimate the error while the scene plays. While it is paused, the next call
+    /// Returns false if nothing changes. While the scene plays, probes estimate the error. While it is paused, the next call
     /// measures the error by an exhaustive frame, so that the picture appears earlier.
     pub fn draw(&mut self, controls: &Controls, subject: &Subject, size: Size) -> bool {
         let wanted = Some((*controls, subject.version, size));

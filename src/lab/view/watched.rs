@@ -21,8 +21,8 @@ impl Watched {
         }
     }
 
-    /// Returns true if the scene has changed. Compares texts: modification times are too coarse for two quick writes, and a replacing file
-    /// can be older.
+    /// Returns whether the scene has changed. Compares texts: modification times are too coarse for two quick writes, and a replacing
+    /// file can be older.
     pub fn look(&mut self) -> bool {
         let name = &self.scene.name;
         let text = scenes::text(Path::new(name));

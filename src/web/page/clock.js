@@ -40,7 +40,7 @@ export class Clock {
     return this.isWanted && !(this.hasSound && this.context.state !== "running");
   }
 
-  /** Opens the sound, once. Browsers require a click or a key before. Fails without a device. */
+  /** Opens the sound, once. Browsers require a click or a key first. Rejects without a device. */
   open() {
     return (this.opening ??= this.begin().catch((error) => {
       this.opening = undefined;
@@ -58,7 +58,7 @@ export class Clock {
       processorOptions: { code: this.code },
     });
     node.port.onmessage = ({ data }) => {
-      // Unless the viewer has seeked meanwhile.
+      // Ignore the answer to an earlier seek.
       if (!this.hasSound || data.position !== this.wanted) return;
       this.from = { show: data.position / this.rate, source: data.context };
       this.isMoving = false;
@@ -90,7 +90,7 @@ export class Clock {
     return this.position();
   }
 
-  /** Continues without a sound that is stuck, and with it again once it advances. */
+  /** Follows the computer's clock while the sound is stuck. */
   watch() {
     const { currentTime, state } = this.context;
     const present = performance.now();
@@ -117,7 +117,7 @@ export class Clock {
     if (this.context) this.hasSound = await this.resume();
     this.isStarting = false;
     if (!this.isWanted) return this.context?.suspend();
-    // Stopped sound resumes where it was.
+    // Paused sound resumes at its position.
     if (!hadSound || !this.hasSound) this.seek(this.still);
   }
 

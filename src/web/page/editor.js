@@ -1,4 +1,4 @@
-// The editor of a scene file, which is drawn as it is typed.
+// The editor of a scene file, which the page draws as the viewer types.
 
 const get = (id) => document.getElementById(id);
 
@@ -25,7 +25,7 @@ export class Editor {
       const response = await fetch(new URL(file, import.meta.url));
       if (!response.ok) throw new Error(`HTTP status is ${response.status}; must be 200`);
       const text = await response.text();
-      // Unless a text from the address has replaced it meanwhile.
+      // Keep a text that came from the address meanwhile.
       if (get("scene-name").value === name && !this.isShared) get("scene-text").value = text;
       return true;
     } catch ({ message }) {

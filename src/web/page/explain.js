@@ -21,7 +21,7 @@ async function idle(isIdle) {
 
 /**
  * Explains the method by frames of its own. `quality`, `isIdle` and `isQuiet` return the page's quality, whether the show is paused, and
- * whether there are no probes either.
+ * whether probing has ended.
  */
 export function explain({ about, frames, quality, isIdle, isQuiet }) {
   const pictures = [...document.querySelectorAll("#steps canvas")];
@@ -89,17 +89,17 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
       mark(front, about, place);
     },
     front: () => front,
-    /** Whether there is something to draw before the show is paused. */
+    /** Whether steps or measurements remain to be drawn. */
     isBusy: () => !isOver && (isAsked || front.length === 0),
   };
 }
 
 const get = (id) => document.getElementById(id);
 
-/** The range of some numbers, rounded outwards to a multiple of a step. */
+/** Returns the range of numbers, rounded outwards to multiples of `step`. */
 const range = (numbers, step) => [Math.floor(Math.min(...numbers) / step) * step, Math.ceil(Math.max(...numbers) / step) * step];
 
-/** The layout of a front: the ranges of its axes, and a point's position. */
+/** Returns the ranges of the axes, and the functions that place a point. */
 function layout(front) {
   const { left, right, top, bottom } = PLOT;
   const speeds = range([1, ...front.map(({ speed }) => speed)], 1);
@@ -142,7 +142,7 @@ function mark(front, about, place) {
   const name = mark.querySelector("text");
   name.textContent = about.qualities[place] + (place === 0 ? ", without error" : "");
   name.setAttribute("x", isRight ? -8 : 8);
-  // Above the falling front, but within the plot.
+  // Above the front, within the plot.
   name.setAttribute("y", place === 0 ? 16 : -8);
   name.setAttribute("text-anchor", isRight ? "end" : "start");
 }

@@ -140,7 +140,7 @@ function divide(costs, count) {
   return cuts;
 }
 
-/** Updates the expected times of bands: a mean of the last frames, where each counts half of the next one. */
+/** Updates the expected times of bands: a mean of all frames, each weighing half as much as the next. */
 function learn(costs, shares) {
   for (const { first, end, milliseconds } of shares) {
     const bands = (end - first) / BAND;
@@ -150,7 +150,7 @@ function learn(costs, shares) {
   }
 }
 
-/** A frame as one array of bytes. */
+/** Returns a frame as one array of bytes. */
 export function bytesOf({ order, parts }) {
   const bytes = new Uint8ClampedArray(order.width * order.height * 4);
   for (const part of parts) bytes.set(part.bytes, part.first * order.width * 4);

@@ -1,7 +1,7 @@
 // An instance of the module, with texts in its memory.
 
 export class Module {
-  /** An instance of what was compiled. */
+  /** Instantiates a compiled module. */
   static async of(compiled) {
     const module = new Module();
     module.calls = (await WebAssembly.instantiate(compiled)).exports;

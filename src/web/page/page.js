@@ -167,7 +167,7 @@ async function run() {
         giveUp(error);
       }
       isDrawing = false;
-      // Late frames continue without a pause.
+      // Do not wait after a late frame.
       if (clock.isPlaying && performance.now() - start > 15 && !document.hidden) continue;
     } else if (!isSettled() && !(view.isPoster && steps.isBusy())) {
       await frames.draw({ ...order(now()), probes: PROBES, seed: Math.floor(probes.probed / PROBES) }).then(probe, giveUp);
@@ -195,7 +195,7 @@ function govern(milliseconds) {
   view.streak = 0;
 }
 
-/** Adds a frame's probes; a new picture starts again. */
+/** Adds a frame's probes; a new picture resets the sums. */
 function probe({ order: { scene, quality, width }, probed, squares, fourths }) {
   const key = JSON.stringify([scene.isResting ? scene : scene.kind, quality, width, view.edition]);
   if (key !== probes.key) probes = { key, probed: 0, squares: 0, fourths: 0 };
@@ -408,7 +408,7 @@ async function restore() {
 /** Returns the squares that contain a pixel, from the largest to the smallest, and the traced points around it. */
 function inspect(x, y) {
   module.begin(order(now()));
-  // A band, which determines its squares.
+  // A band determines its squares.
   const top = y - (y % BAND);
   return JSON.parse(module.text(module.calls.inspect(top, top + BAND, x, y)));
 }
@@ -424,7 +424,7 @@ function explainSquare({ offsetX, offsetY }) {
   verdict.lastChild.textContent = sentences.join("\n") || "Every pixel is traced here.";
   drawLoupe(x, y, squares, points);
   verdict.hidden = false;
-  // On the side of the pointer with more space.
+  // Next to the pointer, where it fits.
   const beside = (offset, size, room) => (offset + 16 + size > room ? Math.max(offset - 16 - size, 0) : offset + 16);
   verdict.style.left = `${beside(offsetX, verdict.offsetWidth, canvas.clientWidth)}px`;
   verdict.style.top = `${beside(offsetY, verdict.offsetHeight, canvas.clientHeight)}px`;
@@ -439,11 +439,11 @@ function moveLoupe(right, down) {
   explainSquare({ offsetX: within(offsetX + right * square, clientWidth), offsetY: within(offsetY + down * square, clientHeight) });
 }
 
-/** Shows the pixels around one, with its squares and the traced points. */
+/** Draws the pixels around (x, y), with its squares and the traced points. */
 function drawLoupe(x, y, squares, points) {
   const loupe = get("loupe").getContext("2d");
   const zoom = loupe.canvas.width / LOUPE;
-  // All its rows are in the band with known points.
+  // Keep its rows in the inspected band.
   const left = Math.min(Math.max(x - LOUPE / 2, 0), canvas.width - LOUPE);
   const top = y - (y % BAND) + Math.min(Math.max((y % BAND) - LOUPE / 2, 0), BAND - LOUPE);
   loupe.setTransform(1, 0, 0, 1, 0, 0);
@@ -460,7 +460,7 @@ function drawLoupe(x, y, squares, points) {
   for (const [x, y] of points) loupe.fillRect(x + 0.35, y + 0.35, 0.3, 0.3);
 }
 
-/** The keys, unless the focus uses them. */
+/** The keys that the focused element does not use. */
 const KEYS = {
   " ": toggle,
   f: toggleFullscreen,

@@ -96,7 +96,7 @@ fn show_has_row_per_scene() {
 }
 
 #[test]
-fn method_overlay_is_no_error() {
+fn method_overlay_does_not_count_as_error() {
     let rows = bench("--scene show:method --size 320x180 --quality default").1;
     let psnr = number(&rows[1], "psnr_worst_db");
     assert!(psnr > 32.0, "{psnr}");

@@ -2,7 +2,7 @@ use super::{cells, printed};
 use eightfold_tracer::Quality;
 
 #[test]
-fn default_preset_has_its_name() {
+fn default_preset_is_named_default() {
     let preset = Quality::DEFAULT_PRESET;
     assert_eq!(Quality::NAMES[preset], "default");
     assert_eq!(Quality::LADDER[preset], Quality::DEFAULT);

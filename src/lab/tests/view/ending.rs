@@ -6,7 +6,7 @@ use std::process::Command;
 const HINT: &str = "view: the key ? lists the keys\n";
 
 #[test]
-fn escape_ends_it() {
+fn escape_ends_the_viewer() {
     let Some(view) = View::of_file() else { return };
     view.key("Escape");
     let (_, code, output, errors) = view.process.end();
@@ -16,7 +16,7 @@ fn escape_ends_it() {
 }
 
 #[test]
-fn lost_server_is_an_error() {
+fn lost_server_is_reported_by_the_viewer() {
     let Some(mut view) = View::new() else { return };
     view.server.kill();
     let (_, code, _, errors) = view.process.end();
