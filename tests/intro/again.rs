@@ -8,7 +8,7 @@ use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
 use eightfold_stage::intro;
 use std::process::{Command, Stdio};
 
-const FPS: usize = 50;
+const FPS: usize = 10;
 const SHOW: usize = show::LENGTH as usize * FPS;
 
 const SECONDS: usize = 14;
@@ -73,7 +73,7 @@ fn second_round_repeats_sound_and_picture() {
     let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
     assert!(frames.len() >= SHOW + SECONDS * FPS);
     assert!(grid::BAR * show::cut("model") as f32 + 1.0 < SECONDS as f32);
-    for at in (FPS..SECONDS * FPS).step_by(7) {
+    for at in (FPS..SECONDS * FPS).step_by(3) {
         let [first, second, before] =
             [at, SHOW + at, SHOW + at - FPS].map(|frame| colours(frames[frame]));
         let (same, other) = (difference(&first, &second), difference(&first, &before));
