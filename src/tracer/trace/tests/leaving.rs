@@ -9,52 +9,26 @@ const SHAPES: usize = 4000;
 const BLOCKS: usize = 2000;
 const RAYS: usize = 1000;
 
-/// The hit of a scene's only object.
-struct Met {
-    t: f32,
-    p: Vec3,
-    n: Vec3,
-    /// See [`ShadingPoint::hit_error`].
-    error: f32,
-    departure: u32,
-    is_inside: bool,
-}
-
-impl Met {
-    #[inline(always)]
-    fn new<S: Isa>(simd: S, world: World<'_>, o: Vec3, d: Vec3) -> Option<Self> {
-        let rays = packet(simd, o, &[d]);
-        let hit = hits(simd, world, &rays);
-        let point = shading_point(simd, world, &rays, &hit);
-        (hit.object.as_slice()[0] == 0).then(|| Self {
-            t: hit.t.as_slice()[0],
-            p: lane(point.p, 0),
-            n: lane(point.n, 0),
-            error: point.hit_error.as_slice()[0],
-            departure: point.departure.as_slice()[0],
-            is_inside: point.inside.to_bitmask() & 1 == 1,
-        })
-    }
+/// Returns the hit of a scene's only object.
+fn met(by: &dyn Kernels, world: World<'_>, o: Vec3, d: Vec3) -> Option<Met> {
+    let [met, ..] = by.meets(world, &packet(o, &[d]));
+    (met.object == 0).then_some(met)
 }
 
 /// Calls `check` with each ray's direction and the distance of its hit.
-#[inline(always)]
-fn each_ray<S: Isa>(
-    simd: S,
+fn each_ray(
+    by: &dyn Kernels,
     world: World<'_>,
     (from, departure): (Vec3, u32),
     count: usize,
     mut direction: impl FnMut() -> Vec3,
     mut check: impl FnMut(Vec3, Option<f64>),
 ) {
-    for _ in 0..count / lanes::<S>() {
+    for _ in 0..count / by.lanes() {
         let directions = [(); MAX_LANES].map(|()| direction());
-        let mut rays = packet(simd, from, &directions);
-        rays.slot_path |= departure;
-        let hit = hits(simd, world, &rays);
-        for (i, &d) in directions.iter().enumerate().take(lanes::<S>()) {
-            let is_hit = hit.object.as_slice()[i] == 0;
-            check(d, is_hit.then(|| f64::from(hit.t.as_slice()[i])));
+        let hits = by.hits(world, &packet(from, &directions), departure);
+        for (&d, (t, object)) in directions.iter().zip(hits).take(by.lanes()) {
+            check(d, (object == 0).then(|| f64::from(t)));
         }
     }
 }
@@ -64,107 +38,95 @@ fn share(random: &mut Random) -> DVec3 {
     DVec3::new(part(), part(), part())
 }
 
-struct Spheres {
-    /// The decimal logarithm of the largest coordinate; `None` for the origin.
-    centre: Option<f64>,
-}
-
-impl Property for Spheres {
-    #[inline(always)]
-    fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random::new(2008);
-        let (mut count, mut left, mut entered) = (0, 0, 0);
-        while count < SHAPES {
-            let radius = 10_f64.powf(random.between(-4.0, 4.0));
-            let centre = match self.centre {
-                Some(most) => random.vector(-4.0, most).as_vec3(),
-                None => Vec3::ZERO,
-            };
-            let o = random.vector(-8.0, 8.0);
-            let aim = centre.as_dvec3() + radius * share(&mut random);
-            let (o, d) = (o.as_vec3(), unit(aim - o));
-            let scene = prepared(&one_sphere(centre, radius as f32, Material::default()));
-            let world = scene.world();
-            let Some(Met {
-                p, n, is_inside, ..
-            }) = Met::new(simd, world, o, d)
-            else {
-                count += usize::from(random.bits().is_multiple_of(8));
-                continue;
-            };
-            count += 1;
-            let outward = if is_inside { -n } else { n }.as_dvec3();
-            let what = std::format!("{isa}: radius {radius} at {centre}, from {o} along {d}");
-            // Two roundings of the largest coordinate: about the error of the hit.
-            let largest = f64::from(centre.abs().max_element()) + radius;
-            let off = f64::from(f32::EPSILON) * largest;
-            let direction = || random.direction().as_vec3();
-            each_ray(simd, world, (p, 0), RAYS, direction, |d, t| {
-                let cosine = d.as_dvec3().dot(outward);
-                let chord = -2.0 * cosine * radius;
-                if cosine >= 0.0 {
-                    assert!(t.is_none(), "{what}: {p} is hit again along {d}");
-                    left += 1;
-                } else if chord * chord > 64.0 * off * radius {
-                    // The chord is longer than rounding errors.
-                    let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
-                    let is_right = t.is_some_and(|t| (t - chord).abs() < most);
-                    assert!(is_right, "{what}: {d} from {p} goes {t:?} of {chord}");
-                    entered += 1;
-                }
-            });
-        }
-        assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
-        assert!(entered > SHAPES * RAYS / 32, "{isa}: {entered} rays");
+/// `most` is the decimal logarithm of the largest coordinate; `None` for the origin.
+fn assert_spheres_are_left(by: &dyn Kernels, isa: &str, most: Option<f64>) {
+    let mut random = Random::new(2008);
+    let (mut count, mut left, mut entered) = (0, 0, 0);
+    while count < SHAPES {
+        let radius = 10_f64.powf(random.between(-4.0, 4.0));
+        let centre = match most {
+            Some(most) => random.vector(-4.0, most).as_vec3(),
+            None => Vec3::ZERO,
+        };
+        let o = random.vector(-8.0, 8.0);
+        let aim = centre.as_dvec3() + radius * share(&mut random);
+        let (o, d) = (o.as_vec3(), unit(aim - o));
+        let scene = prepared(&one_sphere(centre, radius as f32, Material::default()));
+        let world = scene.world();
+        let Some(Met {
+            p, n, is_inside, ..
+        }) = met(by, world, o, d)
+        else {
+            count += usize::from(random.bits().is_multiple_of(8));
+            continue;
+        };
+        count += 1;
+        let outward = if is_inside { -n } else { n }.as_dvec3();
+        let what = std::format!("{isa}: radius {radius} at {centre}, from {o} along {d}");
+        // Two roundings of the largest coordinate: about the error of the hit.
+        let largest = f64::from(centre.abs().max_element()) + radius;
+        let off = f64::from(f32::EPSILON) * largest;
+        let direction = || random.direction().as_vec3();
+        each_ray(by, world, (p, 0), RAYS, direction, |d, t| {
+            let cosine = d.as_dvec3().dot(outward);
+            let chord = -2.0 * cosine * radius;
+            if cosine >= 0.0 {
+                assert!(t.is_none(), "{what}: {p} is hit again along {d}");
+                left += 1;
+            } else if chord * chord > 64.0 * off * radius {
+                // The chord is longer than rounding errors.
+                let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
+                let is_right = t.is_some_and(|t| (t - chord).abs() < most);
+                assert!(is_right, "{what}: {d} from {p} goes {t:?} of {chord}");
+                entered += 1;
+            }
+        });
     }
+    assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
+    assert!(entered > SHAPES * RAYS / 32, "{isa}: {entered} rays");
 }
 
 #[test]
 fn sphere_is_not_hit_by_leaving_rays() {
-    for centre in [None, Some(4.0)] {
-        on_every_instruction_set(&Spheres { centre });
+    for most in [None, Some(4.0)] {
+        on_every_instruction_set(|by, isa| assert_spheres_are_left(by, isa, most));
     }
 }
 
-struct Planes;
-
-impl Property for Planes {
-    #[inline(always)]
-    fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random::new(2019);
-        let mut left = 0;
-        for _ in 0..SHAPES {
-            let [half_x, half_z] = [0; 2].map(|_| 10_f64.powf(random.between(-4.0, 4.0)));
-            let centre = random.vector(-4.0, 4.0);
-            let aim = centre + DVec3::new(half_x, 0.0, half_z) * share(&mut random);
-            let o = random.vector(-8.0, 8.0);
-            let (half_x, half_z) = (half_x as f32, half_z as f32);
-            let plane = Plane::new(centre.as_vec3(), half_x, half_z, Material::BLACK);
-            let scene = prepared(&Scene {
-                planes: List::of(&[plane]),
-                ..Scene::default()
-            });
-            let world = scene.world();
-            let Some(Met { p, .. }) = Met::new(simd, world, o.as_vec3(), unit(aim - o)) else {
-                continue;
-            };
-            let direction = || {
-                let d = random.direction().as_vec3();
-                // Also along the plane, with both signs of zero.
-                [d, d, d, d.with_y(0.0), d.with_y(-0.0)][random.bits() as usize % 5]
-            };
-            each_ray(simd, world, (p, 0), RAYS, direction, |d, t| {
-                assert!(t.is_none(), "{isa}: {p} is hit again along {d}");
-                left += 1;
-            });
-        }
-        assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
+fn assert_planes_are_left(by: &dyn Kernels, isa: &str) {
+    let mut random = Random::new(2019);
+    let mut left = 0;
+    for _ in 0..SHAPES {
+        let [half_x, half_z] = [0; 2].map(|_| 10_f64.powf(random.between(-4.0, 4.0)));
+        let centre = random.vector(-4.0, 4.0);
+        let aim = centre + DVec3::new(half_x, 0.0, half_z) * share(&mut random);
+        let o = random.vector(-8.0, 8.0);
+        let (half_x, half_z) = (half_x as f32, half_z as f32);
+        let plane = Plane::new(centre.as_vec3(), half_x, half_z, Material::BLACK);
+        let scene = prepared(&Scene {
+            planes: List::of(&[plane]),
+            ..Scene::default()
+        });
+        let world = scene.world();
+        let Some(Met { p, .. }) = met(by, world, o.as_vec3(), unit(aim - o)) else {
+            continue;
+        };
+        let direction = || {
+            let d = random.direction().as_vec3();
+            // Also along the plane, with both signs of zero.
+            [d, d, d, d.with_y(0.0), d.with_y(-0.0)][random.bits() as usize % 5]
+        };
+        each_ray(by, world, (p, 0), RAYS, direction, |d, t| {
+            assert!(t.is_none(), "{isa}: {p} is hit again along {d}");
+            left += 1;
+        });
     }
+    assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
 }
 
 #[test]
 fn plane_is_not_hit_by_leaving_rays() {
-    on_every_instruction_set(&Planes);
+    on_every_instruction_set(assert_planes_are_left);
 }
 
 fn fitting(shape: Shape, half: DVec3) -> Vec3 {
@@ -194,98 +156,88 @@ fn outside(block: &Block, p: Vec3) -> f64 {
 }
 
 /// Compact blocks anywhere, hit from nearby; or any blocks at the origin, hit from any distance.
-struct Blocks {
-    is_far: bool,
-}
-
-impl Property for Blocks {
-    #[inline(always)]
-    fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random::new(1998);
-        // Aligned boxes, turned boxes, cylinders and capsules.
-        let (mut left, mut crossed) = ([0; 4], 0);
-        for i in 0..BLOCKS {
-            let kind = i % 4;
-            // Rounding must not move a point from one side to another.
-            let scale = 10_f64.powf(random.between(-3.0, 3.0));
-            let (decades, scale, centre) = if self.is_far {
-                (4.0, 1.0, DVec3::ZERO)
-            } else {
-                (1.0, scale, scale * random.vector(-3.0, 1.5))
-            };
-            let half = share(&mut random).map(|share| scale * 10_f64.powf(decades * share));
-            let shape = [Shape::Box, Shape::Box, Shape::Cylinder, Shape::Capsule][kind];
-            let [a, b, c] = random.direction().as_vec3().to_array();
-            let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
-            let turn = [Quat::IDENTITY, turn.normalize()][usize::from(kind > 0)];
-            let block = Block {
-                centre: centre.as_vec3(),
-                half: fitting(shape, half),
-                axes: Mat3::from_quat(turn),
-                shape,
-                ..Block::default()
-            };
-            let scene = prepared(&Scene {
-                blocks: List::of(&[block]),
-                ..Scene::default()
-            });
-            let world = scene.world();
-            let half = block.half.as_dvec3();
-            let within = block.axes.as_dmat3() * (share(&mut random) * half);
-            let aim = block.centre.as_dvec3() + within;
-            let o = if self.is_far {
-                random.vector(-8.0, 8.0)
-            } else {
-                aim + random.direction() * (2.0 * half.length())
-            };
-            let (o, d) = (o.as_vec3(), unit(aim - o));
-            let Some(met) = Met::new(simd, world, o, d).filter(|met| !met.is_inside) else {
-                continue;
-            };
-            let Met {
-                t,
-                p,
-                n,
-                error,
-                departure,
-                ..
-            } = met;
-            let what = std::format!("{isa}: {block:?} from {o} along {d}");
-            let direction = || random.direction_from(n);
-            each_ray(simd, world, (p, departure), RAYS, direction, |d, t| {
-                assert!(t.is_none(), "{what}: {p} is hit again along {d}");
-                left[kind] += 1;
-            });
-            if self.is_far {
-                continue;
-            }
-            for (point, errors) in [(o + t * d, 0.0), (p, 1.0)] {
-                let off = outside(&block, point) / f64::from(error);
-                assert!(
-                    (off - errors).abs() < 0.5,
-                    "{what}: {point} is {off} errors off"
-                );
-            }
-            assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
-            let direction = || random.direction_from(-n);
-            let from = (p - 2.0 * error * n, departure | INWARD);
-            each_ray(simd, world, from, RAYS / 16, direction, |d, t| {
-                assert!(t.is_some(), "{what}: {d} from {p} leaks");
-                crossed += 1;
-            });
+fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
+    let mut random = Random::new(1998);
+    // Aligned boxes, turned boxes, cylinders and capsules.
+    let (mut left, mut crossed) = ([0; 4], 0);
+    for i in 0..BLOCKS {
+        let kind = i % 4;
+        // Rounding must not move a point from one side to another.
+        let scale = 10_f64.powf(random.between(-3.0, 3.0));
+        let (decades, scale, centre) = if is_far {
+            (4.0, 1.0, DVec3::ZERO)
+        } else {
+            (1.0, scale, scale * random.vector(-3.0, 1.5))
+        };
+        let half = share(&mut random).map(|share| scale * 10_f64.powf(decades * share));
+        let shape = [Shape::Box, Shape::Box, Shape::Cylinder, Shape::Capsule][kind];
+        let [a, b, c] = random.direction().as_vec3().to_array();
+        let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
+        let turn = [Quat::IDENTITY, turn.normalize()][usize::from(kind > 0)];
+        let block = Block {
+            centre: centre.as_vec3(),
+            half: fitting(shape, half),
+            axes: Mat3::from_quat(turn),
+            shape,
+            ..Block::default()
+        };
+        let scene = prepared(&Scene {
+            blocks: List::of(&[block]),
+            ..Scene::default()
+        });
+        let world = scene.world();
+        let half = block.half.as_dvec3();
+        let within = block.axes.as_dmat3() * (share(&mut random) * half);
+        let aim = block.centre.as_dvec3() + within;
+        let o = if is_far {
+            random.vector(-8.0, 8.0)
+        } else {
+            aim + random.direction() * (2.0 * half.length())
+        };
+        let (o, d) = (o.as_vec3(), unit(aim - o));
+        let Some(met) = met(by, world, o, d).filter(|met| !met.is_inside) else {
+            continue;
+        };
+        let Met {
+            t,
+            p,
+            n,
+            error,
+            departure,
+            ..
+        } = met;
+        let what = std::format!("{isa}: {block:?} from {o} along {d}");
+        let direction = || random.direction_from(n);
+        each_ray(by, world, (p, departure), RAYS, direction, |d, t| {
+            assert!(t.is_none(), "{what}: {p} is hit again along {d}");
+            left[kind] += 1;
+        });
+        if is_far {
+            continue;
         }
-        let fewest = BLOCKS / 4 * RAYS / 8;
-        assert!(left.iter().all(|&left| left > fewest), "{isa}: {left:?}");
-        assert!(
-            self.is_far || crossed > BLOCKS * RAYS / 128,
-            "{isa}: {crossed}"
-        );
+        for (point, errors) in [(o + t * d, 0.0), (p, 1.0)] {
+            let off = outside(&block, point) / f64::from(error);
+            assert!(
+                (off - errors).abs() < 0.5,
+                "{what}: {point} is {off} errors off"
+            );
+        }
+        assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
+        let direction = || random.direction_from(-n);
+        let from = (p - 2.0 * error * n, departure | INWARD);
+        each_ray(by, world, from, RAYS / 16, direction, |d, t| {
+            assert!(t.is_some(), "{what}: {d} from {p} leaks");
+            crossed += 1;
+        });
     }
+    let fewest = BLOCKS / 4 * RAYS / 8;
+    assert!(left.iter().all(|&left| left > fewest), "{isa}: {left:?}");
+    assert!(is_far || crossed > BLOCKS * RAYS / 128, "{isa}: {crossed}");
 }
 
 #[test]
 fn block_is_not_hit_by_leaving_rays_and_never_leaks() {
     for is_far in [false, true] {
-        on_every_instruction_set(&Blocks { is_far });
+        on_every_instruction_set(|by, isa| assert_blocks_are_left(by, isa, is_far));
     }
 }

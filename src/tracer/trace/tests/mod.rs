@@ -10,10 +10,11 @@ mod shadows;
 
 extern crate std;
 
-use super::accumulator::Contribution;
 use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
+use super::queue::Queue;
 use super::rays::Rays;
+use super::sample::Sum;
 use super::shade::shade;
 use super::surface::{SurfaceLanes, SurfaceRows};
 use super::{Batch, Tracer, candidates};
@@ -21,23 +22,44 @@ use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared, World};
 use crate::quality::Quality;
 use crate::scene::{List, Material, Scene, Sphere};
+use core::array;
 use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
 
-/// A property of every instruction set. Inline implementations, as kernels are.
-trait Property {
-    fn hold<S: Isa>(&self, simd: S, isa: &str);
+/// The kernels by one instruction set. Packets and results have plain numbers, so that properties are compiled once. Only the first
+/// [`lanes`](Self::lanes) rays of a packet are traced; further results repeat theirs.
+trait Kernels {
+    fn lanes(&self) -> usize;
+
+    fn fuses_mul_add(&self) -> bool;
+
+    /// Returns distances and objects of rays that leave a surface.
+    fn hits(&self, world: World<'_>, packet: &Packet, departure: u32) -> [(f32, u32); MAX_LANES];
+
+    fn meets(&self, world: World<'_>, packet: &Packet) -> [Met; MAX_LANES];
+
+    /// Returns what the pixels from (x, y) to the right show.
+    fn pixels(&self, world: World<'_>, x: usize, y: usize) -> [Met; MAX_LANES];
+
+    fn shaded(
+        &self,
+        world: World<'_>,
+        quality: &Quality,
+        packet: &Packet,
+        batch: &mut Batch,
+    ) -> [Shaded; MAX_LANES];
 }
 
-fn on_every_instruction_set(property: &impl Property) {
-    let (level, simd) = (Level::new(), baseline());
-    by_isa!(simd: property.hold(simd, "baseline"));
+/// Calls a property with each instruction set and its name.
+fn on_every_instruction_set(property: impl Fn(&dyn Kernels, &str)) {
+    let level = Level::new();
+    property(&By(baseline()), "baseline");
     if let Some(simd) = avx2(level) {
-        by_isa!(simd: property.hold(simd, "avx2"));
+        property(&By(simd), "avx2");
     }
     if let Some(simd) = avx512(level) {
-        by_isa!(simd: property.hold(simd, "avx512"));
+        property(&By(simd), "avx512");
     }
 }
 
@@ -128,88 +150,157 @@ fn prepared(scene: &Scene) -> Ready {
 
 /// Origin, direction and weight.
 type Ray = (Vec3, Vec3, f32);
+type Packet = [Ray; MAX_LANES];
 
-#[inline(always)]
-fn gathered<S: Isa>(simd: S, ray: impl Fn(usize) -> Ray) -> Rays<S> {
-    let vectors = |v: fn(Ray) -> Vec3| Vec3x {
-        x: F::<S>::from_fn(simd, |i| v(ray(i)).x),
-        y: F::<S>::from_fn(simd, |i| v(ray(i)).y),
-        z: F::<S>::from_fn(simd, |i| v(ray(i)).z),
-    };
-    Rays {
-        o: vectors(|ray| ray.0),
-        d: vectors(|ray| ray.1),
-        weight: F::<S>::from_fn(simd, |i| ray(i).2),
-        slot_path: Rays::slot_paths(simd, 0),
+/// Further rays repeat the last direction.
+fn packet(o: Vec3, d: &[Vec3]) -> Packet {
+    array::from_fn(|i| (o, d[i.min(d.len() - 1)], 1.0))
+}
+
+struct Met {
+    t: f32,
+    object: u32,
+    p: Vec3,
+    n: Vec3,
+    /// See [`ShadingPoint::hit_error`].
+    error: f32,
+    departure: u32,
+    is_inside: bool,
+    reflectance: f32,
+}
+
+struct Shaded {
+    t: f32,
+    object: u32,
+    colour: Vec3,
+    sum: Sum,
+    /// Reflected and transmitted.
+    secondary: [Option<Ray>; 2],
+}
+
+struct By<S>(S);
+
+impl<S: Isa> By<S> {
+    #[inline(always)]
+    fn rays(&self, packet: &Packet, departure: u32) -> Rays<S> {
+        let simd = self.0;
+        let vectors = |v: fn(Ray) -> Vec3| Vec3x {
+            x: F::<S>::from_fn(simd, |i| v(packet[i]).x),
+            y: F::<S>::from_fn(simd, |i| v(packet[i]).y),
+            z: F::<S>::from_fn(simd, |i| v(packet[i]).z),
+        };
+        Rays {
+            o: vectors(|ray| ray.0),
+            d: vectors(|ray| ray.1),
+            weight: F::<S>::from_fn(simd, |i| packet[i].2),
+            slot_path: Rays::slot_paths(simd, 0) | departure,
+        }
+    }
+
+    #[inline(never)]
+    fn nearest(&self, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
+        let simd = self.0;
+        by_isa!(simd: {
+            let mut blocks = candidates::NONE;
+            let mut hit = nearest(simd, world, rays, GroupSet::MAX, &mut blocks);
+            resolve_blocks(simd, world, rays, &blocks, &mut hit);
+            hit
+        })
+    }
+
+    #[inline(never)]
+    fn met(&self, world: World<'_>, rays: &Rays<S>) -> [Met; MAX_LANES] {
+        let simd = self.0;
+        let hit = self.nearest(world, rays);
+        let point = by_isa!(simd: {
+            let active = first(simd, lanes::<S>());
+            let mut rows = SurfaceRows::NONE;
+            let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
+            ShadingPoint::new(simd, world, rays, &hit, &surface, active)
+        });
+        each::<S, _>(|i| Met {
+            t: hit.t.as_slice()[i],
+            object: hit.object.as_slice()[i],
+            p: lane(point.p, i),
+            n: lane(point.n, i),
+            error: point.hit_error.as_slice()[i],
+            departure: point.departure.as_slice()[i],
+            is_inside: point.inside.to_bitmask() >> i & 1 == 1,
+            reflectance: point.reflectance.as_slice()[i],
+        })
     }
 }
 
-/// Lanes beyond the slice repeat its last direction.
-#[inline(always)]
-fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
-    gathered(simd, |i| (o, d[i.min(d.len() - 1)], 1.0))
-}
+impl<S: Isa> Kernels for By<S> {
+    fn lanes(&self) -> usize {
+        lanes::<S>()
+    }
 
-/// Compiled once per instruction set, not once per property.
-#[inline(never)]
-fn hits<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
-    by_isa!(simd: {
-        let mut blocks = candidates::NONE;
-        let mut hit = nearest(simd, world, rays, GroupSet::MAX, &mut blocks);
-        resolve_blocks(simd, world, rays, &blocks, &mut hit);
-        hit
-    })
-}
+    fn fuses_mul_add(&self) -> bool {
+        S::FUSES_MUL_ADD
+    }
 
-/// Returns hits, contributions, and each lane's reflected and transmitted ray.
-#[inline(never)]
-fn shaded<S: Isa>(
-    simd: S,
-    world: World<'_>,
-    quality: &Quality,
-    rays: &Rays<S>,
-    batch: &mut Batch,
-) -> (Hit<S>, Contribution<S>, [[Option<Ray>; MAX_LANES]; 2]) {
-    let hit = hits(simd, world, rays);
-    let mut secondary = [[None; MAX_LANES]; 2];
-    let contribution = by_isa!(simd: {
-        let tracer = Tracer {
-            isa: simd,
-            world,
-            quality,
-        };
-        batch.begin();
-        let contribution = shade(tracer, rays, &hit, first(simd, lanes::<S>()), batch);
-        while batch.stack.len() > 0 {
-            let (rays, count) = batch.stack.pop(simd);
-            let (paths, slots) = (rays.paths(), rays.slots());
-            for i in 0..count {
-                let [path, slot] = [paths, slots].map(|numbers| numbers.as_slice()[i] as usize);
-                let weight = rays.weight.as_slice()[i];
-                secondary[path - 2][slot] = Some((lane(rays.o, i), lane(rays.d, i), weight));
+    fn hits(&self, world: World<'_>, packet: &Packet, departure: u32) -> [(f32, u32); MAX_LANES] {
+        let hit = self.nearest(world, &self.rays(packet, departure));
+        each::<S, _>(|i| (hit.t.as_slice()[i], hit.object.as_slice()[i]))
+    }
+
+    fn meets(&self, world: World<'_>, packet: &Packet) -> [Met; MAX_LANES] {
+        self.met(world, &self.rays(packet, 0))
+    }
+
+    fn pixels(&self, world: World<'_>, x: usize, y: usize) -> [Met; MAX_LANES] {
+        let mut queue = Queue::new();
+        (0..lanes::<S>()).for_each(|lane| queue.push_pixel(x + lane, y));
+        self.met(world, &queue.primary_rays(self.0, world, 0))
+    }
+
+    fn shaded(
+        &self,
+        world: World<'_>,
+        quality: &Quality,
+        packet: &Packet,
+        batch: &mut Batch,
+    ) -> [Shaded; MAX_LANES] {
+        let simd = self.0;
+        let rays = self.rays(packet, 0);
+        let hit = self.nearest(world, &rays);
+        let mut secondary = [[None; 2]; MAX_LANES];
+        let contribution = by_isa!(simd: {
+            let tracer = Tracer {
+                isa: simd,
+                world,
+                quality,
+            };
+            batch.begin();
+            let contribution = shade(tracer, &rays, &hit, first(simd, lanes::<S>()), batch);
+            while batch.stack.len() > 0 {
+                let (rays, count) = batch.stack.pop(simd);
+                let (paths, slots) = (rays.paths(), rays.slots());
+                for i in 0..count {
+                    let [path, slot] = [paths, slots].map(|numbers| numbers.as_slice()[i] as usize);
+                    let weight = rays.weight.as_slice()[i];
+                    secondary[slot][path - 2] = Some((lane(rays.o, i), lane(rays.d, i), weight));
+                }
             }
-        }
-        contribution
-    });
-    (hit, contribution, secondary)
+            contribution
+        });
+        let mut sums = [[0; 4]; MAX_LANES];
+        contribution.store(simd, &mut sums.as_flattened_mut()[..4 * lanes::<S>()]);
+        each::<S, _>(|i| Shaded {
+            t: hit.t.as_slice()[i],
+            object: hit.object.as_slice()[i],
+            colour: lane(contribution.colour, i),
+            sum: sums[i],
+            secondary: secondary[i],
+        })
+    }
 }
 
-#[inline(never)]
-fn shading_point<S: Isa>(
-    simd: S,
-    world: World<'_>,
-    rays: &Rays<S>,
-    hit: &Hit<S>,
-) -> ShadingPoint<S> {
-    by_isa!(simd: {
-        let active = first(simd, lanes::<S>());
-        let mut rows = SurfaceRows::NONE;
-        let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
-        ShadingPoint::new(simd, world, rays, hit, &surface, active)
-    })
+fn each<S: Isa, T>(result: impl Fn(usize) -> T) -> [T; MAX_LANES] {
+    array::from_fn(|i| result(i % lanes::<S>()))
 }
 
-#[inline(always)]
 fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3 {
     Vec3::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])
 }

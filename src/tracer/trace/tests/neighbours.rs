@@ -3,31 +3,23 @@
 use super::scenes::{model, rich, rows};
 use super::*;
 use crate::scene::Spot;
-use crate::trace::sample::Sum;
-use core::array;
 
 const PACKETS: usize = 20_000;
 
 /// The bits of a ray's result: distance, object, contribution to its point, and secondary rays.
 type Outcome = (u32, u32, Sum, [Option<[u32; 7]>; 2]);
 
-#[inline(always)]
-fn outcomes<S: Isa>(
-    simd: S,
+fn outcomes(
+    by: &dyn Kernels,
     world: World<'_>,
-    packet: &[Ray; MAX_LANES],
+    packet: &Packet,
     batch: &mut Batch,
 ) -> [Outcome; MAX_LANES] {
-    let rays = gathered(simd, |i| packet[i]);
-    let (hit, node, secondary) = shaded(simd, world, &Quality::THESIS, &rays, batch);
-    let mut sums = [[0; 4]; MAX_LANES];
-    node.store(simd, &mut sums.as_flattened_mut()[..4 * lanes::<S>()]);
     let bits = |(o, d, weight): Ray| [o.x, o.y, o.z, d.x, d.y, d.z, weight].map(f32::to_bits);
-    array::from_fn(|i| {
-        let lane = i % lanes::<S>();
-        let (t, object) = (hit.t.as_slice()[lane], hit.object.as_slice()[lane]);
-        let secondary = [0, 1].map(|path| secondary[path][lane].map(bits));
-        (t.to_bits(), object, sums[lane], secondary)
+    let shaded = by.shaded(world, &Quality::THESIS, packet, batch);
+    shaded.map(|lane| {
+        let secondary = lane.secondary.map(|ray| ray.map(bits));
+        (lane.t.to_bits(), lane.object, lane.sum, secondary)
     })
 }
 
@@ -67,37 +59,29 @@ fn nonsense(random: &mut Random) -> Ray {
     bad
 }
 
-struct Neighbours {
-    scene: Scene,
-    packets: usize,
-}
-
-impl Property for Neighbours {
-    #[inline(always)]
-    fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random::new(1966);
-        let scene = prepared(&self.scene);
-        let mut batch = Box::new(Batch::new());
-        for _ in 0..self.packets / lanes::<S>() {
-            let rays = [(); MAX_LANES].map(|()| ray(&mut random));
-            let together = outcomes(simd, scene.world(), &rays, &mut batch);
-            for (i, &one) in rays.iter().enumerate().take(lanes::<S>()) {
-                let at = random.bits() as usize % lanes::<S>();
-                let mut others = [one; MAX_LANES];
-                for other in &mut others {
-                    *other = match random.bits() % 3 {
-                        0 => nonsense(&mut random),
-                        1 => ray(&mut random),
-                        _ => one,
-                    };
-                }
-                others[at] = one;
-                let others = outcomes(simd, scene.world(), &others, &mut batch);
-                assert_eq!(
-                    together[i], others[at],
-                    "{isa}: {one:?} in lane {i} and in lane {at}"
-                );
+fn assert_independent(by: &dyn Kernels, isa: &str, scene: &Scene, packets: usize) {
+    let mut random = Random::new(1966);
+    let scene = prepared(scene);
+    let mut batch = Box::new(Batch::new());
+    for _ in 0..packets / by.lanes() {
+        let rays = [(); MAX_LANES].map(|()| ray(&mut random));
+        let together = outcomes(by, scene.world(), &rays, &mut batch);
+        for (i, &one) in rays.iter().enumerate().take(by.lanes()) {
+            let at = random.bits() as usize % by.lanes();
+            let mut others = [one; MAX_LANES];
+            for other in &mut others {
+                *other = match random.bits() % 3 {
+                    0 => nonsense(&mut random),
+                    1 => ray(&mut random),
+                    _ => one,
+                };
             }
+            others[at] = one;
+            let others = outcomes(by, scene.world(), &others, &mut batch);
+            assert_eq!(
+                together[i], others[at],
+                "{isa}: {one:?} in lane {i} and in lane {at}"
+            );
         }
     }
 }
@@ -105,10 +89,7 @@ impl Property for Neighbours {
 #[test]
 fn ray_is_independent_of_its_packet() {
     for scene in [model(), rows(300), rich()] {
-        on_every_instruction_set(&Neighbours {
-            scene,
-            packets: PACKETS,
-        });
+        on_every_instruction_set(|by, isa| assert_independent(by, isa, &scene, PACKETS));
     }
 }
 
@@ -140,9 +121,8 @@ fn ray_is_independent_in_invalid_scenes() {
         for number in numbers.into_iter().chain([1e20, 1e-40, 0.0, -1.0]) {
             let mut scene = rich();
             *place(&mut scene) = number;
-            on_every_instruction_set(&Neighbours {
-                scene,
-                packets: PACKETS / 20,
+            on_every_instruction_set(|by, isa| {
+                assert_independent(by, isa, &scene, PACKETS / 20);
             });
         }
     }

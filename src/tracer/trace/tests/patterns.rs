@@ -5,7 +5,6 @@ use super::*;
 use crate::prepare::ObjectId;
 use crate::scene::Pattern;
 use crate::trace::SeenPattern;
-use crate::trace::queue::Queue;
 use glam::vec3;
 
 const SIZE: [usize; 2] = [320, 180];
@@ -43,53 +42,43 @@ fn patterned(angle: f32) -> Scene {
     scene
 }
 
-struct Patterns;
-
-impl Property for Patterns {
-    #[inline(always)]
-    fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut memory = Box::new(Prepared::new());
-        let (mut seen, mut far) = (0, 0);
-        for turn in 0..6 {
-            let scene = patterned(turn as f32);
-            let world = memory.prepare(&scene, SIZE, Vec2::ZERO);
-            for y in 0..SIZE[1] {
-                for x in (0..SIZE[0]).step_by(lanes::<S>()) {
-                    let mut queue = Queue::new();
-                    (0..lanes::<S>()).for_each(|lane| queue.push_pixel(x + lane, y));
-                    let rays = queue.primary_rays(simd, world, 0);
-                    let hit = hits(simd, world, &rays);
-                    let point = shading_point(simd, world, &rays, &hit);
-                    for (lane, &object) in hit.object.as_slice().iter().enumerate() {
-                        let object = ObjectId::new(object as usize);
-                        let left = point.reflectance.as_slice()[lane];
-                        if left > 0.0 {
-                            continue;
-                        }
-                        let left = -left;
-                        // The pixel may be any of the four.
-                        let start = (x + lane).saturating_sub((x + y) % 4);
-                        let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);
-                        let four: [f32; 4] = SeenPattern::new(world, object)
-                            .at([columns, [y as f32; 4]].map(|c| c.simd_into(baseline())))
-                            .into();
-                        let is_share = |left| (0.0..=1.0).contains(left);
-                        assert!(four.iter().all(is_share), "{isa}: {four:?}");
-                        seen += 1;
-                        far += usize::from((four[x + lane - start] - left).abs() > 1e-3);
+fn assert_patterns_agree(by: &dyn Kernels, isa: &str) {
+    let mut memory = Box::new(Prepared::new());
+    let (mut seen, mut far) = (0, 0);
+    for turn in 0..6 {
+        let scene = patterned(turn as f32);
+        let world = memory.prepare(&scene, SIZE, Vec2::ZERO);
+        for y in 0..SIZE[1] {
+            for x in (0..SIZE[0]).step_by(by.lanes()) {
+                for (lane, met) in by.pixels(world, x, y).iter().enumerate().take(by.lanes()) {
+                    let object = ObjectId::new(met.object as usize);
+                    let left = met.reflectance;
+                    if left > 0.0 {
+                        continue;
                     }
+                    let left = -left;
+                    // The pixel may be any of the four.
+                    let start = (x + lane).saturating_sub((x + y) % 4);
+                    let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);
+                    let four: [f32; 4] = SeenPattern::new(world, object)
+                        .at([columns, [y as f32; 4]].map(|c| c.simd_into(baseline())))
+                        .into();
+                    let is_share = |left| (0.0..=1.0).contains(left);
+                    assert!(four.iter().all(is_share), "{isa}: {four:?}");
+                    seen += 1;
+                    far += usize::from((four[x + lane - start] - left).abs() > 1e-3);
                 }
             }
         }
-        std::println!("{isa}: {far} of {seen} farther apart than a thousandth");
-        assert!(
-            seen > 100_000 && far * 1000 < seen,
-            "{isa}: {far} of {seen}"
-        );
     }
+    std::println!("{isa}: {far} of {seen} farther apart than a thousandth");
+    assert!(
+        seen > 100_000 && far * 1000 < seen,
+        "{isa}: {far} of {seen}"
+    );
 }
 
 #[test]
 fn patterns_agree_between_pixels_and_points() {
-    on_every_instruction_set(&Patterns);
+    on_every_instruction_set(assert_patterns_agree);
 }

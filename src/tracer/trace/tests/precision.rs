@@ -36,8 +36,7 @@ fn poisson_bound(mean: f64) -> usize {
 }
 
 /// Returns the number of wrong rays to spheres at a distance in radii, and the largest error of a hit's distance, in radii.
-#[inline(always)]
-fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> (usize, f64) {
+fn outcome(by: &dyn Kernels, distance: f64, is_in_origin: bool, seed: u64) -> (usize, f64) {
     let mut random = Random(seed << 32 | distance as u64);
     let (mut wrong, mut off) = (0, 0.0_f64);
     for _ in 0..RAYS / 64 {
@@ -50,22 +49,22 @@ fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> (us
         // Outside, also at distance 1.
         let o = (c + (1e-5 + distance) * r * random.direction()).as_vec3();
         let scene = prepared(&one_sphere(centre, radius, Material::default()));
-        for _ in 0..64 / lanes::<S>() {
+        for _ in 0..64 / by.lanes() {
             let mut directions = [Vec3::ZERO; MAX_LANES];
-            for d in directions.iter_mut().take(lanes::<S>()) {
+            for d in directions.iter_mut().take(by.lanes()) {
                 let aim = c + 1.2 * r * random.direction();
                 *d = unit(aim - o.as_dvec3());
             }
-            let hit = hits(simd, scene.world(), &packet(simd, o, &directions));
-            for (i, d) in directions.iter().enumerate().take(lanes::<S>()) {
-                let is_hit = hit.object.as_slice()[i] == 0;
+            let hits = by.hits(scene.world(), &packet(o, &directions), 0);
+            for (d, (t_hit, object)) in directions.iter().zip(hits).take(by.lanes()) {
+                let is_hit = object == 0;
                 let exact = exact(o.as_dvec3() - c, *d, r);
                 wrong += usize::from(is_hit != exact.is_some());
                 let Some((t, across)) = exact.filter(|_| is_hit) else {
                     continue;
                 };
                 if across < 0.9 {
-                    off = off.max((f64::from(hit.t.as_slice()[i]) - t).abs() / r);
+                    off = off.max((f64::from(t_hit) - t).abs() / r);
                 }
             }
         }
@@ -73,40 +72,32 @@ fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> (us
     (wrong, off)
 }
 
-struct HitOrMiss {
-    seeds: u64,
-    is_in_origin: bool,
-}
-
-impl Property for HitOrMiss {
-    #[inline(always)]
-    fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let millions = RAYS as f64 / 1e6;
-        let seeds = self.seeds as f64;
-        for (distance, [fused, unfused, anywhere]) in BOUNDS {
-            let mean = match self.is_in_origin {
-                true if S::FUSES_MUL_ADD => fused,
-                true => unfused,
-                false => anywhere,
-            };
-            let (mut total, mut most, mut off) = (0, 0, 0.0_f64);
-            for seed in 0..self.seeds {
-                let (wrong, error) = outcome(simd, distance, self.is_in_origin, seed);
-                total += wrong;
-                most = most.max(wrong);
-                off = off.max(error);
-            }
-            let bound = poisson_bound(mean * millions);
-            let what = std::format!(
-                "{isa} at {distance} radii: {:.1} of a million wrong on average, at most {most} of a seed's {RAYS} \
-                 ({bound} allowed); distances off by {off:.1e} radii",
-                total as f64 / (millions * seeds)
-            );
-            std::println!("{what}");
-            assert!(most <= bound, "{what}");
-            assert!(total <= poisson_bound(mean * millions * seeds), "{what}");
-            assert!(off <= OFF[0] * distance + OFF[1], "{what}");
+fn assert_hits_are_exact(by: &dyn Kernels, isa: &str, seeds: u64, is_in_origin: bool) {
+    let millions = RAYS as f64 / 1e6;
+    let runs = seeds as f64;
+    for (distance, [fused, unfused, anywhere]) in BOUNDS {
+        let mean = match is_in_origin {
+            true if by.fuses_mul_add() => fused,
+            true => unfused,
+            false => anywhere,
+        };
+        let (mut total, mut most, mut off) = (0, 0, 0.0_f64);
+        for seed in 0..seeds {
+            let (wrong, error) = outcome(by, distance, is_in_origin, seed);
+            total += wrong;
+            most = most.max(wrong);
+            off = off.max(error);
         }
+        let bound = poisson_bound(mean * millions);
+        let what = std::format!(
+            "{isa} at {distance} radii: {:.1} of a million wrong on average, at most {most} of a seed's {RAYS} \
+             ({bound} allowed); distances off by {off:.1e} radii",
+            total as f64 / (millions * runs)
+        );
+        std::println!("{what}");
+        assert!(most <= bound, "{what}");
+        assert!(total <= poisson_bound(mean * millions * runs), "{what}");
+        assert!(off <= OFF[0] * distance + OFF[1], "{what}");
     }
 }
 
@@ -128,9 +119,6 @@ fn small_sphere_far_away_is_hit_exactly() {
     let seeds = std::env::var("PRECISION_SEEDS").map_or(SEEDS, |seeds| seeds.parse().unwrap());
     for is_in_origin in [true, false] {
         std::println!("in the origin: {is_in_origin}");
-        on_every_instruction_set(&HitOrMiss {
-            seeds,
-            is_in_origin,
-        });
+        on_every_instruction_set(|by, isa| assert_hits_are_exact(by, isa, seeds, is_in_origin));
     }
 }
