@@ -5,7 +5,7 @@ use eightfold_lab::{bench, capture, figures, missed, render, report, size, trade
 use std::error::Error;
 use std::process::ExitCode;
 
-/// The letters of a value in a message.
+/// The most letters of a value in a message.
 const MAX_VALUE: usize = 60;
 
 /// Draws Eightfold's frames, and measures their speed and error

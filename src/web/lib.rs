@@ -224,7 +224,7 @@ pub extern "C" fn draw(
 }
 
 /// Returns the address of seven numbers about the last [`draw`]: its first row, and the row after its last (smaller if it drew
-/// none); its points and rays; the probed pixels, the sum of their squared errors, and the sum of these errors' squares.
+/// none); its points and rays; the number of probed pixels, the sum of their squared errors, and the sum of the squares of these.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
     state().figures.as_ptr()

@@ -101,7 +101,7 @@ fn tree(directory: impl AsRef<Path>, package: &str, format: &str) -> BTreeSet<St
     cargo(directory, &words).lines().map(String::from).collect()
 }
 
-/// Both use one profile, so libraries with the same features are the same file.
+/// The intro and the lab use one profile, so libraries with the same features are the same file.
 #[test]
 fn lab_is_linked_with_the_libraries_of_the_intro() {
     let [intro, lab] = ["eightfold", "eightfold-lab"].map(|package| tree(ROOT, package, "{p} {f}"));

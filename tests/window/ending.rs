@@ -19,7 +19,7 @@ fn escape_ends_the_intro() {
 fn closed_window_ends_the_intro() {
     needs!(DISPLAY);
     let server = on_screen(Server::start_managed);
-    // A message of the window manager, and by force.
+    // Close by a message of the window manager, then by force.
     for (tool, words) in [
         ("wmctrl", "-c Eightfold"),
         ("xdotool", "search --name Eightfold windowclose"),

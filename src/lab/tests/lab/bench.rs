@@ -53,7 +53,7 @@ fn figures_are_consistent() {
         let ms = number(row, "ms_median");
         assert!(ms > 0.0 && number(row, "ms_p99") >= ms);
         assert!((number(row, "fps_median") * ms - 1e3).abs() < 1e-6);
-        // Each frame is in its own second.
+        // Every second has one frame.
         let worst = number(row, "fps_worst_second");
         assert!((worst * number(row, "ms_p99") - 1e3).abs() < 1e-6);
         let traced = number(row, "traced_fraction");

@@ -10,7 +10,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
-/// By default with small frames of the model scene.
+/// Defaults to small frames of the model scene.
 fn line(arguments: &str) -> String {
     let defaults = [("--size", "48x32"), ("--scene", "model")];
     let mut line = format!("capture {arguments}");
@@ -83,7 +83,7 @@ fn supersampled_pixel_is_mean_of_parts() {
         let [r, g, b] = [16, 8, 0].map(|shift| ((sum(shift) + 2) / 4) as u8);
         worst_channel(u32::from_be_bytes([0, r, g, b]), mean[*i]) > 1
     });
-    // By rounding, grazing rays hit or miss.
+    // Rounding decides whether grazing rays hit.
     assert!(far.count() <= 2);
 }
 

@@ -13,7 +13,7 @@ fn number(cell: &str) -> f64 {
     number.unwrap_or_else(|| panic!("not a number: {cell}"))
 }
 
-/// Allows one unit of the last digit, as both figures are rounded, and a share.
+/// Allows one unit of the last digit, since both figures are rounded, plus a share.
 fn tolerance(cell: &str, share: f64) -> f64 {
     let digits = cell.split(' ').next().and_then(|text| text.split_once('.'));
     let last = 0.1_f64.powi(digits.map_or(0, |(_, digits)| digits.len() as i32));

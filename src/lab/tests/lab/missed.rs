@@ -16,7 +16,7 @@ fn counts(hidden: Hidden, quality: Quality) -> Counts {
 #[test]
 #[ignore = "many random scenes"]
 fn random_scenes_have_effects_of_their_kind() {
-    // The largest missed share; 1 if unguarded.
+    // The largest missed share; 1 for kinds that the guard ignores.
     for (hidden, kind, most) in [
         (Hidden::POINT, Kind::PlaneShadow, 0.0),
         (Hidden::AREA, Kind::PlaneShadow, 0.04),

@@ -120,7 +120,7 @@ fn every_command_reports_mistake_in_one_line() {
     let made = Command::new("mkfifo").arg(&pipe).status();
     assert!(made.expect("mkfifo runs").success());
     symlink("/dev/null", &device).expect("a link");
-    // Otherwise a reader of the pipe would block.
+    // Without a writer, reading the pipe would block.
     let writer = pipe.clone();
     std::thread::spawn(move || fs::write(writer, ""));
     for (file, why) in [
