@@ -517,6 +517,7 @@ const tests = {
   async "the mark on the front moves with the slider"() {
     const place = () => page.value("document.getElementById('present').style.transform + document.querySelector('#present text').textContent");
     const places = [];
+    await page.until("eightfold.steps.front().length === 7");
     for (const quality of [0, 1, 4, 7]) {
       await input("quality", quality);
       places.push(await place());
