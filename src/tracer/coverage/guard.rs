@@ -60,16 +60,19 @@ impl Guard {
             squares,
             open: [Bits::NONE; TILE_HEIGHT],
             light: None,
-            is_thin: false,
+            enough: ALL,
             covered: [Covered::NONE; SQUARE_ROWS],
         };
         let mut kept = 0;
         for i in 0..self.count {
             let number = self.outlines[i];
-            let (outline, region) = squares.coverage.outline(squares.world, number.into());
             self.outlines[kept] = number;
-            let width = squares.coverage.widths[usize::from(number)];
-            search.is_thin = 2 * usize::from(width) < THIN * squares.side();
+            let number = usize::from(number);
+            let region = squares.coverage.region(squares.world, number);
+            let outline = squares.coverage.outlines[number];
+            let width = squares.coverage.widths[number];
+            let is_thin = 2 * usize::from(width) < THIN * squares.side();
+            search.enough = if is_thin { ALL } else { 1 };
             kept += usize::from(search.look_for(outline, &region, open));
         }
         self.count = kept;
@@ -80,7 +83,7 @@ impl Guard {
                 search.look_for_highlight(highlight, all);
             });
         }
-        let rows = squares.rows();
+        let rows = squares.rows;
         open[..rows].copy_from_slice(&search.open[..rows]);
     }
 }
@@ -90,7 +93,8 @@ pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
     pub open: [Bits; TILE_HEIGHT],
     light: Option<u8>,
-    is_thin: bool,
+    /// The least bits of corners that clear a square: any corner's, or all for a thin outline.
+    enough: u64,
     /// The corners that this light's shadows, or images, cover in each row of squares.
     covered: [Covered; SQUARE_ROWS],
 }
@@ -108,19 +112,25 @@ impl Search<'_> {
         }
         let mut may_be_missed = false;
         let squares = self.squares;
-        squares.for_each_met(
+        squares.for_each_row(
             region,
             open,
             #[inline(always)]
-            |square @ [x, y]| {
-                if may_be_missed && self.open[y].has(x) {
-                    return;
-                }
-                may_be_missed |= match outline {
-                    Outline::Object(id) => self.look_for_object(id, square),
-                    Outline::Image(_) => self.look_on_plane(0, region, square),
-                    Outline::Shadow { plane, .. } => self.look_on_plane(plane, region, square),
-                };
+            |y, [first, last]| {
+                Bits::masks(first, last, |i, mask| {
+                    // If the parts are to be tested anyway, open squares need no test.
+                    let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
+                    each(open[y].0[i] & mask & !known, |bit| {
+                        let square = [64 * i + bit, y];
+                        may_be_missed |= match outline {
+                            Outline::Object(id) => self.look_for_object(id, square),
+                            Outline::Image(_) => self.look_on_plane(0, region, square),
+                            Outline::Shadow { plane, .. } => {
+                                self.look_on_plane(plane, region, square)
+                            }
+                        };
+                    });
+                });
             },
         );
         may_be_missed
@@ -128,33 +138,30 @@ impl Search<'_> {
 
     /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
     fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
-        let is_missed = match self.squares.shown(x, y, id) {
-            0 => !self.is_hidden(id, x, y),
-            ALL => false,
-            _ => self.is_thin,
-        };
+        let labels = self.squares.labels(x, y);
+        let shown = self.squares.shown(x, y, id);
+        let is_same = labels.simd_eq(labels[0]).all_true();
+        let is_missed =
+            shown < self.enough && !(shown == 0 && is_same && self.is_hidden(id, labels[0], x, y));
         if is_missed {
             self.open[y].set(x);
         }
         is_missed
     }
 
-    /// Returns whether all corners of a square show one occluder that hides the object `back` there.
+    /// Returns whether the object `back` is hidden in a square whose corners all have the label `front`.
     ///
     /// Occluders are convex: if the eye is outside, everything that the square shows in front of the occluder lies in the pyramid of the
     /// eye and the corners' points. A plane that separates `back` from the pyramid proves that it is hidden.
     #[inline(never)]
-    fn is_hidden(&self, back: ObjectId, x: usize, y: usize) -> bool {
+    fn is_hidden(&self, back: ObjectId, front: u32, x: usize, y: usize) -> bool {
         let &Squares {
             world, coverage, ..
         } = self.squares;
-        let labels = self.squares.labels(x, y);
-        let front = labels[0] as usize;
-        let is_uniform = labels.simd_eq(labels[0]).all_true();
-        if front == 0 || front > world.background() || !is_uniform {
+        if front == 0 || front as usize > world.background() {
             return false;
         }
-        let front = ObjectId::new(front - 1);
+        let front = ObjectId::new(front as usize - 1);
         if coverage.has_less_power(front, back) {
             return true;
         }
@@ -186,7 +193,7 @@ impl Search<'_> {
                 _ => region.corners(rect),
             };
             let covered = &mut self.covered[y % SQUARE_ROWS];
-            let is_open = shown & inside == 0 || self.is_thin;
+            let is_open = shown & inside < self.enough;
             if inside == ALL {
                 covered.wholly.set(x);
             } else if is_open && self.light.is_none() {
@@ -203,7 +210,8 @@ impl Search<'_> {
     /// Opens the squares that may miss a shadow by the current light, an image, or a slit between two of them.
     #[inline(never)]
     fn settle(&mut self) {
-        for (covered, open) in self.covered.iter_mut().zip(&mut self.open) {
+        let rows = self.squares.rows;
+        for (covered, open) in self.covered[..rows].iter_mut().zip(&mut self.open) {
             *open |= covered.missed & !covered.wholly;
             *covered = Covered::NONE;
         }
@@ -248,6 +256,8 @@ pub(crate) struct Squares<'a> {
     grid: &'a [u64],
     stride: usize,
     pub(super) level: usize,
+    pub(super) columns: usize,
+    pub(super) rows: usize,
     /// Columns and rows of corners inside the picture.
     inside: [usize; 2],
     /// The first square's corners, in pixels.
@@ -273,6 +283,8 @@ impl<'a> Squares<'a> {
             grid: pyramid.grid(level),
             stride: Pyramid::stride(level),
             level,
+            columns: area.columns(level),
+            rows: area.rows(level),
             first: rectangle(area.left, area.top, area.left + side, area.top + side),
             inside: [
                 (area.picture[0] - area.left).div_ceil(side),
@@ -285,30 +297,22 @@ impl<'a> Squares<'a> {
         1 << self.level
     }
 
-    pub(super) fn columns(&self) -> usize {
-        self.area.columns(self.level)
-    }
-
-    pub(super) fn rows(&self) -> usize {
-        self.area.rows(self.level)
-    }
-
+    /// Calls `call` with the rows of squares that a region may meet, and the first and last square.
     #[inline(always)]
-    fn for_each_met(
+    fn for_each_row(
         &self,
         region: &Region,
         open: &[Bits; TILE_HEIGHT],
-        mut call: impl FnMut([usize; 2]),
+        mut call: impl FnMut(usize, [i32; 2]),
     ) {
-        let rows = self.rows();
-        for top in (0..rows).step_by(ROWS) {
-            let group = top..rows.min(top + ROWS);
+        for top in (0..self.rows).step_by(ROWS) {
+            let group = top..self.rows.min(top + ROWS);
             if open[group.clone()].iter().all(Bits::is_empty) {
                 continue;
             }
             let [first, last] = self.ranges(region, top);
             for (row, y) in group.enumerate() {
-                open[y].for_each_in(first[row], last[row], |x| call([x, y]));
+                call(y, [first[row], last[row]]);
             }
         }
     }
@@ -319,14 +323,14 @@ impl<'a> Squares<'a> {
         let simd = baseline();
         let axes = &self.coverage.axes;
         let corner = [self.area.left, self.area.top + (top << self.level)];
-        let size = [self.columns() << self.level, self.side()];
+        let size = [self.columns << self.level, self.side()];
         let [from, to] = region.narrow(axes.rects(simd, corner, size));
         let [first, last] = [(from, -COLUMN), (to, COLUMN)].map(|(u, margin)| {
             let column = axes.column::<Baseline>(u) - (pixels(self.area.left) - margin);
             let square = column / pixels(self.side());
             let square = square.max(splat(simd, 0.0));
             square
-                .min(splat(simd, pixels(self.columns() - 1)))
+                .min(splat(simd, pixels(self.columns - 1)))
                 .to_int::<I<Baseline>>()
         });
         let last = from
@@ -342,7 +346,7 @@ impl<'a> Squares<'a> {
     }
 
     /// Returns a bit for each corner of a square that is inside the picture and shows an object.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn shown(&self, x: usize, y: usize, object: ObjectId) -> u64 {
         let label = object.index() as u32 + 1;
         let mut shown = self.labels(x, y).simd_eq(label).to_bitmask();

@@ -8,7 +8,7 @@ use super::Coverage;
 use super::guard::{ALL, Search};
 use super::mirror::Mirror;
 use super::screen::Axes;
-use crate::grid::Bits;
+use crate::grid::{Bits, each};
 use crate::maths::sqrt;
 use crate::picture::TILE_HEIGHT;
 use crate::prepare::{Object, ObjectId, World};
@@ -232,7 +232,7 @@ impl Search<'_> {
         let squares = self.squares;
         let side = squares.side();
         let (is_even, reach) = (highlight.is_even(side), highlight.reach(side));
-        for y in 0..squares.rows() {
+        for y in 0..squares.rows {
             let y = y % TILE_HEIGHT;
             let row = squares.pixels(0, y);
             if row.w < highlight.bounds.y || row.y > -highlight.bounds.w {
@@ -241,19 +241,17 @@ impl Search<'_> {
             let ends = highlight.columns(row.y, row.w, reach);
             let [first, last] = ends.map(|x| {
                 let column = (x - pixels(squares.area.left)) / pixels(side);
-                (column.max(0.0) as i32).min(squares.columns() as i32 - 1)
+                (column.max(0.0) as i32).min(squares.columns as i32 - 1)
             });
-            all[y].for_each_in(first, last, |x| {
-                if self.open[y].has(x) {
-                    return;
-                }
-                let shown = squares.shown(x, y, highlight.object);
-                if shown == 0 || shown == ALL && is_even {
-                    return;
-                }
-                if highlight.is_missed(squares.pixels(x, y), shown) {
-                    self.open[y].set(x);
-                }
+            Bits::masks(first, last, |i, mask| {
+                each(all[y].0[i] & !self.open[y].0[i] & mask, |bit| {
+                    let x = 64 * i + bit;
+                    let shown = squares.shown(x, y, highlight.object);
+                    let is_known = shown == 0 || shown == ALL && is_even;
+                    if !is_known && highlight.is_missed(squares.pixels(x, y), shown) {
+                        self.open[y].set(x);
+                    }
+                });
             });
         }
     }

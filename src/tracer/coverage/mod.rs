@@ -137,10 +137,9 @@ impl Coverage {
     }
 
     #[inline(never)]
-    fn outline(&self, world: World<'_>, number: usize) -> (Outline, Region) {
-        let outline = self.outlines[number];
+    fn region(&self, world: World<'_>, number: usize) -> Region {
         // The object, the view, and the plane and viewer of an image or shadow.
-        let (id, view, shown) = match outline {
+        let (id, view, shown) = match self.outlines[number] {
             Outline::Object(id) => (id, &self.eye, None),
             Outline::Image(id) => (id, &self.image, Some((0, world.eye))),
             Outline::Shadow {
@@ -167,7 +166,7 @@ impl Coverage {
         {
             region.margin = f32::INFINITY;
         }
-        (outline, region)
+        region
     }
 
     /// Returns the least and greatest height of an object above a plane, on the viewer's side, with a margin for rounding. The viewer is

@@ -100,7 +100,7 @@ impl Bounds {
         };
         let rect = coverage.axes.rect(rectangle(x, y, x + 1, y + 1));
         let rects = coverage.axes.rects(baseline(), [x, y], [1, 1]);
-        let (_, region) = coverage.outline(World { scene, prepared }, number);
+        let region = coverage.region(World { scene, prepared }, number);
         let [from, to] = region.narrow(rects);
         coverage.screen[number].meets(rect) && from.as_slice()[0] <= to.as_slice()[0]
     }

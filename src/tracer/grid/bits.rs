@@ -62,22 +62,23 @@ impl Bits {
         bits
     }
 
-    /// Calls `call` with the index of each set bit from `first` to `last`, both included, in order. The range may be empty.
+    /// Calls `call` with the index of each word from bit `first` to `last`, both included, and the mask of these bits. The range may be
+    /// empty.
     #[inline(always)]
-    pub fn for_each_in(&self, first: i32, last: i32, mut call: impl FnMut(usize)) {
+    pub fn masks(first: i32, last: i32, mut call: impl FnMut(usize, u64)) {
         if first > last {
             return;
         }
         let [first, last] = [first, last].map(|i| i as usize % TILE_WIDTH);
         for i in first / 64..=last / 64 {
-            let mut rest = self.0[i];
+            let mut mask = u64::MAX;
             if i == first / 64 {
-                rest &= u64::MAX << (first % 64);
+                mask <<= first % 64;
             }
             if i == last / 64 {
-                rest &= u64::MAX >> (63 - last % 64);
+                mask &= u64::MAX >> (63 - last % 64);
             }
-            each(rest, |bit| call(64 * i + bit));
+            call(i, mask);
         }
     }
 

@@ -1,4 +1,4 @@
-use crate::grid::{Bits, WORDS};
+use crate::grid::{Bits, WORDS, each};
 use proptest::prelude::*;
 use std::prelude::v1::*;
 
@@ -31,13 +31,13 @@ proptest! {
     }
 
     #[test]
-    fn bits_for_each_in_visits_only_the_range(
+    fn bits_masks_have_only_the_range(
         bits in bits(),
         first in 0..COUNT as i32,
         last in -1..COUNT as i32,
     ) {
         let mut called = Vec::new();
-        bits.for_each_in(first, last, |i| called.push(i));
+        Bits::masks(first, last, |i, mask| each(bits.0[i] & mask, |bit| called.push(64 * i + bit)));
         let expected: Vec<usize> = (first..=last)
             .map(|i| i as usize)
             .filter(|&i| bits.has(i))
