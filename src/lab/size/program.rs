@@ -80,7 +80,7 @@ fn crate_of_unit(file: &str) -> Option<&str> {
     (file.contains("-cgu.") && name != LAST).then_some(name)
 }
 
-/// Linked last. Its symbols are known by their paths.
+/// This crate is linked last; its symbols are assigned by their paths.
 const LAST: &str = "compiler_builtins";
 
 /// Returns the first crate of a name such as `<eightfold::Intro as core::fmt::Debug>::fmt`.

@@ -59,7 +59,7 @@ fn front(trade: &Trade) -> Chart {
     }
 }
 
-/// Labelled with speed-ups.
+/// The labels are speed-ups.
 fn squares(trade: &Trade) -> Chart {
     let series = |(name, base): (&str, Quality)| {
         let is_varied = |row: &&Row| {

@@ -1,4 +1,4 @@
-//! Each field of the quality by itself, then combinations.
+//! Varies each field of the quality by itself, then combinations.
 
 use crate::arguments::NamedQuality;
 use crate::technique::{Sampling, Technique};
@@ -17,7 +17,7 @@ const HIGHLIGHTS: [f32; 4] = [1.0 / 1024.0, 1.0 / 64.0, 0.25, f32::INFINITY];
 const CONTRIBUTIONS: [f32; 6] = [0.0, 0.003, 0.02, 0.05, 0.1, 0.2];
 const FOLLOWED: [(u32, f32); 5] = [(5, 0.01), (5, 0.02), (4, 0.02), (3, 0.05), (2, 0.1)];
 
-/// Distinct, the named ones first.
+/// Returns distinct techniques, the named ones first.
 pub fn techniques(antialias: bool) -> Vec<Technique> {
     let named = NamedQuality::all().map(|named| Technique::named(named, antialias));
     let mut all: Vec<Technique> = named.collect();
