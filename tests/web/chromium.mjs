@@ -58,7 +58,7 @@ export class Browser {
     const ended = new Promise((resolve) => this.process.once("exit", resolve));
     this.process.kill();
     await ended;
-    // Its other processes write into the folder until they end.
+    // Chromium's child processes write into the folder until they end.
     for (let turn = 0; turn < 100; turn++) {
       try {
         return rmSync(this.folder, { recursive: true, force: true });

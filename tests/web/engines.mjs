@@ -1,5 +1,5 @@
 // Tests the page in every engine: node engines.mjs chromium|firefox|webkit SITE INTRO [WORD]. SITE is the folder of the page, INTRO the
-// program, and WORD selects tests by name; "silent" those without a sound device.
+// program, and WORD selects tests by name; "silent" selects the tests without a sound device.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -42,7 +42,7 @@ async function leads(mixed, times) {
       return [time, ${engine === "chromium"} ? eightfold.clock.context.outputLatency : 0, ...heard];
     })()`);
     const isThere = (at) => heard.every((sample, i) => Math.abs(sample - mixed[at - 255 + i]) < 1e-5);
-    // The nearest position, since the song repeats parts.
+    // Find the position nearest to the guess, since the song repeats parts.
     const guess = Math.round((time + latency) * 48000);
     let away = 0;
     while (away < 480000 && !isThere(guess + away) && !isThere(guess - away)) away++;
@@ -106,7 +106,7 @@ const tests = {
     const mixed = await soundtrack(110);
     await page.go(site.address);
     const together = async (what) => {
-      // The median: an audio thread without a processor is late for a moment.
+      // Take the median: an audio thread that waits for a processor is briefly late.
       const apart = (await leads(mixed, 7)).sort((a, b) => a - b);
       assert.ok(Math.abs(apart[3]) < 0.05, `${what}: ${apart.map((lead) => lead.toFixed(3))} s`);
     };
@@ -130,7 +130,7 @@ const tests = {
     await page.until(`${label} === "Pause"`);
     await together("after a pause");
 
-    // As a phone call does.
+    // Suspend and resume the context, as a phone call does.
     await page.value("eightfold.clock.context.suspend()");
     await page.until(`${label} === "Play" && !eightfold.clock.isPlaying`);
     assert.match(await page.textOf("notice"), /stopped the sound/);
@@ -143,14 +143,14 @@ const tests = {
     await page.until(`${label} === "Play"`);
     await page.click("#play");
     await page.until(`${label} === "Pause"`);
-    await together("after a call that somebody ended");
-    // Paused, the page suspends a context that the browser resumes.
+    await together("after a call that the viewer ended");
+    // While paused, the page suspends a context that the browser resumes.
     await page.click("#play");
     await page.until("eightfold.clock.context.state === 'suspended'");
     await page.value("eightfold.clock.context.resume()");
     await page.until("eightfold.clock.context.state === 'suspended'");
     assert.equal(await page.value(label), "Play");
-    // A device that stops.
+    // Simulate a device that stops.
     await page.click("#play");
     await page.until(`${label} === "Pause" && !eightfold.clock.isMoving`);
     await page.value("Object.defineProperty(eightfold.clock.context, 'currentTime', { get: () => 7, configurable: true }), true");
@@ -187,7 +187,7 @@ for (const [name, [{ headers, change, before }, sentence]] of Object.entries(fau
       } else {
         await page.go(host.address, "document.getElementById('notice') && !/Loading|^$/.test(document.getElementById('notice').textContent)");
         assert.match(await page.textOf("notice"), sentence);
-        // The message stays, unless the show plays.
+        // The message stays unless the show plays.
         if (!(await page.value("document.getElementById('machine').textContent"))) {
           await sleep(1000);
           assert.match(await page.textOf("notice"), sentence);

@@ -69,7 +69,7 @@ const tests = {
     const { qualities } = await page.value("eightfold.about");
     for (const workers of [1, 2, 5]) {
       await page.value(`import("./frames.js").then(({ Frames }) => { globalThis.others = new Frames(eightfold.frames.compiled, ${workers}, (why) => { throw why; }) })`);
-      // Antialiased edges, odd sizes, a caption with counts, squares of 32, jagged edges.
+      // The frames have antialiased edges, odd sizes, a caption with counts, squares of 32, and jagged edges.
       for (const order of [show(62.3, 4, 641, 363), show(34.5, 4, 640, 360), show(0, 4, 320, 200), show(100, 7, 640, 360), show(47, 0, 320, 240)]) {
         const name = qualities[order.quality];
         assert.ok((await page.frame(order, "others")).equals(still(order, name)), `${workers} workers, ${name}, ${order.scene.time} s`);
@@ -193,7 +193,7 @@ const tests = {
   },
 
   async "a resting picture is whole, and measured until its interval is below 0.3 dB"() {
-    // At the start of a scene, which is a mosaic while the show plays: by the scene's name, and by the scrubber.
+    // Seek to the start of a scene, which is coarse while the show plays, by the scene's name and by the scrubber.
     const ways = [
       ["document.querySelector('#scenes button:nth-child(4)').click()", 7],
       ["eightfold.seek(0)", 4],
@@ -223,10 +223,10 @@ const tests = {
         return [shown.filter((byte, i) => byte !== own[i]).length, decibels(squaredError(own, exact), width * height)];
       })()`);
       assert.equal(apart, 0, way);
-      // A mosaic has 25 dB.
+      // The coarse picture would have 25 dB.
       assert.ok(truth > 38 && Math.abs(told - truth) < 0.6, `${way}: ${text}, but it is ${truth.toFixed(2)} dB; at first ${first} ± ${margin}`);
     }
-    // Changes of the sound keep the number, changes of the picture reset it.
+    // Changes of the sound keep the probes, changes of the picture discard them.
     const kept = await page.value("eightfold.probes().probed");
     await page.key("m");
     await page.until("!eightfold.isStale()");
@@ -259,7 +259,7 @@ const tests = {
     await page.click("#share");
     assert.match(await page.value("location.hash"), new RegExp(`t=${shown.toFixed(2)}`));
     await page.go(site.address);
-    // Play from the start.
+    // The start button plays the show from its start.
     await page.click("#start");
     await page.until("eightfold.clock.isPlaying");
     assert.ok((await page.value("eightfold.clock.time()")) < 5);
@@ -270,7 +270,7 @@ const tests = {
   async "the governor lowers the quality for slow frames, then the size, and raises them for fast ones"() {
     await page.go(site.address);
     const { qualities } = await page.value("eightfold.about");
-    // Simulated frames of a given time.
+    // Simulate frames that take `pause` milliseconds.
     await page.value(`eightfold.frames.draw = async (order) => {
       await new Promise((resolve) => setTimeout(resolve, globalThis.pause));
       return { order, parts: [], points: 0, rays: 0, probed: 0, squares: 0, milliseconds: globalThis.pause };
@@ -283,7 +283,7 @@ const tests = {
     await page.until(`${sizes} === "528×297"`);
     await page.value("globalThis.pause = 0");
     await page.until(`eightfold.view.quality === 1 && ${sizes} === "1040×585"`);
-    // A quality chosen by the user stays.
+    // The governor keeps a quality that the viewer chose.
     await page.value("globalThis.pause = 60");
     await page.key("2");
     await sleep(1500);
@@ -350,7 +350,7 @@ const tests = {
   async "keys work by position on layouts of other letters"() {
     await page.go(site.address);
     const { qualities } = await page.value("eightfold.about");
-    // Russian, Greek, French digits, and a Japanese input method.
+    // Press keys of Russian, Greek and French layouts, and of a Japanese input method.
     for (const key of ["щ", "ο", "Process"]) {
       const overlay = await page.value("eightfold.view.overlay");
       await page.key(key, "KeyO");
@@ -364,7 +364,7 @@ const tests = {
     await page.until("!document.fullscreenElement");
     await page.key('"', "Digit3");
     assert.equal(await textOf("quality-name"), qualities[2]);
-    // Latin letters count wherever they are.
+    // Latin letters have their meaning at any position.
     await page.key("m", "Semicolon");
     assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
     await page.key("p", "KeyM");
@@ -386,7 +386,7 @@ const tests = {
     await page.until("eightfold.clock.isPlaying");
     await page.key(" ", "Space", false, 4);
     await page.until("!eightfold.clock.isPlaying");
-    // A focused button.
+    // Hold Enter on a focused button.
     await page.value("document.getElementById('mute').focus()");
     await page.key("Enter", "Enter", false, 4);
     assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
@@ -429,7 +429,7 @@ const tests = {
     await page.until("document.getElementById('scene-fault').textContent !== ''");
     const line = text.split("\n").findIndex((line) => line.includes("radius: 1.0")) + 1;
     assert.match(await textOf("scene-fault"), new RegExp(`^Line ${line}, column \\d+: spheres\\[0\\].radius is -1; must be `));
-    // Its example is missing.
+    // Select a missing example.
     const names = "const names = document.getElementById('scene-name'); names.append(new Option('gone')); names.value = 'gone';";
     await page.value(`(() => { ${names} names.dispatchEvent(new Event("change")); })()`);
     await page.until("document.getElementById('scene-fault').textContent === 'scenes/gone.ron: HTTP status is 404; must be 200.'");
@@ -456,7 +456,7 @@ const tests = {
     const after = await page.frame(show(70, 4, 320, 180));
     assert.ok(after.equals(before));
     assert.match(await textOf("notice"), /^A worker died \(.*as if.*\)\. Another one/);
-    // A lost worker sends no message.
+    // A terminated worker sends no message.
     await page.value("Object.assign(eightfold.frames, { patience: 3000 }).workers[0].terminate()");
     assert.ok((await page.frame(show(70, 4, 320, 180))).equals(before));
     assert.match(await textOf("notice"), /^A worker died \(it does not answer\)\. Another one/);
@@ -473,14 +473,14 @@ const tests = {
     page.messages.length = 0;
     for (let turn = 0; turn < 20; turn++) await page.go(site.address);
     await page.until("document.getElementById('points').textContent.endsWith('%')");
-    // The browser ends them later.
+    // The browser ends the old workers later.
     const wanted = await page.value("eightfold.frames.workers.length + 1");
     const count = async () => (await browser.send("Target.getTargets", { filter: [{ type: "worker" }] })).targetInfos.length;
     for (let turn = 0; turn < 300 && (await count()) !== wanted; turn++) await new Promise((resolve) => setTimeout(resolve, 100));
     assert.equal(await count(), wanted);
     const after = await kept();
     assert.equal(after.documents, before.documents);
-    // The page itself adds and removes a few: far fewer than another page has.
+    // The page adds and removes a few nodes, far fewer than a leaked page would.
     for (const kind of ["nodes", "jsEventListeners"]) assert.ok(after[kind] < 1.5 * before[kind], `${kind}: ${before[kind]}, then ${after[kind]}`);
     assert.deepEqual(page.messages, []);
   },
