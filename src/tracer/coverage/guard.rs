@@ -102,10 +102,16 @@ pub(super) struct Search<'a> {
 impl Search<'_> {
     /// Tests the open squares against an outline. Returns whether their parts have to be tested.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
-        let light = match outline {
-            Outline::Object(_) | Outline::Image(_) => None,
-            Outline::Shadow { light, .. } => Some(light),
+        let plane = |i: u8| ObjectId::new(self.squares.world.first_plane() + usize::from(i));
+        // The light, and the object or the plane that shows the image or shadow.
+        let (light, id) = match outline {
+            Outline::Object(id) => (None, id),
+            Outline::Image(_) => (None, plane(0)),
+            Outline::Shadow {
+                plane: i, light, ..
+            } => (Some(light), plane(i)),
         };
+        let is_object = matches!(outline, Outline::Object(_));
         if light != self.light {
             self.settle();
             self.light = light;
@@ -121,14 +127,17 @@ impl Search<'_> {
                     // If the parts are to be tested anyway, open squares need no test.
                     let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
                     each(open[y].0[i] & mask & !known, |bit| {
-                        let square = [64 * i + bit, y];
-                        may_be_missed |= match outline {
-                            Outline::Object(id) => self.look_for_object(id, square),
-                            Outline::Image(_) => self.look_on_plane(0, region, square),
-                            Outline::Shadow { plane, .. } => {
-                                self.look_on_plane(plane, region, square)
-                            }
-                        };
+                        let x = 64 * i + bit;
+                        let shown = squares.shown(x, y, id);
+                        if is_object {
+                            may_be_missed |= self.look_for_object(id, shown, x, y);
+                            return;
+                        }
+                        may_be_missed = true;
+                        // Otherwise the plane is hidden, or its own outline has opened the square.
+                        if shown != 0 {
+                            self.look_on_plane(shown, region, x, y);
+                        }
                     });
                 });
             },
@@ -137,9 +146,8 @@ impl Search<'_> {
     }
 
     /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
-    fn look_for_object(&mut self, id: ObjectId, [x, y]: [usize; 2]) -> bool {
+    fn look_for_object(&mut self, id: ObjectId, shown: u64, x: usize, y: usize) -> bool {
         let labels = self.squares.labels(x, y);
-        let shown = self.squares.shown(x, y, id);
         let is_same = labels.simd_eq(labels[0]).all_true();
         let is_missed =
             shown < self.enough && !(shown == 0 && is_same && self.is_hidden(id, labels[0], x, y));
@@ -178,33 +186,27 @@ impl Search<'_> {
     /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
     /// is inside the region. If all corners show the plane and one side of the region cuts the square, one of them is inside: a half-plane
     /// that meets a square contains a corner. Shadows wait for [`Search::settle`], since another one may cover the square.
-    fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
-        let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
-        let shown = self.squares.shown(x, y, plane);
-        // Otherwise the plane is hidden, or its own outline has opened the square.
-        if shown != 0 {
-            let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
-            let cuts = region.sides.cuts(rect, region.margin);
-            let is_cut_once = cuts == 1 && shown == ALL;
-            let inside = match cuts {
-                0 => ALL,
-                // A corner is inside; any bit stands for it.
-                _ if is_cut_once => 1,
-                _ => region.corners(rect),
-            };
-            let covered = &mut self.covered[y % SQUARE_ROWS];
-            let is_open = shown & inside < self.enough;
-            if inside == ALL {
-                covered.wholly.set(x);
-            } else if is_open && self.light.is_none() {
-                self.open[y].set(x);
-            } else if is_open || shown & !inside != 0 && covered.partly.has(x) {
-                covered.missed.set(x);
-            } else if shown & !inside != 0 {
-                covered.partly.set(x);
-            }
+    fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
+        let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
+        let cuts = region.sides.cuts(rect, region.margin);
+        let is_cut_once = cuts == 1 && shown == ALL;
+        let inside = match cuts {
+            0 => ALL,
+            // Any one corner.
+            _ if is_cut_once => 1,
+            _ => region.corners(rect),
+        };
+        let covered = &mut self.covered[y % SQUARE_ROWS];
+        let is_open = shown & inside < self.enough;
+        if inside == ALL {
+            covered.wholly.set(x);
+        } else if is_open && self.light.is_none() {
+            self.open[y].set(x);
+        } else if is_open || shown & !inside != 0 && covered.partly.has(x) {
+            covered.missed.set(x);
+        } else if shown & !inside != 0 {
+            covered.partly.set(x);
         }
-        true
     }
 
     /// Opens the squares that may miss a shadow by the current light, an image, or a slit between two of them.
