@@ -363,7 +363,7 @@ impl<'a> Squares<'a> {
     }
 
     /// Returns the corners of a square in pixels.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn pixels(&self, x: usize, y: usize) -> Vec4 {
         let [x, y] = [x << self.level, y << self.level];
         self.first + rectangle(x, y, x, y)

@@ -120,7 +120,7 @@ impl Sides {
     }
 
     /// Returns the number of sides that may cut a rectangle: 2 for a cone.
-    #[inline(never)]
+    #[inline(always)]
     pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
         let Self::Flat { terms, .. } = self else {
             return 2;
@@ -138,7 +138,7 @@ impl Sides {
     }
 
     /// Returns a lower bound of the depth of rays; negative if they may be outside.
-    #[inline(never)]
+    #[inline(always)]
     fn depth(&self, u: F<Baseline>, v: F<Baseline>) -> F<Baseline> {
         let at = |terms: &Terms| -> [F<Baseline>; 4] {
             let [right, down, terms] = terms.map(|terms| terms.to_array());
