@@ -195,6 +195,7 @@ impl Setting {
         let (level, width) = (measurement.isa.level, self.size.width);
         let [reference, picture] = pictures.each_mut().map(|it| &mut it[..self.size.area()]);
         let runs = self.runs.iter_mut().zip(&measurement.techniques);
+        let mut edge = 0;
         for (i, (run, technique)) in runs.enumerate() {
             let (real, own) = (Instant::now(), ThreadTime::now());
             run.counts += technique.draw(renderer, level, scene, width, picture);
@@ -205,7 +206,11 @@ impl Setting {
             run.times.push(1e3 * time.as_secs_f64());
             if i == 0 {
                 reference.copy_from_slice(picture);
+            } else if technique.quality.edge != edge {
+                let own = technique.reference();
+                own.draw(renderer, level, scene, width, reference);
             }
+            edge = technique.quality.edge;
             let difference = Difference::between(reference, picture);
             run.differences.push(difference);
         }

@@ -57,6 +57,17 @@ pub fn look(
     each.for_each_init(
         || ThreadedRenderer::new(1),
         |renderer, (technique, seen)| {
+            let own: Vec<Vec<u32>>;
+            let references = if technique.quality.edge == techniques[0].quality.edge {
+                &references
+            } else {
+                let reference = technique.reference();
+                let frames = scenes.iter();
+                own = frames
+                    .map(|scene| draw(&reference, scene, renderer))
+                    .collect();
+                &own
+            };
             let mut before: Vec<u32> = Vec::new();
             for (i, scene) in scenes.iter().enumerate() {
                 if interrupt::is_stopped() {

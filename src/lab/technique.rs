@@ -35,10 +35,16 @@ thread_local! {
 
 impl Technique {
     pub fn new(name: &str, quality: Quality, antialias: bool, sampling: Sampling) -> Self {
+        let edge = if antialias {
+            quality.edge
+        } else {
+            Quality::EXHAUSTIVE.edge
+        };
         Self {
             name: name.to_owned(),
             quality: Quality {
                 antialias,
+                edge,
                 ..quality
             },
             sampling,
@@ -47,6 +53,11 @@ impl Technique {
 
     pub fn named(named: NamedQuality, antialias: bool) -> Self {
         Self::new(named.name, named.quality, antialias, Sampling::Full)
+    }
+
+    pub fn reference(&self) -> Self {
+        let quality = self.quality.reference();
+        Self::new("", quality, quality.antialias, Sampling::Full)
     }
 
     /// The checkerboard cannot be antialiased.

@@ -67,6 +67,7 @@ impl FramePlan {
             key_weight: quality.key_weight * tolerance * tolerance,
             // Coarse squares and marks keep their hard edges.
             antialias: quality.antialias && !is_coarse && finished > 0,
+            edge: quality.edge.max(1),
             ..*quality
         };
         Self {

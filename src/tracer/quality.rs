@@ -39,9 +39,12 @@ pub struct Quality {
     pub depth: u32,
     /// The least weight of secondary rays, 0 to infinity.
     pub least_contribution: f32,
-    /// Whether edges are antialiased. Where neighbouring pixels differ by 20/255 or more in a channel, the point half-way between
-    /// is traced and mixed into both; up to two more points on each side find the edge by bisection.
+    /// Whether edges are antialiased. The point half-way between two pixels at an edge is traced and mixed into both; up to three
+    /// more points on each side find the edge by bisection.
     pub antialias: bool,
+    /// The least difference of neighbouring pixels at an edge, in a channel, in units of 1/255; 0 counts as 1. Smaller numbers
+    /// bisect deeper.
+    pub edge: u8,
 }
 
 impl Quality {
@@ -64,6 +67,7 @@ impl Quality {
         depth: 5,
         least_contribution: 0.01,
         antialias: false,
+        edge: 20,
     };
 
     /// The rules of the 2008 thesis, guarded: squares of 8 pixels are filled if the corners agree in all objects of the ray tree
@@ -75,7 +79,7 @@ impl Quality {
     };
 
     /// The middle preset.
-    pub const DEFAULT: Self = Self::within(8, 7.5).followed(5, 0.015).antialiased();
+    pub const DEFAULT: Self = Self::within(8, 7.5).followed(5, 0.015).antialiased(20);
 
     /// The presets from the finest to the fastest. The first four are antialiased, which takes a third to a half more time.
     /// `docs/accuracy.md` has their speed and errors, measured by `cargo lab trade --ladder`.
@@ -86,9 +90,9 @@ impl Quality {
     ///
     /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
     pub const LADDER: &'static [Self; 7] = &[
-        Self::within(8, 2.0).antialiased(),
-        Self::within(8, 3.0).antialiased(),
-        Self::within(8, 5.0).antialiased(),
+        Self::within(8, 2.0).antialiased(8),
+        Self::within(8, 3.0).antialiased(12),
+        Self::within(8, 5.0).antialiased(16),
         Self::DEFAULT,
         Self::within(8, 8.0).followed(4, 0.02),
         Self::within(8, 16.0).followed(4, 0.02),
@@ -126,9 +130,10 @@ impl Quality {
         }
     }
 
-    const fn antialiased(self) -> Self {
+    const fn antialiased(self, edge: u8) -> Self {
         Self {
             antialias: true,
+            edge,
             ..self
         }
     }
@@ -138,6 +143,7 @@ impl Quality {
     pub const fn reference(&self) -> Self {
         Self {
             antialias: self.antialias,
+            edge: self.edge,
             ..Self::EXHAUSTIVE
         }
     }

@@ -14,6 +14,7 @@ const SIDES: [f32; 4] = [0.0, 3.0, 5.0, 16.0];
 /// Depths of objects and of lights' states.
 const KEYS: [(u32, u32); 6] = [(0, 0), (1, 0), (1, 1), (2, 2), (5, 1), (5, 5)];
 const HIGHLIGHTS: [f32; 4] = [1.0 / 1024.0, 1.0 / 64.0, 0.25, f32::INFINITY];
+const EDGES: [u8; 5] = [4, 8, 12, 16, 40];
 const CONTRIBUTIONS: [f32; 6] = [0.0, 0.003, 0.02, 0.05, 0.1, 0.2];
 const FOLLOWED: [(u32, f32); 5] = [(5, 0.01), (5, 0.02), (4, 0.02), (3, 0.05), (2, 0.1)];
 
@@ -54,6 +55,9 @@ pub fn techniques(antialias: bool) -> Vec<Technique> {
         }
         for to in HIGHLIGHTS {
             vary(&format!("highlight {to:.3}"), &|it| it.highlight = to);
+        }
+        for edge in EDGES {
+            vary(&format!("edge {edge}"), &|it| it.edge = edge);
         }
         for depth in 0..=Quality::MAX_DEPTH {
             vary(&format!("depth {depth}"), &|it| it.depth = depth);

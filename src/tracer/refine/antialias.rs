@@ -2,7 +2,7 @@
 //!
 //! Where two neighbours differ by an edge, the midpoint between them is traced, once for both. Each pixel bisects its half up to
 //! the midpoint: if the pixel and the midpoint differ by [`HALF`], the point between them is traced, and if that differs from
-//! either end by [`QUARTER`], one more point on that side.
+//! either end by [`QUARTER`], one more point on that side; by twice as much, a third.
 //!
 //! ```text
 //!     a          midpoint         b
@@ -27,21 +27,18 @@ use crate::grid::{SCRATCH, each};
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::picture::{Band, CELL, CELL_ROWS, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
-use crate::plan::Context;
+use crate::plan::{Context, FramePlan};
 use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
 use fearless_simd::{u8x32, u32x8};
 
-/// The least difference of neighbours that is an edge, in a channel, of 255.
-pub(super) const EDGE: u8 = 20;
+/// The least difference of pixel and midpoint that continues the bisection, in units of a sample, per step of [`Quality::edge`].
+const HALF: u64 = 2 * STEP as u64;
 
-/// The least difference of pixel and midpoint that continues the bisection, in units of a sample.
-const HALF: u64 = 40 * STEP as u64;
-
-/// The same for the last step.
-const QUARTER: u64 = 128 * STEP as u64;
+/// The same for the second step, in fifths and times half the weight.
+const QUARTER: u64 = 64 * STEP as u64;
 
 const ROWS: usize = 2;
 
@@ -53,7 +50,7 @@ const FIELD: usize = 21;
 
 const SIGN: u64 = 1 << (FIELD - 1);
 
-/// The unit of a change is 1/16 of a sample's: all weights are whole. A change is a word of the pyramid's scratch memory, per pixel and
+/// The unit of a change is 1/32 of a sample's: all weights are whole. A change is a word of the pyramid's scratch memory, per pixel and
 /// axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
@@ -72,8 +69,9 @@ impl Seams {
         Self([[0; _]; MAX_BANDS])
     }
 
-    /// Computes the marks of a drawn picture, for the first `finished` columns (at least 1).
-    pub fn set(&mut self, picture: &Band<'_>, finished: usize) {
+    /// Computes the marks of a drawn picture.
+    pub fn set(&mut self, plan: &FramePlan, picture: &Band<'_>) {
+        let finished = plan.finished;
         let &Band {
             stride,
             ref pixels,
@@ -89,7 +87,7 @@ impl Seams {
             for (word, marks) in self.0[number][..words].iter_mut().enumerate() {
                 let stretch = stretch(word, finished);
                 let cells = rough_cells(rough[0], word) | rough_cells(rough[1], word);
-                *marks = mark(&above[stretch.clone()], &below[stretch], cells);
+                *marks = mark(plan, &above[stretch.clone()], &below[stretch], cells);
             }
         }
     }
@@ -125,16 +123,17 @@ fn rough_cells(row: &RoughRow, word: usize) -> u64 {
 
 /// Marks the edges between two lines of pixels, in the cells whose bits are set.
 #[inline(never)]
-fn mark(line: &[u32], other: &[u32], cells: u64) -> u64 {
+fn mark(plan: &FramePlan, line: &[u32], other: &[u32], cells: u64) -> u64 {
+    let edge = plan.quality.edge;
     let mut marks = 0;
     each(cells, |cell| {
         let (start, end) = (CELL * cell, CELL * (cell + 1));
         marks |= match (line.get(start..end), other.get(start..end)) {
-            (Some(a), Some(b)) => edges(a, b) << start,
+            (Some(a), Some(b)) => edges(edge, a, b) << start,
             _ => {
                 let pairs = line.iter().zip(other).enumerate().skip(start);
                 pairs.fold(0, |marks, (i, (&a, &b))| {
-                    marks | u64::from(is_edge(a, b)) << i
+                    marks | u64::from(is_edge(edge, a, b)) << i
                 })
             }
         };
@@ -144,16 +143,17 @@ fn mark(line: &[u32], other: &[u32], cells: u64) -> u64 {
 
 /// Marks the edges of a stretch. The method's overlay, right of the finished columns, is not smoothed.
 fn mark_stretch(
+    plan: &FramePlan,
     band: &Band<'_>,
-    finished: usize,
     word: usize,
     [above, below]: [&RowMarks; 2],
     marks: &mut Marks,
 ) {
+    let finished = plan.finished;
     let stretch = stretch(word, finished);
     let right = finished.min(stretch.start + 1)..finished.min(stretch.end + 1);
     let rows = band.height();
-    let line = |y: usize| &band.pixels[y * band.stride..][..finished];
+    let line = |y: usize, part: &Range<usize>| &band.pixels[y * band.stride..][part.clone()];
     marks[0] = above[word];
     for y in 0..rows {
         let rough = &band.rough[y / CELL];
@@ -165,14 +165,10 @@ fn mark_stretch(
             0
         };
         let adjacent = here | here >> 1 | next << (CELLS - 1);
-        marks[ROWS * y + 1] = mark(&line(y)[stretch.clone()], &line(y)[right.clone()], adjacent);
+        marks[ROWS * y + 1] = mark(plan, line(y, &stretch), line(y, &right), adjacent);
         marks[ROWS * y + 2] = if y + 1 < rows {
             let both = here | rough_cells(&band.rough[(y + 1) / CELL], word);
-            mark(
-                &line(y)[stretch.clone()],
-                &line(y + 1)[stretch.clone()],
-                both,
-            )
+            mark(plan, line(y, &stretch), line(y + 1, &stretch), both)
         } else {
             below[word]
         };
@@ -180,17 +176,18 @@ fn mark_stretch(
 }
 
 #[inline(always)]
-fn edges(a: &[u32], b: &[u32]) -> u64 {
+fn edges(edge: u8, a: &[u32], b: &[u32]) -> u64 {
     let [a, b]: [u8x32<Baseline>; 2] =
         [a, b].map(|row| u32x8::from_slice(baseline(), row).bitcast());
-    let over = (a.max(b) - a.min(b)).saturating_sub(EDGE - 1);
+    let over = (a.max(b) - a.min(b)).saturating_sub(edge - 1);
     let over: u32x8<Baseline> = over.bitcast();
     (!over.simd_eq(0)).to_bitmask()
 }
 
-pub(super) fn is_edge(a: u32, b: u32) -> bool {
+#[inline(never)]
+pub(super) fn is_edge(edge: u8, a: u32, b: u32) -> bool {
     let mut channels = a.to_le_bytes().into_iter().zip(b.to_le_bytes());
-    channels.any(|(a, b)| a.abs_diff(b) >= EDGE)
+    channels.any(|(a, b)| a.abs_diff(b) >= edge)
 }
 
 fn mix<O: Observer>(
@@ -208,7 +205,7 @@ fn mix<O: Observer>(
     let mut before = [0; TILE_HEIGHT];
     let (top, height) = (band.top, band.height());
     for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
-        mark_stretch(band, finished, word, borders, &mut marks);
+        mark_stretch(plan, band, word, borders, &mut marks);
         let any = marks[..=ROWS * height]
             .iter()
             .chain(&before)
@@ -219,17 +216,12 @@ fn mix<O: Observer>(
         let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
         let rect = rectangle(left, above, start + STRETCH, top + height);
         let seen = coverage.visible_groups(coverage.axes.rect(rect));
-        let traced = |worker: &mut Worker, band: &Band<'_>| {
-            context.trace(&plan.quality, seen, &mut worker.batch);
-            add_middles(start, band, worker);
-            bisect(context, &plan.quality, seen, worker);
-        };
         for (number, &row) in marks[..=ROWS * height].iter().enumerate() {
             if row == 0 && (number % ROWS == 0 || before[number / ROWS] == 0) {
                 continue;
             }
             if worker.batch.points.len() + STRETCH + 1 > MIDDLES {
-                traced(worker, band);
+                trace_middles(context, seen, start, band, worker);
             }
             let points = &mut worker.batch.points;
             let [x, y] = [
@@ -242,7 +234,7 @@ fn mix<O: Observer>(
             }
             each(row, |bit| points.push(x + PARTS * bit, y));
         }
-        traced(worker, band);
+        trace_middles(context, seen, start, band, worker);
         for (y, row) in band.rows() {
             let right = marks[ROWS * y + 1];
             let along_x = right | right << 1 | before[y];
@@ -254,8 +246,17 @@ fn mix<O: Observer>(
     }
 }
 
-/// Adds the batch's midpoints to the changes of both pixels, within the stretch from column `left`. Clears the batch.
-fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
+/// Traces the batch's midpoints, adds them to the changes of both pixels, within the stretch from column `left`, and bisects.
+#[inline(never)]
+fn trace_middles<O>(
+    context: &Context<'_, O>,
+    seen: VisibleGroups,
+    left: usize,
+    band: &Band<'_>,
+    worker: &mut Worker,
+) {
+    let plan = context.plan;
+    context.trace(&plan.quality, seen, &mut worker.batch);
     for i in 0..2 * worker.batch.points.len() {
         let (point, side) = (i / 2, i % 2);
         let (x, y) = worker.batch.points.position(point);
@@ -265,15 +266,17 @@ fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
         if column < STRETCH && row < band.height() {
             let drawn = band.pixels[band.stride * row + x];
             let pixel = STRETCH * row + column;
-            add_middle(worker, point, drawn, [x, y], pixel, 2 * axis + side);
+            add_middle(plan, worker, point, drawn, [x, y], pixel, 2 * axis + side);
         }
     }
     worker.batch.points.clear();
+    bisect(context, &plan.quality, seen, worker);
 }
 
 /// Adds a traced midpoint on one side of a pixel to its changes, and queues the interval if it has an edge.
 #[inline(never)]
 pub(super) fn add_middle(
+    plan: &FramePlan,
     worker: &mut Worker,
     point: usize,
     drawn: u32,
@@ -285,7 +288,7 @@ pub(super) fn add_middle(
     let word = 2 * pixel + side / 2;
     let change = &mut worker.pyramid.scratch()[word % SCRATCH];
     *change = change.wrapping_add(ends[1].wrapping_sub(ends[0]).wrapping_mul(WEIGHTS / 4));
-    if contrast(ends) >= HALF {
+    if contrast(ends) >= HALF * u64::from(plan.quality.edge) {
         worker.intervals[worker.found % BATCH] = Interval {
             ends,
             start: (PARTS * (y << 16 | x)) as u32,
@@ -329,7 +332,7 @@ pub(super) fn bisect<O>(
                 interval.ends = [middle, end];
                 interval.start = interval.middle();
             }
-            if most >= QUARTER && weight > 1 {
+            if 5 * most * (weight / 2) >= QUARTER * u64::from(context.plan.quality.edge) {
                 interval.half /= 2;
                 worker.intervals[worker.found % BATCH] = interval;
                 worker.found += 1;

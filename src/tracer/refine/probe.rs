@@ -7,7 +7,7 @@ use super::Worker;
 use super::antialias::{add_middle, bisect, is_edge, mix_pixel};
 use crate::counts::Counts;
 use crate::picture::{Band, Probing};
-use crate::plan::Context;
+use crate::plan::{Context, FramePlan};
 use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Batch, PARTS};
@@ -92,7 +92,8 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         let quality = &Quality::EXHAUSTIVE;
         context.trace(quality, all, &mut worker.batch);
         for probe in 0..probes {
-            worker.targets[BATCH / 2 + probe] = add_sides(&world.film, worker, probe, sides.len());
+            worker.targets[BATCH / 2 + probe] =
+                add_sides(plan, &world.film, worker, probe, sides.len());
         }
         worker.batch.points.clear();
         bisect(context, quality, all, worker);
@@ -133,14 +134,24 @@ fn own(film: &Film, batch: &Batch, point: usize) -> u32 {
 }
 
 /// Returns a probe's pixel before antialiasing, and adds the midpoints at its edges.
-fn add_sides(film: &Film, worker: &mut Worker, probe: usize, sides: usize) -> u32 {
+fn add_sides(
+    plan: &FramePlan,
+    film: &Film,
+    worker: &mut Worker,
+    probe: usize,
+    sides: usize,
+) -> u32 {
     let first = probe * (1 + 2 * sides);
     let pixel = own(film, &worker.batch, first);
     let (x, y) = worker.batch.points.pixel(first);
     for side in 0..sides {
         let middle = first + 1 + 2 * side;
-        if is_edge(pixel, own(film, &worker.batch, middle + 1)) {
-            add_middle(worker, middle, pixel, [x, y], probe, side);
+        if is_edge(
+            plan.quality.edge,
+            pixel,
+            own(film, &worker.batch, middle + 1),
+        ) {
+            add_middle(plan, worker, middle, pixel, [x, y], probe, side);
         }
     }
     pixel

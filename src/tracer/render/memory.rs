@@ -85,7 +85,7 @@ impl Memory {
         let mut counts = self.drawing.run(picture, &job, threads);
         // Smoothing reads the neighbouring bands.
         if has_edges {
-            self.seams.set(picture, plan.finished);
+            self.seams.set(plan, picture);
             let seams = &self.seams;
             let job = |worker: &mut Worker, band: &mut Band<'_>| {
                 seams.smooth(context, worker, band);

@@ -10,7 +10,6 @@ use crate::observe::{Fill, Observer, Split};
 use crate::picture::{Band, CELL, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
 use crate::prepare::VisibleGroups;
-use crate::refine::antialias::EDGE;
 use crate::refine::fill::{Run, fill};
 use crate::refine::verdict::{Verdict, growth, judge, limits};
 use crate::refine::worker::Worker;
@@ -182,7 +181,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let plan = self.context.plan;
         let quality = &plan.quality;
         let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
-        let is_smooth = tolerance / CELL as f32 + 2.0 < f32::from(EDGE);
+        let is_smooth = tolerance / CELL as f32 + 2.0 < f32::from(quality.edge);
         if quality.square == CELL && is_smooth && plan.coarse == 0 {
             let squares = &self.worker.marks.squares[level][y];
             self.band.rough[y][self.area.left / TILE_WIDTH] = squares.0[0] & !filled.0[0];
