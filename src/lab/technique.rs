@@ -62,7 +62,7 @@ impl Technique {
 
     /// The checkerboard cannot be antialiased.
     pub fn rivals(antialias: bool) -> impl Iterator<Item = Self> {
-        let enlarged = (4..10).map(move |tenths| {
+        let enlarged = (3..10).map(move |tenths| {
             let sampling = Sampling::Enlarged(f64::from(tenths) / 10.0);
             let name = format!("resolution:0.{tenths}");
             Self::new(&name, Quality::EXHAUSTIVE, antialias, sampling)
