@@ -5,7 +5,8 @@ use super::Tile;
 use crate::grid::{Bits, Pyramid};
 use crate::lanes::*;
 use crate::observe::{Fill, Observer};
-use crate::prepare::{Four, ObjectId};
+use crate::picture::Band;
+use crate::prepare::{Four, ObjectId, World};
 use crate::refine::verdict::Verdict;
 use crate::trace::{Layers, STEP, Sample, SeenPattern};
 use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
@@ -38,7 +39,8 @@ impl<O: Observer> Tile<'_, '_, O> {
                 return;
             }
             let [left, top] = [self.area.left + (x << level), y << level];
-            self.interpolate(1 << level, [left, top], layers, object);
+            let (world, band) = (self.context.world, &mut *self.band);
+            interpolate(world, band, 1 << level, [left, top], layers, object);
             // The traced corner keeps its exact bits.
             self.put(left, top, corner);
             filled.set(x);
@@ -46,55 +48,52 @@ impl<O: Observer> Tile<'_, '_, O> {
         });
         filled
     }
+}
 
-    /// Interpolates the corners' layers over the square at (left, top) of the band.
-    #[inline(never)]
-    fn interpolate(
-        &mut self,
-        side: usize,
-        [left, top]: [usize; 2],
-        corners: [Layers; 4],
-        object: ObjectId,
-    ) {
-        let simd = baseline();
-        let world = self.context.world;
-        let film = &world.film;
-        let (right, bottom) = (
-            self.band.width.min(left + side),
-            self.band.height().min(top + side),
-        );
-        let part = 1.0 / side as f32;
-        let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(simd, layers));
-        let (mut first, mut step) = (a, (b - a) * part);
-        let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
-        let pattern = SeenPattern::new(world, object);
-        let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
-        for y in top..bottom {
-            let row = y * self.band.stride;
-            let row = &mut self.band.pixels[row + left..row + right];
-            let y = self.area.top + y;
-            let thresholds = film.thresholds(simd, left, y);
-            let mut now = first;
-            for (x, pixels) in (left..).step_by(4).zip(row.chunks_mut(4)) {
-                let at = [x as f32 + columns, splat(simd, y as f32)];
-                let shares: [f32; 4] = pattern.at(at).into();
-                let mut four = shares.map(|share| {
-                    let (rest, untextured) = now.split();
-                    now += step;
-                    rest + untextured * share
-                });
-                if !film.is_plain {
-                    film.expose(simd, &mut four, at);
-                }
-                let four = rounded(simd, four, thresholds);
-                match pixels.first_chunk_mut() {
-                    Some(pixels) => *pixels = four,
-                    None => pixels.copy_from_slice(&four[..pixels.len()]),
-                }
+/// Interpolates the corners' layers over the square at (left, top) of the band.
+#[inline(never)]
+fn interpolate(
+    world: World<'_>,
+    band: &mut Band<'_>,
+    side: usize,
+    [left, top]: [usize; 2],
+    corners: [Layers; 4],
+    object: ObjectId,
+) {
+    let simd = baseline();
+    let film = &world.film;
+    let (right, bottom) = (band.width.min(left + side), band.height().min(top + side));
+    let part = 1.0 / side as f32;
+    let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(simd, layers));
+    let (mut first, mut step) = (a, (b - a) * part);
+    let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
+    let pattern = SeenPattern::new(world, object);
+    let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
+    for y in top..bottom {
+        let row = y * band.stride;
+        let row = &mut band.pixels[row + left..row + right];
+        let y = band.top + y;
+        let thresholds = film.thresholds(simd, left, y);
+        let mut now = first;
+        for (x, pixels) in (left..).step_by(4).zip(row.chunks_mut(4)) {
+            let at = [x as f32 + columns, splat(simd, y as f32)];
+            let shares: [f32; 4] = pattern.at(at).into();
+            let mut four = shares.map(|share| {
+                let (rest, untextured) = now.split();
+                now += step;
+                rest + untextured * share
+            });
+            if !film.is_plain {
+                film.expose(simd, &mut four, at);
             }
-            first += first_down;
-            step += step_down;
+            let four = rounded(simd, four, thresholds);
+            match pixels.first_chunk_mut() {
+                Some(pixels) => *pixels = four,
+                None => pixels.copy_from_slice(&four[..pixels.len()]),
+            }
         }
+        first += first_down;
+        step += step_down;
     }
 }
 
