@@ -11,8 +11,12 @@ use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
 
 const SIZE: [usize; 2] = [1280, 720];
 
-/// The maximum patch in pixels. The largest, of 189, is a slit of light between two shadows on a gear's side.
-const LARGEST: usize = 200;
+/// The maximum patch in pixels. The largest, of 79, is the lit edge of a column in two mirrors.
+const LARGEST: usize = 80;
+
+/// The maximum number of the show's frames with a patch of [`VISIBLE`] pixels.
+const FRAMES: usize = 10;
+const VISIBLE: usize = 20;
 
 /// The same for rooms of mirrors. The largest has 55; without nested images in the keys it has 441.
 const ROOM: usize = 60;
@@ -31,8 +35,8 @@ fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     (0..exact.len()).filter(is_lost).collect()
 }
 
-fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
-    let (mut largest, mut least) = (0, f64::INFINITY);
+fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize, frames: usize) {
+    let (mut largest, mut visible, mut least) = (0, 0, f64::INFINITY);
     for (name, scene) in scenes {
         for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
             let [exact, drawn] = [quality.reference(), quality]
@@ -45,12 +49,13 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
                 quality.antialias
             );
             largest = largest.max(patch);
+            visible += usize::from(patch >= VISIBLE);
             least = least.min(psnr);
         }
     }
     assert!(
-        largest <= limit && least >= 42.0,
-        "{largest}, {least:.1} dB"
+        largest <= limit && visible <= frames && least >= 42.0,
+        "{largest}, {visible} frames, {least:.1} dB"
     );
 }
 
@@ -89,16 +94,20 @@ fn room(mut random: Random) -> (String, Scene) {
 
 #[test]
 fn show_worst_frames_have_small_patches() {
-    hold([66.1, 86.1].into_iter().map(show), LARGEST);
+    hold([7.1, 66.1, 87.1].into_iter().map(show), LARGEST, 2);
 }
 
 #[test]
 #[ignore = "many frames"]
 fn long_show_has_small_patches() {
-    hold((0..116).map(|second| show(second as f32 + 0.1)), LARGEST);
+    hold(
+        (0..116).map(|second| show(second as f32 + 0.1)),
+        LARGEST,
+        FRAMES,
+    );
 }
 
 #[test]
 fn rooms_of_mirrors_have_small_patches() {
-    hold(cases(4).map(room), ROOM);
+    hold(cases(4).map(room), ROOM, usize::MAX);
 }

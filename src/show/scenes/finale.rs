@@ -22,7 +22,7 @@ static ENVIRONMENT: Environment = Environment {
     film: SHOW,
     floor: &material::WATER,
     floor_half: FAR,
-    swell: 0.03,
+    swell: 0.015,
     lights: &[
         // The sun.
         Light {

@@ -43,7 +43,7 @@ static ENVIRONMENT: Environment = Environment {
 
 #[rustfmt::skip]
 static PROPS: &[Prop] = &[
-    cylinder(&material::STEEL, [0.0, 0.15, 0.0], [3.6, 0.3, 3.6]),
+    cylinder(&material::STEEL, [0.0, 0.15, 0.0], [3.0, 0.3, 3.0]),
     cylinder(&material::BRASS, [0.0, 1.2, 0.0], [0.3, 2.0, 0.3]),
 ];
 

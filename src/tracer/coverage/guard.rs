@@ -214,7 +214,7 @@ impl Search<'_> {
     fn settle(&mut self) {
         let rows = self.squares.rows;
         for (covered, open) in self.covered[..rows].iter_mut().zip(&mut self.open) {
-            *open |= covered.missed & !covered.wholly;
+            *open |= covered.missed.without(covered.wholly);
             *covered = Covered::NONE;
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::picture::TILE_WIDTH;
 use core::array;
-use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
+use core::ops::{BitAnd, BitOr, BitOrAssign};
 
 /// One bit per pixel of a tile's width.
 pub(crate) const WORDS: usize = TILE_WIDTH / 64;
@@ -15,7 +15,10 @@ impl Bits {
 
     pub const EVEN: Self = Self([0x5555_5555_5555_5555; WORDS]);
 
+    pub const ODD: Self = Self([0xaaaa_aaaa_aaaa_aaaa; WORDS]);
+
     /// Returns the bits from 0 to below `count`.
+    #[inline(never)]
     pub fn first(count: usize) -> Self {
         let mut bits = Self::NONE;
         for (i, word) in bits.0.iter_mut().enumerate() {
@@ -40,6 +43,11 @@ impl Bits {
 
     pub fn is_empty(&self) -> bool {
         self.0.iter().fold(0, |all, word| all | word) == 0
+    }
+
+    #[inline(never)]
+    pub fn without(self, others: Self) -> Self {
+        Self(array::from_fn(|i| self.0[i] & !others.0[i]))
     }
 
     /// Returns each bit and the next one: the left and right corners of squares.
@@ -132,13 +140,5 @@ impl BitOr for Bits {
 impl BitOrAssign for Bits {
     fn bitor_assign(&mut self, other: Self) {
         *self = *self | other;
-    }
-}
-
-impl Not for Bits {
-    type Output = Self;
-
-    fn not(self) -> Self {
-        Self(self.0.map(|word| !word))
     }
 }

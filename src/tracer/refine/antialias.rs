@@ -32,7 +32,7 @@ use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
-use fearless_simd::{u8x32, u32x8};
+use fearless_simd::{u8x16, u8x32, u32x4, u32x8};
 
 /// The least difference of pixel and midpoint that continues the bisection, in units of a sample, per step of [`Quality::edge`].
 const HALF: u64 = 2 * STEP as u64;
@@ -186,8 +186,11 @@ fn edges(edge: u8, a: &[u32], b: &[u32]) -> u64 {
 
 #[inline(never)]
 pub(super) fn is_edge(edge: u8, a: u32, b: u32) -> bool {
-    let mut channels = a.to_le_bytes().into_iter().zip(b.to_le_bytes());
-    channels.any(|(a, b)| a.abs_diff(b) >= edge)
+    let [a, b]: [u8x16<Baseline>; 2] =
+        [a, b].map(|pixel| u32x4::splat(baseline(), pixel).bitcast());
+    let over = (a.max(b) - a.min(b)).saturating_sub(edge - 1);
+    let over: u32x4<Baseline> = over.bitcast();
+    over.as_slice()[0] != 0
 }
 
 fn mix<O: Observer>(

@@ -1,5 +1,6 @@
 //! Draws a band, the first phase of a frame: traces the points of each tile, level by level, judges its squares, and fills or splits them.
 
+mod edges;
 mod method;
 mod patterned;
 pub(super) mod points;
@@ -113,6 +114,9 @@ impl<O: Observer> Tile<'_, '_, O> {
             }
         }
         self.find_points(0, top == 0);
+        if plan.quality.guarded && plan.finished >= self.area.right {
+            self.follow_edges();
+        }
         if top > 0 {
             self.show_method();
         }
@@ -140,9 +144,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         if is_coarse {
             marks.open[level][y] = Bits::NONE;
         }
-        let squares = marks.squares[level][y] & !marks.open[level][y];
-        let open = marks.squares[level][y] & marks.open[level][y];
-        self.report_split(level, y, open, Split::Uncovered);
+        let squares = marks.squares[level][y].without(marks.open[level][y]);
         let mut verdict = Verdict::NONE;
         if is_coarse {
             verdict = Verdict::coarse(squares);
@@ -165,10 +167,12 @@ impl<O: Observer> Tile<'_, '_, O> {
                 };
                 self.report(level, x, y, fill);
             });
+            let open = self.worker.marks.squares[level][y].without(squares);
+            self.report_split(level, y, open, Split::Uncovered);
+            let split = squares.without(verdict.filled | patterned);
+            self.report_split(level, y, split & verdict.agreeing, Split::Colours);
+            self.report_split(level, y, split.without(verdict.agreeing), Split::Keys);
         }
-        let split = squares & !(verdict.filled | patterned);
-        self.report_split(level, y, split & verdict.agreeing, Split::Colours);
-        self.report_split(level, y, split & !verdict.agreeing, Split::Keys);
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
         if side == CELL {
             self.note_rough(level, y, verdict.filled);
@@ -203,6 +207,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         fill(self.context.plan.isa, self.band, &run);
     }
 
+    #[inline(never)]
     pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
         let threshold = self.context.world.film.threshold(x, self.area.top + y);
         self.band.put(x, y, sample.pixel(threshold));
@@ -213,7 +218,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let part = level - 1;
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));
         let marks = &mut self.worker.marks;
-        let split = marks.squares[level][y] & !marks.filled[level][y];
+        let split = marks.squares[level][y].without(marks.filled[level][y]);
         let (mut squares, mut open) = (Bits::NONE, Bits::NONE);
         if !split.is_empty() {
             squares = split.halves() & Bits::first(columns);
@@ -229,11 +234,9 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 
     fn report_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
-        if O::LISTENS {
-            let [left, top] = [self.area.left, self.area.top + (y << level)];
-            let observer = self.context.observer;
-            squares.for_each(|x| observer.split(left + (x << level), top, 1 << level, why));
-        }
+        let [left, top] = [self.area.left, self.area.top + (y << level)];
+        let observer = self.context.observer;
+        squares.for_each(|x| observer.split(left + (x << level), top, 1 << level, why));
     }
 
     fn report(&self, level: usize, x: usize, y: usize, fill: Fill) {

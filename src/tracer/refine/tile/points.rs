@@ -29,11 +29,11 @@ impl<O: Observer> Tile<'_, '_, O> {
                     Bits::NONE
                 };
                 self.copy_known(level, y, points & known);
-                points = points & !known;
+                points = points.without(known);
                 if quality.tolerance_side > 0.0 {
                     let open = &self.worker.marks.open[level];
-                    let middles = points & !corners(open, level, y, squares);
-                    points = points & !self.average(level, y, middles, limit);
+                    let middles = points.without(corners(open, level, y, squares));
+                    points = points.without(self.average(level, y, middles, limit));
                 }
             }
             self.worker.marks.traced[level][y] = points;
@@ -67,8 +67,8 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 
     /// Adds the points of a cluster to the batch; traces a full batch first.
-    #[inline(always)]
-    fn add_cluster(&mut self, level: usize, [left, top]: [usize; 2], mut cluster: u64) {
+    #[inline(never)]
+    pub(super) fn add_cluster(&mut self, level: usize, [left, top]: [usize; 2], mut cluster: u64) {
         if self.worker.batch.points.len() + CLUSTER_WIDTH * CLUSTER_HEIGHT > BATCH {
             self.trace(level);
         }
@@ -119,7 +119,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let mut averaged = Bits::NONE;
         // In even rows, midpoints lie between two columns of the level above; in odd rows, between two rows.
         let (middles, step) = if y.is_multiple_of(2) {
-            (!Bits::EVEN, 1)
+            (Bits::ODD, 1)
         } else {
             (Bits::EVEN, Pyramid::stride(level + 1))
         };
@@ -143,7 +143,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         averaged
     }
 
-    fn trace(&mut self, level: usize) {
+    pub(super) fn trace(&mut self, level: usize) {
         let Context { plan, world, .. } = self.context;
         let batch = &mut self.worker.batch;
         self.context.trace(&plan.quality, self.seen, batch);

@@ -1,0 +1,63 @@
+//! Opens filled squares at which an edge ends: something crosses them between their corners.
+//!
+//! Along the border of a smooth cell and a rough one, each pair of pixels has a bit, set if they differ by an edge. An edge that
+//! runs along the whole border sets all bits. If the bits change within it, an edge of the rough cell does not continue in the smooth one.
+
+use super::Tile;
+use crate::grid::{Bits, each};
+use crate::observe::Observer;
+use crate::picture::{CELL, TILE_WIDTH};
+use crate::refine::antialias::is_edge;
+
+impl<O: Observer> Tile<'_, '_, O> {
+    /// Traces all pixels of the smooth cells at whose sides an edge of a rough one ends, until there are none.
+    pub(super) fn follow_edges(&mut self) {
+        let [columns, rows] = [self.area.columns(0), self.area.rows(0)].map(|size| size / CELL);
+        let whole = Bits::first(columns).0[0];
+        let (stride, edge) = (self.band.stride, self.context.plan.quality.edge);
+        loop {
+            for y in 0..rows {
+                for side in 0..(rows - y).min(2) {
+                    let own = self.rough(y);
+                    let (other, among, along, across) = if side == 0 {
+                        (own >> 1, whole >> 1, stride, 1)
+                    } else {
+                        (self.rough(y + 1), whole, 1, stride)
+                    };
+                    each((own ^ other) & among, |x| {
+                        let mut at = self.area.left + CELL * (y * stride + x) + (CELL - 1) * across;
+                        let mut edges = 1_u32;
+                        while edges >> CELL == 0 {
+                            let [a, b] = [at, at + across].map(|at| self.band.pixels[at]);
+                            edges = edges << 1 | u32::from(is_edge(edge, a, b));
+                            at += along;
+                        }
+                        if (edges ^ edges >> 1) & 0x3e != 0 {
+                            self.open(x, y);
+                            self.open(x + 1 - side, y + side);
+                        }
+                    });
+                }
+            }
+            if self.worker.batch.points.len() == 0 {
+                break;
+            }
+            self.trace(0);
+        }
+    }
+
+    fn rough(&self, y: usize) -> u64 {
+        self.band.rough[y][self.area.left / TILE_WIDTH]
+    }
+
+    /// Traces the pixels of a smooth cell, which becomes rough.
+    #[inline(never)]
+    fn open(&mut self, x: usize, y: usize) {
+        if self.rough(y) >> (x % 64) & 1 == 0 {
+            self.band.rough[y][self.area.left / TILE_WIDTH] |= 1 << (x % 64);
+            for left in [CELL * x, CELL * x + CELL / 2] {
+                self.add_cluster(0, [left, CELL * y], 0xffff_ffff);
+            }
+        }
+    }
+}
