@@ -1,5 +1,6 @@
-//! Writes a PNG that outlines filled squares: `cargo run --release -p eightfold-examples --bin squares
-//! squares.png`
+//! Writes a PNG that outlines filled squares:
+//!
+//!     cargo run --release -p eightfold-examples --bin squares squares.png
 
 use eightfold::show;
 use eightfold_tracer::observe::{Fill, Observer};

@@ -5,7 +5,7 @@ use super::qualities::NAMED;
 
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 
-const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
+const KEYS: &str = "keys: F fullscreen, W window, H hud, Esc quit";
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
@@ -41,14 +41,14 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Size, "--size", "WxH", "size of the window or the frame, 1x1 to 3840x2160 (1024x768)"),
     flag(Switch::Fullscreen, "--fullscreen", "", "start in fullscreen"),
     flag(Switch::Threads, "--threads", "N", "threads that trace, 1 to 64 (one for each processor)"),
-    flag(Switch::Isa, "--isa", "NAME", "instruction set of this CPU (the first):"),
-    flag(Switch::Seconds, "--seconds", "S", "seconds until the end, above 0 to 1e9 (116, the show)"),
+    flag(Switch::Isa, "--isa", "NAME", "instruction set (the first of this CPU's):"),
+    flag(Switch::Seconds, "--seconds", "S", "seconds until the end, above 0 to 1000000000 (116; none with --loop)"),
     flag(Switch::Loop, "--loop", "", "start again instead of ending"),
     flag(Switch::Fps, "--fps", "N", "target frame rate, 1 to 1000 (60)"),
-    flag(Switch::Psnr, "--psnr", "DB", "target PSNR to exhaustive, 1 to 99 dB; not with --fps"),
-    flag(Switch::Quality, "--quality", "NAME", "fixed quality (whichever holds the frame rate):"),
+    flag(Switch::Psnr, "--psnr", "DB", "target PSNR to exhaustive, 1 to 99 dB; --fps overrides it"),
+    flag(Switch::Quality, "--quality", "NAME", "fixed quality (adaptive):"),
     flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
-    flag(Switch::Uncapped, "--uncapped", "", "draw frames without a pause, at default quality unless one is named"),
+    flag(Switch::Uncapped, "--uncapped", "", "draw frames without a pause, at --quality default unless set"),
     flag(Switch::Hud, "--hud", "", "show frames a second, points traced, dB to exhaustive"),
     flag(Switch::Silent, "--silent", "", "play no sound"),
     flag(Switch::Still, "--still", "S", "time in seconds of the frame to print as PPM, 0 to below 116"),

@@ -63,7 +63,7 @@ fn off(probes: Probes, error: u64, pixels: u64) -> f32 {
 }
 
 #[test]
-fn frames_of_a_picture_probe_each_pixel_once() {
+fn ten_frames_probe_each_pixel_once() {
     const COUNT: u16 = 2980;
     for scene in scenes() {
         let pixels = (SIZE.0 * SIZE.1) as u64;
@@ -71,7 +71,7 @@ fn frames_of_a_picture_probe_each_pixel_once() {
         for threads in [1, 3] {
             let mut probing = Probing::new(cpu::best(), threads);
             let mut sum = Probes::NONE;
-            // The sequence starts in the middle of a round.
+            // Seed 7 starts within a pass over all pixels.
             for seed in 7..17 {
                 sum += probing.draw(&scene, &Quality::DEFAULT, COUNT, seed);
             }
@@ -81,7 +81,7 @@ fn frames_of_a_picture_probe_each_pixel_once() {
     }
 }
 
-/// Tests each frame, and the sum once its margin is below 0.3 dB.
+/// Tests each frame's probes, and their sum as soon as its margin is below 0.3 dB.
 #[test]
 #[ignore = "5,400 frames"]
 fn long_interval_holds_the_true_error() {
@@ -117,11 +117,11 @@ fn long_interval_holds_the_true_error() {
         }
     }
     println!(
-        "{inside} of {} intervals, {far} of {pictures} far",
+        "{inside} of {} intervals hold the error; {far} of {pictures} sums are more than 0.3 dB off",
         FRAMES * pictures
     );
     assert!((93 * FRAMES * pictures..=97 * FRAMES * pictures).contains(&(100 * inside)));
-    assert!(far <= 3, "{far} of {pictures} pictures");
+    assert!(far <= 3, "{far} of {pictures} sums are more than 0.3 dB off");
 }
 
 #[test]

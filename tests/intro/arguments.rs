@@ -90,7 +90,7 @@ fn instruction_set_of_another_cpu_is_refused() {
     let here: Vec<&str> = cpu::shipped().map(|isa| isa.name).collect();
     let (_, help) = run(&mut headless("--help"));
     let list = format!(
-        "instruction set of this CPU (the first): {}\n",
+        "instruction set (the first of this CPU's): {}\n",
         here.join(" ")
     );
     assert!(help.contains(&list), "{help}");

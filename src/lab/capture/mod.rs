@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// Draws frames as PNG files, a video or a contact sheet, and writes their sound
 ///
-/// Frames have the same bytes for any number of threads and any range, by AVX2 and AVX-512, so machines can share a capture.
+/// Frames have the same bytes for any number of threads and any range, on all CPUs with AVX2, so machines can share a capture.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),
@@ -75,7 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(name) = &arguments.audio {
         let sound = recorder.sound(&frames);
         let scene = arguments.scene;
-        let message = format!("--scene is {scene}; must be a scene of the show with --audio");
+        let message = format!("--scene is {scene}; with --audio, must be show or show:NAME");
         let sound = sound.ok_or_else(|| Exit::bad_input(message))?;
         output::write(name, &wav::wav(&sound))?;
     }

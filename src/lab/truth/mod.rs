@@ -20,7 +20,7 @@ const MAX_SAMPLES: u32 = 1 << 20;
 
 /// Path-traces a scene, with area lights, indirect light and caustics
 ///
-/// Prints the RMS error and PSNR of the `default` picture, and the path tracer's standard error.
+/// Prints the RMS error and PSNR of the `default` picture, and the path tracer's noise.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Cap noise at 1; far above white it is 0.
+            // Cap noise at white; far above white, clipping hides it.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();

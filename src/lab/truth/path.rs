@@ -1,6 +1,6 @@
 //! An unbiased estimate of the rendering equation (Kajiya, 1986).
 //!
-//! Rough surfaces sample every light; mirrors and glass sample none, so a path adds a light that it hits right after them.
+//! Every hit samples all lights for its rough part. A path adds lights that it meets straight from the eye, a mirror or glass.
 
 use super::light::{SphereLight, around};
 use crate::arguments::Size;
@@ -112,7 +112,7 @@ impl<'a> PathTracer<'a> {
     }
 }
 
-/// The real-time model's coefficients, scaled down where they would add energy.
+/// A surface as the real-time tracer shades it, scaled to add no energy.
 struct Surface<'a> {
     hit: &'a Hit<'a>,
     albedo: f64,

@@ -1,4 +1,4 @@
-//! Vectors of eight 16-bit integers: SSE2 on x86-64, loops elsewhere.
+//! Vectors of eight `i16` or four `i32`: SSE2 on x86-64, loops elsewhere.
 
 #[derive(Clone, Copy)]
 #[cfg(target_arch = "x86_64")]
@@ -60,7 +60,7 @@ impl Lanes {
         Lanes::splat_pair(u32::from(number as u16) * 0x1_0001)
     }
 
-    /// Hides the value from the compiler, which would store a constant of 16 bytes.
+    /// Hides the value from the compiler, which would emit a 16-byte constant.
     #[inline(always)]
     pub fn splat_pair(mut pair: u32) -> Lanes {
         // SAFETY: it does nothing.

@@ -1,8 +1,8 @@
 //! Copies pixels to a window.
 //!
-//! Copying a frame pixel by pixel and through a socket, as `minifb` and Xlib do, takes a third of a frame's time at 1024x768. So
-//! the tracer draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Remote displays
-//! get frames through the socket.
+//! Copying a frame pixel by pixel (`minifb`) and through a socket (Xlib) takes a third of a frame's time at 1024x768. So
+//! the tracer draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Other
+//! displays get frames through the socket.
 
 use core::{
     ffi::{c_int, c_uint, c_ulong},
@@ -101,7 +101,7 @@ impl Frames {
     ) {
         let [from, to] = &mut self.frames;
         let (from_width, from_height) = self.drawn;
-        // In 2^-32 pixels, rounded up, so that whole positions do not fall a pixel short.
+        // In 2^-32 pixels, plus 1, so that integer positions are not rounded down.
         let step = |from: usize, to: usize| (from << 32) / to.max(1) + 1;
         let (across, down) = (step(from_width, width), step(from_height, height));
         for (row, y) in to.chunks_exact_mut(width).zip(rows) {
@@ -169,8 +169,8 @@ impl Frames {
                 (shared.XShmAttach)(top.display, segment);
                 finish(top);
             }
-            // Both this process and the server should be attached. In a container the server may find no memory, or another segment
-            // of this number.
+            // Both this process and the server should be attached. In a container this id may name no segment of the
+            // server, or another one.
             let mut state: libc::shmid_ds = zeroed();
             libc::shmctl(id, libc::IPC_STAT, &mut state);
             if state.shm_nattch > 1 {

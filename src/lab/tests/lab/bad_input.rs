@@ -31,7 +31,7 @@ capture --sheet - --from 6960 | --from is 6960; must be below 6960
 capture --sheet - --supersample 17 | --supersample is '17'; must be 1 to 16
 capture --sheet - --shutter 1.5 | --shutter is '1.5'; must be 0 to 1
 capture --sheet - --aperture wide | --aperture is 'wide'; must be 0 to
-capture --audio - --scene model | --scene is model; must be a scene of the show with --audio
+capture --audio - --scene model | --scene is model; with --audio, must be show or show:NAME
 "#;
 
 #[test]

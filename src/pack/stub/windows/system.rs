@@ -13,8 +13,8 @@ pub const COMMIT_RESERVE: u32 = 0x3000;
 /// `MEM_RELEASE`.
 pub const RELEASE: u32 = 0x8000;
 
-/// The import table, in the order of `FUNCTIONS` in `src/pack/executable/windows.rs`. The code before `start` calls the last four
-/// by their offsets.
+/// The import table, in the order of `FUNCTIONS` in `src/pack/executable/windows.rs`. The assembly in `main.rs` calls the last
+/// four by their offsets.
 #[repr(C)]
 pub struct System {
     pub load_library: unsafe extern "win64" fn(name: *const u8) -> *mut c_void,
