@@ -121,7 +121,10 @@ fn long_interval_holds_the_true_error() {
         FRAMES * pictures
     );
     assert!((93 * FRAMES * pictures..=97 * FRAMES * pictures).contains(&(100 * inside)));
-    assert!(far <= 3, "{far} of {pictures} sums are more than 0.3 dB off");
+    assert!(
+        far <= 3,
+        "{far} of {pictures} sums are more than 0.3 dB off"
+    );
 }
 
 #[test]
