@@ -277,7 +277,7 @@ pub extern "C" fn restart_sound() {
     workspace().synthesizer.seek(0);
 }
 
-/// Returns the address of the next samples, at most [`SAMPLES`], left and right alternating. The song repeats.
+/// Returns the address of the next samples, at most `SAMPLES`, left and right alternating. The song repeats.
 #[unsafe(no_mangle)]
 pub extern "C" fn play(count: usize) -> *const f32 {
     let space = &mut *workspace();
