@@ -56,7 +56,7 @@ fn help_and_version_are_printed() {
     assert_eq!(output.status.code(), Some(0));
     let flags = "--size --fullscreen --threads --isa --seconds --loop --fps --psnr --quality --exhaustive --uncapped \
                  --silent --hud --still --help --version";
-    let length = format!("({}, the show)", show::LENGTH);
+    let length = format!("({}; none with --loop)", show::LENGTH);
     let last = format!(" 0 to below {}\n", show::LENGTH);
     for text in flags.split(' ').chain([&qualities()[..], &length, &last]) {
         assert!(help.contains(text), "{text}: {help}");
