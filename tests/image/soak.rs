@@ -35,7 +35,7 @@ fn quality(random: &mut Random) -> Quality {
         depth: random.below(Quality::MAX_DEPTH as usize + 1) as u32,
         least_contribution: random.one_of([0.0, 0.01, 0.2, f32::NAN]),
         antialias: random.below(2) == 0,
-        edge: (random.seed % 3 * 10) as u8,
+        edge: random.one_of([0, 9, 20]),
         ..Quality::DEFAULT
     };
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
@@ -98,9 +98,10 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     assert_eq!(work(counts), work(again), "{what}");
 
     let square = largest(&scene, &quality);
-    // Antialiasing traces a point to the right of a pixel and one below, twice between parts of a picture, and up to three more on
-    // each side.
-    let middles = usize::from(quality.antialias) * 15 * width * height;
+    // Antialiasing traces a point to the right of a pixel and one below, twice between parts of a picture, and up to two more on
+    // each side, three below an edge of 20.
+    let of_pixel = if quality.edge < 20 { 15 } else { 11 };
+    let middles = usize::from(quality.antialias) * of_pixel * width * height;
     let most = (most_points(square, width, height) + middles) as u64;
     assert!(counts.points <= most, "{what}: {counts:?}");
     let tree = (2 << quality.depth) - 1;

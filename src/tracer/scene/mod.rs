@@ -260,10 +260,11 @@ impl Material {
         Self { pattern, ..self }
     }
 
-    /// Returns whether the material reflects or transmits rays. Glass reflects at angles of total reflection even if `kr` is 0.
+    /// Returns whether the material reflects or transmits rays, as invalid numbers may. Glass reflects at angles of total
+    /// reflection even if `kr` is 0.
     #[must_use]
     pub fn is_specular(&self) -> bool {
-        self.kr + self.fresnel + self.kt > 0.0
+        [self.kr, self.fresnel, self.kt] != [0.0; 3]
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
