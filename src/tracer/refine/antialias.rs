@@ -34,10 +34,11 @@ use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
 use fearless_simd::{u8x16, u8x32, u32x4, u32x8};
 
-/// The least difference of pixel and midpoint that continues the bisection, in units of a sample, per step of [`Quality::edge`].
+/// The least difference of pixel and midpoint that starts the bisection, in units of a sample, is this times [`Quality::edge`].
 const HALF: u64 = 2 * STEP as u64;
 
-/// The same for the second step, in fifths and times half the weight.
+/// The least difference for the second step is 64/10 times [`Quality::edge`], and twice as much for the third: more than 255 from
+/// an edge of 20 on, so there is none.
 const QUARTER: u64 = 64 * STEP as u64;
 
 const ROWS: usize = 2;

@@ -23,9 +23,10 @@
 //! 5. *Split*: the bits of the others, each twice in two rows, are the squares of the level below.
 //! 6. *Follow* (`tile::edges`), after the last level: traces all pixels of filled squares of 8 at which an edge ends.
 //!
-//! Until then, no point of a tile is traced twice. Adjacent tiles both trace the points on their border, with the same bits: 8 % of all points in the
-//! model scene at 1024x768 (16 % with bands half as high). In return there is one parallel phase, without memory or order between bands. By
-//! its bands' times the default frame at 1920x1080 can be 13.5 times as fast on 16 threads as on one (12.2 in order from the top).
+//! Until then, no point of a tile is traced twice. Adjacent tiles both trace the points on their border, with the same bits: 8 %
+//! of all points in the model scene at 1024x768 (16 % with bands half as high). In return there is one parallel phase, without
+//! memory or order between bands. By its bands' times the default frame at 1920x1080 can be 13.5 times as fast on 16 threads as
+//! on one (12.2 in order from the top).
 //!
 //! If all corners show one object whose pattern has edges, the pattern is evaluated at every pixel instead (`tile::patterned`).
 //!

@@ -2,12 +2,16 @@
 //!
 //! Along the border of a smooth cell and a rough one, each pair of pixels has a bit, set if they differ by an edge. An edge that
 //! runs along the whole border sets all bits. If the bits change within it, an edge of the rough cell does not continue in the smooth one.
+//! A change beside the first or last pixel does not count: that edge may leave through the cell's corner.
 
 use super::Tile;
 use crate::grid::{Bits, each};
 use crate::observe::Observer;
 use crate::picture::{CELL, TILE_WIDTH};
 use crate::refine::antialias::is_edge;
+
+/// The changes between the inner six pairs of a border.
+const INNER: u32 = 0b11_1110;
 
 impl<O: Observer> Tile<'_, '_, O> {
     /// Traces all pixels of the smooth cells at whose sides an edge of a rough one ends, until there are none.
@@ -26,13 +30,14 @@ impl<O: Observer> Tile<'_, '_, O> {
                     };
                     each((own ^ other) & among, |x| {
                         let mut at = self.area.left + CELL * (y * stride + x) + (CELL - 1) * across;
+                        // A one above the pairs' bits ends the loop, which is smaller than one over a range.
                         let mut edges = 1_u32;
                         while edges >> CELL == 0 {
                             let [a, b] = [at, at + across].map(|at| self.band.pixels[at]);
                             edges = edges << 1 | u32::from(is_edge(edge, a, b));
                             at += along;
                         }
-                        if (edges ^ edges >> 1) & 0x3e != 0 {
+                        if (edges ^ edges >> 1) & INNER != 0 {
                             self.open(x, y);
                             self.open(x + 1 - side, y + side);
                         }
