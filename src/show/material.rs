@@ -98,7 +98,7 @@ pub(super) static SILVER: Material = Material {
     ..MATT
 };
 
-/// Turned steel, without hardly visible reflections.
+/// Turned steel. Reflections would be hardly visible.
 pub(super) static STEEL: Material = Material {
     colour: vec3(0.55, 0.62, 0.75),
     kd: 0.4,

@@ -49,7 +49,7 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// The errors of probed pixels to [`Quality::reference`](crate::Quality::reference), an estimate of all pixels' errors.
+/// The errors of probed pixels against [`Quality::reference`](crate::Quality::reference), an estimate of all pixels' errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probes {
     /// The number of probed pixels.
@@ -95,7 +95,7 @@ impl Probes {
         self.squares as f64 / (3 * self.pixels) as f64
     }
 
-    /// Returns the peak signal-to-noise ratio to the exhaustive frame in dB, accurate to 0.01 dB; infinity without errors.
+    /// Returns the peak signal-to-noise ratio against the exhaustive frame in dB, accurate to 0.01 dB; infinity without errors.
     #[must_use]
     #[inline(never)]
     pub fn psnr(&self) -> f32 {

@@ -137,7 +137,7 @@ const MIN_PROBES: u64 = 1_000;
 /// The number of probes above which their weight is halved: 1.7 s at 60 frames per second.
 const MAX_PROBES: u64 = 8_000;
 
-/// The range of losses from a preset to the next faster one in dB: the ladder's smallest, and more than its largest.
+/// Bounds on the assumed loss from a preset to the next faster one, in dB.
 const STEP_LOSS: [f32; 2] = [1.4, 3.0];
 
 /// The additional dB that are required to try a preset again.

@@ -49,7 +49,7 @@
 //! scene at 3840x2160 is 5 pixels wide.
 //!
 //! Coordinates have a relative error of 6e-8, so keep scenes near the origin. The model scene, 24 units wide, has this PSNR in dB
-//! at 320x240, every pixel traced, to an oracle that draws the same scene in f64:
+//! at 320x240, every pixel traced, against an oracle that draws the same scene in f64:
 //!
 //! | distance from the origin | PSNR, at least | measured, at 0 and 2.5 s |
 //! | ---: | ---: | ---: |
@@ -79,7 +79,6 @@
 //! | the same: crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480 | 42 dB |
 //! | the same: crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
 //! | the same: floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, 480x270 | 42 dB |
-//! | the guard's share of the time in the model scene (by `lab trade`), default quality | 10 % |
 //!
 //! # Approximations
 //!

@@ -23,7 +23,7 @@ pub trait Observer: Copy + Sync {
 /// The reason why a square was split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Split {
-    /// An object may be visible between its corners, see [`Quality::guarded`](crate::Quality::guarded).
+    /// It may show something that its corners do not, see [`Quality::guarded`](crate::Quality::guarded).
     Uncovered,
     /// Its corners have different keys, and colours beyond [`tolerance_differing`](crate::Quality::tolerance_differing).
     Keys,

@@ -105,7 +105,7 @@ impl Frame<'_> {
             middle: 0.0,
             height: self.height,
         };
-        overlay.draw(&mut self.surface(&mut []));
+        overlay.draw(&mut self.band(&mut []));
     }
 }
 

@@ -92,7 +92,7 @@ impl Frame<'_> {
         last_row.saturating_add(self.width)
     }
 
-    pub(crate) fn surface<'a>(&'a mut self, rough: &'a mut [RoughRow]) -> Band<'a> {
+    pub(crate) fn band<'a>(&'a mut self, rough: &'a mut [RoughRow]) -> Band<'a> {
         let count = self.count();
         Band {
             width: self.width,
@@ -139,8 +139,8 @@ impl Band<'_> {
         self.top..self.top + self.height()
     }
 
-    /// Marks the band as drawn by the caller, with edges anywhere. Draw the rows next to the renderer's bands before it antialiases
-    /// them.
+    /// Marks the band as drawn by the caller, with edges anywhere. Draw its rows next to the renderer's bands before the renderer
+    /// antialiases those.
     pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);
     }

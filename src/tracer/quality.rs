@@ -20,16 +20,16 @@ pub struct Quality {
     /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within
     /// it, the midpoint is their mean.
     pub tolerance_side: f32,
-    /// Whether a square is also split if an object, the shadow of a sphere on a plane, an image in a flat first plane, or a
-    /// highlight may be visible between its corners, except as [`limits`](crate::limits) lists. Only the original rules of 2008 are
-    /// unguarded: `Quality { guarded: false, ..Quality::THESIS }`.
+    /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first plane, or a highlight may be
+    /// visible between its corners, except as [`limits`](crate::limits) lists. All presets are guarded. The original rules of 2008
+    /// are `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
     /// The least weight of rays whose objects are part of the key, 0 to infinity, to exclude weak reflections of a floor. A ray's
     /// weight is the product of the exposure and of `kr`, `kt` and the haze's factors along its path. If `key_weight` is above 0
-    /// and a scene has twelve or more strong mirrors or glass solids, all their points have different keys, and squares have 4
-    /// pixels at most: reflections in a dense cluster are tiny.
+    /// and a scene has twelve or more strong mirrors or glass solids, all their points have different keys, except on large glass
+    /// spheres, and squares have 4 pixels at most: reflections in a dense cluster are tiny.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,

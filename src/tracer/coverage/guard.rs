@@ -18,7 +18,7 @@ use crate::trace::{Sample, seen_points};
 use fearless_simd::u32x4;
 use glam::Vec4;
 
-/// The outlines and highlights of a tile that no corner has shown yet.
+/// A tile's highlights, and the outlines that its next level has to test.
 pub(crate) struct Guard {
     outlines: [u16; MAX_OUTLINES],
     count: usize,
@@ -48,8 +48,8 @@ impl Guard {
         }
     }
 
-    /// Leaves in `open` the squares of a level that may show something that their corners do not: outlines are tested in `open`,
-    /// highlights in `all` squares of the level. Keeps the outlines that the next level has to test.
+    /// Sets `open` to the squares of a level that may show something that their corners do not: tests outlines in the squares that were
+    /// open, highlights in `all` squares of the level.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -93,7 +93,7 @@ pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
     pub open: [Bits; TILE_HEIGHT],
     light: Option<u8>,
-    /// The least bits of corners that clear a square: any corner's, or all for a thin outline.
+    /// The least corner mask that clears a square: 1 (any corner), or [`ALL`] for a thin outline.
     enough: u64,
     /// The corners that this light's shadows, or images, cover in each row of squares.
     covered: [Covered; SQUARE_ROWS],

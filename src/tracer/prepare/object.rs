@@ -77,7 +77,7 @@ fn is_strong(material: &Material) -> bool {
     material.kr + material.kt >= STRONG
 }
 
-/// Returns whether a crowd of mirrors and glass needs small squares.
+/// Returns whether a scene is a crowd of mirrors and glass.
 pub(crate) fn is_crowd(scene: &Scene) -> bool {
     let solids = (0..scene.solids()).map(ObjectId::new);
     let strong = solids.filter(|&id| is_strong(of(scene, id).1));

@@ -73,7 +73,7 @@ impl Memory {
             coverage: &self.coverage,
             observer,
         };
-        let picture = &mut frame.surface(&mut self.rough);
+        let picture = &mut frame.band(&mut self.rough);
         let has_edges = plan.quality.antialias;
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
             draw(context, worker, band);

@@ -6,7 +6,7 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
 /// Threads that draw the bands of a frame, each with its own [`Worker`].
 ///
-/// A [`Worker`] is the caller's thread; [`ScopedThreads`](crate::ScopedThreads) starts threads for every frame.
+/// A [`Worker`] draws on the caller's thread; [`ScopedThreads`](crate::ScopedThreads) starts threads for every frame.
 pub trait Threads {
     /// Runs the job once on each band, with any worker, in any order and concurrently, and returns when all are done. It is called
     /// up to three times per frame: for squares, antialiasing, and captions and copper bars. The bands that probably take longest

@@ -376,8 +376,8 @@ pub struct Light {
     pub position: Vec3,
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
-    /// The radius of the visible light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 makes it invisible. It casts no shadow, and haze does
-    /// not dim it.
+    /// The radius of the visible light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 makes it invisible. Lights cast no shadows, and haze
+    /// does not dim them.
     pub drawn_radius: f32,
     /// Whether the rays are nearly parallel: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and the light is
     /// invisible.
