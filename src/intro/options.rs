@@ -47,7 +47,7 @@ pub struct Options {
     pub has_fps: bool,
     /// In dB to exhaustive frames, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
     pub psnr: Option<u64>,
-    /// The fixed quality's index in [`qualities::NAMED`]; with `None` the governor chooses.
+    /// The fixed quality's index in [`qualities::NAMED`], if one is named.
     pub quality: Option<usize>,
     pub is_uncapped: bool,
     /// Shows the numbers from the start.

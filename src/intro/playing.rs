@@ -32,7 +32,7 @@ impl Source for Music {
 
 /// Plays the show and prints its statistics. Returns the exit code.
 pub fn play(options: &Options) -> i32 {
-    // Open the window before the pool, which can run on fewer threads. Open the terminal last, after all messages.
+    // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let (width, height) = options.size;
     let window = Window::open(c"Eightfold", width, height);
     if let Err(why) = &window {

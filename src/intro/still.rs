@@ -15,7 +15,7 @@ use super::{
 
 /// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options) -> i32 {
-    if line::terminal(line::OUTPUT) {
+    if line::is_terminal(line::OUTPUT) {
         line::complaint()
             .text("standard output is a terminal; must be a file or a pipe\n")
             .flush();

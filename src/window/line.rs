@@ -93,7 +93,7 @@ pub fn ascii(bytes: &[u8]) -> Option<&str> {
 }
 
 #[must_use]
-pub fn terminal(file: i32) -> bool {
+pub fn is_terminal(file: i32) -> bool {
     system::is_terminal(file)
 }
 

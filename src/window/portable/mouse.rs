@@ -19,7 +19,7 @@ const BUTTONS: [(MouseButton, Button); 3] = [
 ];
 
 impl Mouse {
-    pub fn ask(&mut self, window: &minifb::Window, inputs: &mut Vec<Input>) {
+    pub fn poll(&mut self, window: &minifb::Window, inputs: &mut Vec<Input>) {
         // While a button is held, positions outside the window count too.
         let mode = if self.held.contains(&true) {
             MouseMode::Pass

@@ -78,7 +78,7 @@ impl Window {
         for press in keys.iter().filter_map(|&key| Press::of(key)) {
             self.inputs.push(Input::Key(press));
         }
-        mouse.ask(&self.shown, &mut self.inputs);
+        mouse.poll(&self.shown, &mut self.inputs);
     }
 }
 

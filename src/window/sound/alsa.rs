@@ -77,7 +77,7 @@ impl Device {
 
     /// Writes samples to the device, and waits while its buffer is full. Returns false if the device is lost.
     ///
-    /// After an underrun or sleep, drops these samples and continues with the next ones.
+    /// After an underrun or a suspend, drops these samples and continues with the next ones.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         // SAFETY: pointer and length are from a slice, and the device is open. 1 suppresses messages.
         unsafe {

@@ -82,7 +82,7 @@ impl Terminal {
     /// nor cursor positions.
     #[must_use]
     pub fn is_there() -> bool {
-        line::terminal(line::OUTPUT) && variable(c"TERM") != Some(c"dumb")
+        line::is_terminal(line::OUTPUT) && variable(c"TERM") != Some(c"dumb")
     }
 
     #[must_use]
@@ -143,7 +143,7 @@ impl Terminal {
     }
 }
 
-/// Returns the nearest of 256 colours: from 16 on, six levels for each channel.
+/// Returns the number of a similar colour: from 16 on, six levels for each channel.
 fn coarse(colour: u32) -> u64 {
     let [_, channels @ ..] = colour.to_be_bytes();
     // The levels are 0, 95, 135, 175, 215 and 255.
@@ -245,7 +245,7 @@ struct Saved {
     mode: UnsafeCell<MaybeUninit<libc::termios>>,
 }
 
-// SAFETY: `mode` is written before `active` is set, and only read while it is.
+// SAFETY: `mode` is written before `active` is set, and only read afterwards.
 unsafe impl Sync for Saved {}
 
 static SAVED: Saved = Saved {
@@ -321,11 +321,11 @@ impl Saved {
             }
             PATIENCE.store(1000, Relaxed);
             system::never_wait(line::OUTPUT, c"/dev/stdout");
-            if line::terminal(line::ERROR) {
+            if line::is_terminal(line::ERROR) {
                 system::never_wait(line::ERROR, c"/dev/stderr");
             }
             let mut keyboard = libc::STDIN_FILENO;
-            if !line::terminal(keyboard) {
+            if !line::is_terminal(keyboard) {
                 keyboard = system::open(c"/dev/tty");
             }
             if let Some(mode) = mode(keyboard) {

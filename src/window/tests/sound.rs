@@ -23,7 +23,7 @@ const CHUNK: usize = 48;
 
 const FPS: u64 = 60;
 
-/// Seconds played on a simulated device: as long as the show.
+/// Seconds played on a simulated device.
 const LENGTH: u64 = 96;
 
 /// The maximum distance between picture and sound, in nanoseconds.

@@ -37,7 +37,7 @@ impl Toplevel {
             let (mut place, _) = self.attributes(self.window);
             let mut over = screen;
             if is_managed {
-                // The window manager places its frame instead, whose left and upper parts go beyond the screen.
+                // The window manager moves its frame: put the frame's left and upper parts beyond the screen.
                 let (left, top) = (place.x, place.y);
                 (over.x, over.y) = (-left, -top);
                 (place.x, place.y) = self.position();
