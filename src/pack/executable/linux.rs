@@ -4,7 +4,7 @@
 //! | ---: | --- |
 //! | 64 | the ELF header |
 //! | 2 x 56 | program headers: this file; a stack that is not executable |
-//! | 138 | the stub's first section, which verifies the rest, and reports cut files that still have it |
+//! | 138 | the stub's first section, which verifies the rest; it also reports truncation behind itself |
 //! | 4,200 | the stub |
 //! | the rest | the packed program |
 
@@ -62,8 +62,8 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         size,
         ..Segment::default()
     };
-    // Linux reads only this header's flags. The rest are the packed bytes' offset, the size that the checksum covers, the checksum,
-    // and the unpacked length.
+    // Linux reads only this header's flags. The rest are the packed bytes' offset and length, the length that the checksum covers,
+    // the checksum, and the unpacked length.
     let stack = Segment {
         kind: elf::STACK,
         flags: elf::READ | elf::WRITE,

@@ -2,7 +2,7 @@
 //!
 //! | bytes | content |
 //! | ---: | --- |
-//! | 512 | the headers; their last 24 bytes are for [`unpack`] |
+//! | 512 | the headers; their last 20 bytes are for [`unpack`] |
 //! | | the section `.text`, for reading and executing: |
 //! | 80 | addresses of the stub's functions, filled in by Windows |
 //! | 172 | the stub's first section, which verifies the rest |

@@ -7,10 +7,10 @@ use super::{
 
 pub const ROWS: usize = 3;
 
-/// A weight for each input, in 65,536ths.
+/// A weight for each input, in 16,384ths.
 type Weights = [Lanes; ROWS];
 
-/// The initial sum of an input's four weights: all 24 inputs together have a weight of three eighths.
+/// The initial sum of an input's four weights: all 24 inputs together have a weight of nearly 1.5.
 const FIRST_WEIGHT: i16 = 1000;
 
 /// The number of weight sets: by kind and beginning of the byte (0 for the kind as a whole); by kind and previous byte; and, in the

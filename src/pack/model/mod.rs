@@ -110,7 +110,7 @@ const fn expecting(feature: usize, features: &[usize]) -> u32 {
 /// Slots in a bucket, a cache line. Slot 0 holds the owner's hash; the others are for the beginnings of four bits.
 const BUCKET: u32 = 16;
 
-/// The number of slots: 64 MB. Older buckets with fewer bits are replaced. Half the slots cost 220 bytes.
+/// The number of slots: 64 MB. Of two buckets the less visited one is replaced. Half the slots cost 220 bytes.
 const SLOTS: usize = 1 << 24;
 
 /// The first slots are for pairs, by the two histories and whether both contexts expect the same bit.
@@ -262,7 +262,7 @@ impl Model {
     }
 }
 
-/// Unpacks `bytes`. Returns false if the code is damaged.
+/// Unpacks `packed` into `bytes`. Returns false if it is damaged.
 #[inline(always)]
 pub fn decode(model: &mut Model, packed: &[u8], bytes: &mut [u8]) -> bool {
     let mut decoder = Decoder::new(packed);

@@ -126,14 +126,13 @@ impl Loaded {
                 }
             }
             call(CLOSE, [file]);
-            self.tell(stack, base);
+            self.correct_auxiliary(stack, base);
             Some(base + header.entry)
         }
     }
 
-    /// Corrects the auxiliary vector.
     #[inline(always)]
-    unsafe fn tell(&self, stack: *mut usize, base: usize) {
+    unsafe fn correct_auxiliary(&self, stack: *mut usize, base: usize) {
         // SAFETY: the caller guarantees the stack: argument count, arguments, 0, environment, 0, pairs.
         unsafe {
             let mut pair = stack.add(*stack + 2);

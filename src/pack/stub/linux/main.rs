@@ -1,6 +1,6 @@
 //! The Linux stub: unpacks the program, and replaces itself by it.
 //!
-//! The packer links it from an object of its own, see `src/pack/build`.
+//! The packer links it from a separate object, see `src/pack/build`.
 
 #![no_std]
 #![no_main]
