@@ -26,7 +26,7 @@ pub struct Arguments {
     threads: Vec<usize>,
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"], help = format!("{}; repeatable", arguments::QUALITY))]
     quality: Vec<NamedQuality>,
-    /// Draws jagged edges; by default all are antialiased
+    /// Draws all frames with jagged edges; by default all are antialiased
     #[arg(long)]
     jagged: bool,
     /// Adds enlarged exhaustive frames of 0.3 to 0.9 of the side, a checkerboard of traced pixels, and `default` without its guard.

@@ -49,9 +49,9 @@ impl Build {
             .with_context(|| format!("{name} is missing in cargo's output"))
     }
 
-    /// Returns the path of an unpacked program (see `src/pack/build/mod.rs`), which has the name of the program in `deps`.
+    /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Its name is the packed program's in `deps`.
     ///
-    /// Cargo reports a copy of the program in `deps`. Equal bytes identify it, since the Windows build has the same folder.
+    /// Cargo reports only a copy of the latter. Equal bytes identify it, since builds for Windows are in the same folder.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
         let bytes = output::read(&copy)?;

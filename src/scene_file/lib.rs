@@ -64,7 +64,7 @@ impl SceneFile {
         if let Some(node) = tree.take("length") {
             length = f32::deserialize(&node)?;
             if !(length > 0.0 && length <= 3600.0) {
-                let message = format!("length is {length}; must be above 0 to 3600");
+                let message = format!("length is {length}; must be above 0, at most 3600");
                 return Err(Mistake::new(node.at, message));
             }
         }

@@ -41,8 +41,8 @@ struct State {
 }
 
 impl State {
-    /// Returns the address of a zero-terminated text, valid until the next one.
-    fn tell(&mut self, text: String) -> *const u8 {
+    /// Stores a zero-terminated text. Returns its address, valid until the next one.
+    fn store_text(&mut self, text: String) -> *const u8 {
         self.text = text.into_bytes();
         self.text.push(0);
         self.text.as_ptr()
@@ -98,7 +98,7 @@ pub extern "C" fn about() -> *const u8 {
         Frame::PROBES,
         sound::RATE,
     );
-    state().tell(text)
+    state().store_text(text)
 }
 
 /// Sets the size of the next frames. Returns the address of their pixels, a word each, valid until the size changes.
@@ -147,7 +147,7 @@ pub extern "C" fn read_file() -> *const u8 {
         }
         Err(message) => message,
     };
-    state.tell(message)
+    state.store_text(message)
 }
 
 /// Returns the length of the scene file in seconds; 0 without one.
@@ -260,7 +260,7 @@ pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const 
     let mut share = Share::new(&mut space.worker, from..to, 0, Counts::NONE);
     let mut renderer = Renderer::narrow(Level::baseline(), &mut space.memory);
     let _ = renderer.render_observed(&space.scene, &state.quality, frame, &mut share, &inspector);
-    state.tell(inspector.json())
+    state.store_text(inspector.json())
 }
 
 /// Converts rows to a canvas' RGBA bytes. Draw them again before the next call.

@@ -282,7 +282,7 @@ fn scene_of_any_scale_is_the_same_picture() {
     }
 }
 
-/// Scene units from the origin, and the least PSNR in dB to the oracle; [`eightfold_tracer::limits`] has both.
+/// Scene units from the origin, and the least PSNR in dB against the oracle; [`eightfold_tracer::limits`] has both.
 #[test]
 fn scene_far_from_the_origin_is_as_exact_as_stated() {
     for (distance, least) in [

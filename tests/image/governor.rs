@@ -261,7 +261,7 @@ impl Show {
     }
 }
 
-/// Few shows are held to 2 dB instead of 1, see [`AccuracyGovernor`].
+/// One show in 500 may end 2 dB below its target instead of 1, see [`AccuracyGovernor`].
 #[test]
 fn constant_accuracy_selects_fastest_preset() {
     let mut worse = 0;

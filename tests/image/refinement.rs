@@ -6,7 +6,7 @@ use eightfold_scenes::{Random, cases, crowd, lights};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 
-/// Returns the PSNR to the exhaustive picture with the same antialiasing.
+/// Returns the PSNR against the exhaustive picture with the same antialiasing.
 fn psnr(scene: &Scene, quality: Quality, [width, height]: [usize; 2]) -> f64 {
     let [exhaustive, refined] = [quality.reference(), quality]
         .map(|quality| draw_best(scene, &quality, width, height).pixels);

@@ -26,7 +26,7 @@ pub fn intro() -> PathBuf {
     BUILT.program("eightfold").expect("there is a program")
 }
 
-/// Returns the linked intro, which starts a third of a second faster than the packed file. `tests/intro/size.rs` tests that both
+/// Returns the linked intro, which starts a quarter of a second faster than the packed file. `tests/intro/size.rs` tests that both
 /// are the same program.
 pub fn linked_intro() -> PathBuf {
     BUILT.linked("eightfold").expect("it was linked")

@@ -121,7 +121,7 @@ fn window_beyond_largest_picture_is_filled() {
 }
 
 #[test]
-fn display_with_colour_table_counts_as_none() {
+fn display_with_colour_table_is_skipped() {
     needs!(DISPLAY);
     // Pixels of 8 bits are indices of a colour table.
     let server = Server::start_with(320, 240, &["-screen", "0", "320x240x8"]);

@@ -12,7 +12,7 @@ const INPUT: &str = "-v error -nostdin -y -f rawvideo -pixel_format 0rgb";
 /// All players support 4:2:0; without a colour space they would guess one. Rate factor 16 has no visible loss.
 const H264: &str = "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -crf 16 -pix_fmt yuv420p -colorspace bt709 \
                     -color_primaries bt709 -color_trc bt709 -color_range tv -movflags +faststart";
-/// 192 kbit/s have no audible loss.
+/// 192 kbit/s has no audible loss.
 const AAC: &str = "-map 0:v -map 1:a -c:a aac -b:a 192k";
 const WEBP: &str = "-c:v libwebp_anim -quality 70 -loop 0";
 

@@ -65,7 +65,7 @@ first | "mirror") | "LONG LONG") | "LONG | material is "LONGLONGLONGLONGLONGLONG
 first | radius: 1.2 | radius: LONG | LONG | is LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG...; must be a number
 first | (0.35, 0.4, 0.5) | (0.35, 0.4) | (0.35, 0.4) | has length 2; must be a list of 3 numbers
 first | 12.0, half_z | twelve, half_z | twelve | planes[0].half_x is twelve; must be a number
-first | Scene( | Scene(length: 0.0, | 0.0, | length is 0; must be above 0 to 3600
+first | Scene( | Scene(length: 0.0, | 0.0, | length is 0; must be above 0, at most 3600
 first | radius: 1.0, m | radius: 1.0 m | material: "red" | text is 'material:'; must be comma
 first | ambient | LONG | LONG | LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG... is unknown; must be one of camera
 motion | spheres[0].centre | spheres[9].centre | (0.0, (0.0, 0.5 | path is "spheres[9].centre"; must be of a value in the file
