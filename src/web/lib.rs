@@ -80,7 +80,7 @@ fn state() -> MutexGuard<'static, State> {
 }
 
 /// Returns the page's constants as zero-terminated JSON: the show's length and its scenes' starts in seconds, the names of the qualities
-/// from the most accurate to the fastest, the default quality, a frame's probes, and the sampling rate.
+/// from the most accurate to the fastest, the default quality, the number of probes per frame, and the sampling rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {

@@ -111,7 +111,7 @@ mod tests {
     use super::{MIN_HIGHLIGHT, root_below};
 
     #[test]
-    fn roots_are_below_by_a_fifth_at_most() {
+    fn root_below_is_at_most_a_fifth_too_small() {
         for h in [1.0, 1.5, 2.0, 5.0, 10.0, 40.0, 100.0, 1000.0] {
             for i in 1..100_000 {
                 let x = MIN_HIGHLIGHT.max(i as f32 / 100_000.0);

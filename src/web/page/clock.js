@@ -31,7 +31,7 @@ export class Clock {
     this.hasSound = false;
     /** The latest time of audible sound, in seconds. */
     this.heard = 0;
-    /** The context's time, and the millisecond since which it has been unchanged. */
+    /** The context's time, and when it last changed, in milliseconds. */
     this.seen = { time: 0, since: 0 };
   }
 

@@ -2,7 +2,7 @@
 
 import { bytesOf, decibels, squaredError } from "./frames.js";
 
-/** The second of the model scene, and the pictures' sizes. */
+/** The time in the model scene, in seconds, and the pictures' sizes. */
 const TIME = 2;
 const STEP = { width: 224, height: 168 };
 const MEASURED = { width: 640, height: 360 };

@@ -11,7 +11,7 @@ const get = (id) => document.getElementById(id);
 /** The maximum width of the picture, in the page and in fullscreen; the aspect ratio is 16:9. */
 const WIDEST = { page: 1280, fullscreen: 1920 };
 
-/** The frame rate to hold, by the quality and, if the fastest one is too slow, by the width, as a fraction. */
+/** The frame rate to hold. If the fastest quality is too slow, frames shrink to these fractions of the width. */
 const HELD = 60;
 const WIDTHS = [1, 0.75, 0.5];
 
@@ -19,10 +19,10 @@ const WIDTHS = [1, 0.75, 0.5];
 const LATE = 30;
 const EARLY = 120;
 
-/** The second of the picture behind the start button. */
+/** The show's time, in seconds, of the picture behind the start button. */
 const POSTER = 85;
 
-/** Probes of each frame of a resting picture, and the half width of the interval in dB that ends them. */
+/** Probes of each frame of a resting picture. They end when the half width of the interval, in dB, is below the margin. */
 const PROBES = 8192;
 const MARGIN = 0.3;
 
