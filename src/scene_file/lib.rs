@@ -109,7 +109,7 @@ impl SceneFile {
         let mut tree = self.tree.clone();
         for motion in &self.motions {
             let of = &motion.of;
-            let message = format!("path is {of:?}; must be of a value in the file");
+            let message = format!("path is {of:?}; must lead to a value in the file");
             let (at, numbers) = motion.at(time);
             let place = tree.place(of, at);
             place.ok_or(Mistake::new(at, message))?.set(&numbers);

@@ -33,7 +33,7 @@ enum Between {
 /// A value at a time in seconds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
-    /// Its byte in the text.
+    /// The offset in the text.
     at: usize,
     pub time: f32,
     numbers: Vec<f32>,
@@ -82,7 +82,7 @@ impl Motion {
         Ok(motion)
     }
 
-    /// Returns the byte of the current key, and the numbers.
+    /// Returns the current key's offset, and the numbers.
     pub fn at(&self, time: f32) -> (usize, Vec<f32>) {
         let (keys, last) = (&self.keys, self.keys.len() - 1);
         let time = match self.repeat {

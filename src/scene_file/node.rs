@@ -14,7 +14,7 @@ pub const UNKNOWN: &str = " is unknown";
 pub struct Node {
     /// The name of the field or entry, or the index of the item.
     name: String,
-    /// The value's byte in the text.
+    /// The value's offset in the text.
     pub at: usize,
     pub kind: Kind,
     /// Fields, entries or items.
@@ -157,7 +157,7 @@ impl<'de> Visitor<'de> for Reader<'_> {
     }
 }
 
-/// A mistake and its byte in the text.
+/// A mistake and its offset in the text.
 #[derive(Debug)]
 pub struct Mistake {
     pub at: Option<usize>,

@@ -68,7 +68,7 @@ first | 12.0, half_z | twelve, half_z | twelve | planes[0].half_x is twelve; mus
 first | Scene( | Scene(length: 0.0, | 0.0, | length is 0; must be above 0, at most 3600
 first | radius: 1.0, m | radius: 1.0 m | material: "red" | text is 'material:'; must be comma
 first | ambient | LONG | LONG | LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG... is unknown; must be one of camera
-motion | spheres[0].centre | spheres[9].centre | (0.0, (0.0, 0.5 | path is "spheres[9].centre"; must be of a value in the file
+motion | spheres[0].centre | spheres[9].centre | (0.0, (0.0, 0.5 | path is "spheres[9].centre"; must lead to a value in the file
 motion | spheres[0].centre | spheres[0].radius | (0.0, (0.0, 0.5 | spheres[0].radius is a list; must be a number
 motion | (3.0, (5.0 | (9.0, (5.0 | (6.0, (2.0 | time is 6; must be above 9
 motion | (3.0, (5.0 | (inf, (5.0 | (inf, (5.0 | time is inf; must be finite
