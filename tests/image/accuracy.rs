@@ -87,7 +87,7 @@ fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2],
 }
 
 #[test]
-fn fields_and_crowds_are_as_traced() {
+fn fields_and_crowds_match_the_oracle() {
     for (count, time) in [(4, 0.0), (64, 3.0), (256, 9.0), (320, 1.0)] {
         let what = format!("a field of {count} at {time} s");
         assert_traced(&show::field(count, time), [160, 120], &what);
@@ -100,7 +100,7 @@ fn fields_and_crowds_are_as_traced() {
 
 /// Instruction sets differ by at most 1/255, except on silhouettes.
 #[test]
-fn show_is_as_traced() {
+fn show_matches_the_oracle() {
     for time in TIMES.into_iter().step_by(2) {
         let mut scene = of_the_show(time as f32 / 1000.0);
         scene.captions.clear();
@@ -121,7 +121,7 @@ fn show_is_as_traced() {
 }
 
 #[test]
-fn silhouettes_and_rays_match_the_oracle() {
+fn ray_counts_match_the_oracle() {
     let near = |count: u64, expected: u64| count.abs_diff(expected) <= expected / 5000;
     let (width, height) = (1024, 768);
     let scene = show::model_scene(0.0);
@@ -228,7 +228,7 @@ fn spheres_around_lights_and_cameras_match() {
 }
 
 #[test]
-fn random_scenes_are_as_traced_and_refined() {
+fn random_scenes_match_the_oracle() {
     for mut random in cases(32) {
         let what = format!("case {}", random.seed);
         let scene = Kinds::SPHERES.scene(&mut random);

@@ -289,7 +289,7 @@ fn thin_and_near_shadows_are_shown() {
     tally.assert_counts(150, 40);
 }
 
-/// Returns a black mirror with images whose channels are at least half of 255.
+/// Returns a black mirror that halves its images: their channels are below 128, those of objects are 128 or more.
 fn mirror(random: &mut Random) -> View {
     let mut scene = Hidden::MIRROR.scene(random);
     scene.ambient = Vec3::ONE;
@@ -362,7 +362,7 @@ fn thin_and_near_images_are_shown() {
 const NEAR: f64 = 1e-4;
 
 /// Returns whether one of the pixels, or a neighbour, shows a point that mirrors a light to the eye.
-fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
+fn show_mirror_point(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
     // The difference between the mirrored ray and the direction to the light.
     let apart = |at: DVec2, light: DVec3| {
@@ -391,7 +391,7 @@ fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     })
 }
 
-/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light, lit.
+/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light.
 fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let spheres = scene.spheres.iter().map(Shape::from);
@@ -407,7 +407,7 @@ fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
         for pixels in patches(&changed, view.width) {
             if pixels.len() >= 5 {
                 effects.push(Effect {
-                    is_promised: hold_a_middle(view, shape, &pixels),
+                    is_promised: show_mirror_point(view, shape, &pixels),
                     pixels,
                 });
             }

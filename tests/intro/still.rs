@@ -28,7 +28,7 @@ fn frame_has_the_size_of_the_options() {
 }
 
 #[test]
-fn quality_without_its_option_is_default() {
+fn still_without_quality_is_default() {
     let exhaustive = still("--still 33.7 --size 320x200 --quality exhaustive");
     assert!(exhaustive == still("--still 33.7 --size 320x200 --exhaustive"));
     let default = still("--still 33.7 --size 320x200 --quality default");

@@ -12,16 +12,14 @@ pub const TILE: [usize; 2] = [512, 32];
 /// Split squares: x, y, side.
 pub type Splits = HashSet<[usize; 3]>;
 
-fn shows_much(material: &Material) -> bool {
+fn is_strong(material: &Material) -> bool {
     material.kr + material.kt >= 0.3
 }
 
 fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
     let spheres = scene.spheres.iter().map(|sphere| &sphere.material);
     let blocks = scene.blocks.iter().map(|block| &block.material);
-    let strong = spheres
-        .chain(blocks)
-        .filter(|material| shows_much(material));
+    let strong = spheres.chain(blocks).filter(|material| is_strong(material));
     quality.key_weight > 0.0 && strong.count() >= 12
 }
 
@@ -130,8 +128,8 @@ impl<'a> Squares<'a> {
             Object::Block(_) => true,
             Object::Plane(_) | Object::Light(_) | Object::Background => false,
         };
-        let is_strong = object.material(scene).is_some_and(shows_much);
-        has_crowd(scene, quality) && is_small && is_strong
+        let material = object.material(scene);
+        has_crowd(scene, quality) && is_small && material.is_some_and(is_strong)
     }
 
     fn draw_tile(&mut self, all: &[(usize, usize)], side: usize) {

@@ -52,7 +52,7 @@ impl Kinds {
         ..Self::SPHERES
     };
 
-    /// Everything that [`Scene::validate`] accepts, up to full lists.
+    /// Up to hundreds of objects of all kinds, scaled by 1e-5 to 1e5.
     pub const EXTREME: Self = Self {
         spheres: MAX_SPHERES,
         planes: 4,

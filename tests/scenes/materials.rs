@@ -31,7 +31,7 @@ pub fn painted(random: &mut Random) -> Material {
     }
 }
 
-/// Returns a material with numbers up to the ends of their ranges.
+/// Returns a material whose numbers vary by orders of magnitude.
 pub fn extreme(random: &mut Random) -> Material {
     let material = painted(random);
     Material {

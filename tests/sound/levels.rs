@@ -12,7 +12,7 @@ fn meter(samples: &[[f32; 2]]) -> (f64, f64) {
 }
 
 #[test]
-fn song_is_as_loud_as_music() {
+fn song_loudness_is_near_minus_14_lufs() {
     let (loudness, true_peak) = meter(song());
     assert!((-16.0..=-12.0).contains(&loudness), "{loudness} LUFS");
     assert!(true_peak <= decibels(-1.0).into(), "{true_peak}");
