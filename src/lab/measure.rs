@@ -25,7 +25,7 @@ pub struct ShotArguments {
     pub isa: Option<Isa>,
 }
 
-/// Measures every shot in every size, with every number of threads, by every technique.
+/// Measures every shot in every size, with every number of threads and every technique.
 pub struct Measurement {
     pub shots: Vec<Shot>,
     pub isa: Isa,

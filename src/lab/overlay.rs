@@ -112,7 +112,7 @@ pub fn square_colour(side: usize) -> u32 {
     heat(0.12 + 0.83 * halvings as f32 / Quality::MAX_SQUARE.ilog2() as f32)
 }
 
-/// Replaces pixels by their errors, white for `most` of 255 in a channel.
+/// Replaces pixels with their errors, white for `most` of 255 in a channel.
 pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
     for (pixel, &exhaustive) in pixels.iter_mut().zip(exhaustive) {
         *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / most as f32);

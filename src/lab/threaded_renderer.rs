@@ -89,7 +89,7 @@ impl ThreadedRenderer {
     }
 }
 
-/// Draws a frame by the best instruction set of this machine.
+/// Draws a frame with the best instruction set of this machine.
 pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Vec<u32> {
     let mut pixels = vec![0; size.area()];
     let level = cpu::best().level;

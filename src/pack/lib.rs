@@ -14,7 +14,7 @@
 //!
 //! # Reproducible output
 //!
-//! The model computes with integers, in a fixed order, by one function for packing and unpacking. A test compares SSE2 with the
+//! The model computes with integers, in a fixed order, with one function for packing and unpacking. A test compares SSE2 with the
 //! plain loops for other processors.
 //!
 //! # Time
@@ -55,7 +55,7 @@ fn encode(bytes: &[u8]) -> Vec<u8> {
     encoder.end()
 }
 
-/// Replaces relative offsets in instructions by addresses.
+/// Replaces relative offsets in instructions with addresses.
 fn with_addresses(bytes: &[u8]) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     let reader = &mut new_model().reader;

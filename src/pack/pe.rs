@@ -136,7 +136,7 @@ fn set_checksum(file: &mut [u8]) {
 }
 
 pub struct Imports {
-    /// Addresses of the functions' names, which Windows replaces by the functions' addresses.
+    /// Addresses of the functions' names, which Windows replaces with the functions' addresses.
     pub addresses: Vec<u8>,
     pub names: Vec<u8>,
 }

@@ -22,7 +22,7 @@ const DECAY: f32 = 0.86;
 /// The coefficient of the one-pole low pass in each delay's feedback: 5 kHz.
 const WALL: f32 = 0.5;
 
-/// Echo, and reverberation by a feedback delay network. Silence is all zeros. [`Mix`] explains the lanes.
+/// Echo, and reverberation from a feedback delay network. Silence is all zeros. [`Mix`] explains the lanes.
 pub(super) struct Space {
     echo: [Vec4; ECHO],
     room: [[Vec4; LENGTHS.len()]; ROOM],

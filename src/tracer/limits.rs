@@ -66,13 +66,13 @@
 //! | error | figure |
 //! | --- | --- |
 //! | missed objects that a pixel shows directly | 0 |
-//! | missed shadows of spheres on planes by point lights that darken a pixel by 2/255, except as below | 0 |
-//! | holes of 4 connected pixels or more in objects 1 to 5 pixels wide, their shadows on a plane by a point light, and their images in the first plane, jagged or antialiased | 0 |
+//! | missed shadows of spheres on planes from point lights that darken a pixel by 2/255, except as below | 0 |
+//! | holes of 4 connected pixels or more in objects 1 to 5 pixels wide, their shadows on a plane from a point light, and their images in the first plane, jagged or antialiased | 0 |
 //! | missed images in the first plane of spheres and boxes that show in 2x2 pixels | 0 |
 //! | missed highlights, seen directly, of five pixels and more around the point that mirrors the light | 0 |
 //! | pixels of shadows of spheres that the default quality draws lit, and their largest patch | 0.4 %, 20 |
-//! | the same by a sun, a spotlight and an area light | 0.6 %, 0.4 % and 0.3 % |
-//! | the same of thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
+//! | the same from a sun, a spotlight and an area light | 0.6 %, 0.4 % and 0.3 % |
+//! | the same of thin blocks, from a point light and from a sun | 2.5 % and 0.6 % |
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
 //! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
@@ -99,7 +99,7 @@
 //!   only a few pixels: a corner in a sphere's shadow can then be as dark without the shadow, and even a shadow wider than a square
 //!   can be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
 //! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and holes in thin
-//!   shadows by lights with a diameter, whose soft edges are unguarded.
+//!   shadows from lights with a diameter, whose soft edges are unguarded.
 //! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
 //!   a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing

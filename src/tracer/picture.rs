@@ -116,7 +116,7 @@ pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
 /// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. In smooth cells, and across their common border,
-/// neighbouring pixels never differ by an edge.
+/// neighbouring pixels never form an edge.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];

@@ -3,7 +3,7 @@
 //! Rounding has a relative error of at most `u` = 2^-24. A bound is the sum of the errors of its operations, in `u` of their
 //! largest number, plus some margin.
 //!
-//! # Shadows of spheres by point lights
+//! # Shadows of spheres from point lights
 //!
 //! All pixels of a sphere's shadow on a plane lie inside the shadow's cone in the picture, and a point that is certainly inside
 //! (see [`UNSURE`]) is dark. Let `h` be the sphere's hit error and `e` its distance from the light times [`HIT`]. Shadow rays meet

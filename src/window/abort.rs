@@ -1,5 +1,5 @@
-//! Replacements for functions of std in the intro, by `src/pack/build/redirect.rs`. Other programs do not call them. Only bugs
-//! panic: errors never do.
+//! The replacement for std's panic functions in the intro, see `src/pack/build/redirect.rs`. Other programs do not call it. Only
+//! bugs panic, never errors.
 
 use crate::{line, terminal};
 

@@ -53,7 +53,7 @@ pub fn best() -> Isa {
     })
 }
 
-/// Features of x86-64 processors, by CPUID.
+/// Features of x86-64 processors, from CPUID.
 ///
 /// `Level::new()` gives the same answer, but queries all features through std, for 1,499 packed bytes.
 #[cfg(target_arch = "x86_64")]

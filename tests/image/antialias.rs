@@ -1,4 +1,4 @@
-//! Antialiasing changes pixels at edges only, by the share that an edge covers.
+//! Antialiasing changes pixels at edges only, in proportion to coverage.
 
 use crate::drawn::{draw_best, with_antialias};
 use crate::error::worst_channel;

@@ -54,7 +54,7 @@ fn rays(drawn: &Drawn) -> u64 {
     drawn.counts.rays + drawn.counts.shadow_rays
 }
 
-/// Returns the rays of a scene by all refinements on all instruction sets.
+/// Returns a scene's numbers of rays, for each refinement on each instruction set.
 fn usual_rays(scene: &Scene) -> Vec<[u64; 4]> {
     let rays = |isa, quality| rays(&draw(isa, 2, scene, &quality, 64, 48));
     let isas = cpu::instruction_sets();

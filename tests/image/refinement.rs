@@ -55,7 +55,7 @@ pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     }
 }
 
-/// Tests crowds of mirrors and glass, and matt crowds by all kinds of light.
+/// Tests crowds of mirrors and glass, and matt crowds under all kinds of light.
 #[test]
 #[ignore = "many random scenes"]
 fn random_crowds_have_42_db() {

@@ -33,7 +33,7 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     }
 }
 
-/// Returns a crowd by the numbers of spheres and blocks, and the shares of glass and mirrors.
+/// Returns a crowd of `spheres` and `blocks`, with these shares of glass and mirrors.
 pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let eye = vec3(
         0.0,

@@ -100,7 +100,7 @@ pub fn placed_blocks(random: &mut Random) -> View {
     finished(view, random)
 }
 
-/// Adds a block by its bounding sphere; `thin` scales its thin sides.
+/// Adds a block in a random bounding sphere; `thin` scales its thin sides.
 fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 2], thin: f32) {
     let (centre, radius) = anywhere(random, view, far, pixels);
     let shares = [0; 3].map(|_| [1.0, random.between(0.02, 1.0)][random.below(2)]);

@@ -47,7 +47,7 @@ impl FrameViewer {
     }
 
     /// Returns false if nothing changes. While the scene plays, probes estimate the error. While it is paused, the next call
-    /// measures the error by an exhaustive frame, so that the picture appears earlier.
+    /// measures the error against an exhaustive frame, so that the picture appears earlier.
     pub fn draw(&mut self, controls: &Controls, subject: &Subject, size: Size) -> bool {
         let wanted = Some((*controls, subject.version, size));
         let is_drawn = self.drawn == wanted;

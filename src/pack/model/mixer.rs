@@ -1,4 +1,4 @@
-//! Mixes probabilities by a neuron that learns their weights (logistic mixing).
+//! Mixes probabilities with a neuron that learns their weights (logistic mixing).
 
 use super::{
     lanes::Lanes,

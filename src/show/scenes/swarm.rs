@@ -91,7 +91,7 @@ fn sphere(i: i32, beat: f32) -> Sphere {
     let flat = vec3(column, 0.0, row) * 0.56;
     let wave = sin(0.17 * flat.length_squared() - TAU * 0.25 * beat);
     let flat = flat + Vec3::Y * (0.9 + 0.55 * wave);
-    // The ball: a spiral from pole to pole by golden angles.
+    // The ball: a spiral from pole to pole in golden angles.
     let n = (i as f32 + 0.5) / COUNT as f32;
     let y = 1.0 - 2.0 * n;
     let out = around(0.382 * i as f32 + 0.05 * beat) * sqrt(1.0 - y * y);

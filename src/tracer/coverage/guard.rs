@@ -209,7 +209,7 @@ impl Search<'_> {
         }
     }
 
-    /// Opens the squares that may miss a shadow by the current light, an image, or a slit between two of them.
+    /// Opens the squares that may miss a shadow from the current light, an image, or a slit between two of them.
     #[inline(never)]
     fn settle(&mut self) {
         let rows = self.squares.rows;

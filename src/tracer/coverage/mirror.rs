@@ -72,7 +72,7 @@ impl Mirror {
             height = (heights[0] * a + heights[1] * b) / (a + b);
             let half = near * a + far * b;
             let length = half.length();
-            // The derivative of the bisector's angle by the normal's, negated.
+            // The derivative of the bisector's angle with respect to the normal's, negated.
             let back = 0.25 * radius * (a + b) * length;
             n = (n + (half / length - n) / (1.0 + back)).normalize();
         }

@@ -18,12 +18,12 @@
 //! - Objects: every object in an exhaustive frame has at least one pixel. A square with such a pixel meets the outline, so it is filled
 //!   only if a corner shows the object, or if an occluder at all corners covers the square. An averaged point counts as showing the object
 //!   of both ends.
-//! - Shadows of spheres on planes by point lights: a square that shows the plane and meets a shadow is filled only if a corner that shows
-//!   the plane lies in it, or if all corners lie in another shadow by the same light ([`rounding`](crate::rounding) derives the margins).
+//! - Shadows of spheres on planes from point lights: a square that shows the plane and meets a shadow is filled only if a corner that shows
+//!   the plane lies in it, or if all corners lie in another shadow from the same light ([`rounding`](crate::rounding) derives the margins).
 //!   The corner may be as dark without the shadow, see [`limits`](crate::limits).
 //! - Images in the first plane: the same, if they have 2x2 pixels or more and no other image covers them in part. A corner in an image's
 //!   outline shows the image or another one in front of it.
-//! - Thin things: a bar 1 to 5 pixels wide, its shadow on a plane by a point light, and its image in the first plane have no hole of 4
+//! - Thin things: a bar 1 to 5 pixels wide, its shadow on a plane from a point light, and its image in the first plane have no hole of 4
 //!   connected pixels or more at a named quality (`tests/image/thin.rs`). An outline's width is a lower bound: the least extent of the
 //!   object at its farthest distance. Antialiasing keeps at least an eighth of such a pixel.
 //!
@@ -31,7 +31,7 @@
 //!
 //! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a hexagonal prism, an area light as its
 //!   centre, and a spotlight also where it does not shine.
-//! - Slits of light between two shadows by one light: a square stays open if each covers some of its corners. Slits flicker without
+//! - Slits of light between two shadows from one light: a square stays open if each covers some of its corners. Slits flicker without
 //!   this rule.
 //! - Images of cylinders and capsules, which count as prisms.
 //! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on

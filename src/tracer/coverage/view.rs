@@ -109,7 +109,7 @@ impl BoundingCone {
         })
     }
 
-    /// Returns the cone's bounds, by the normals of the planes that appear as the lines u = 0, v = 0, and the line at infinity: the
+    /// Returns the cone's bounds, from the normals of the planes that appear as the lines u = 0, v = 0, and the line at infinity: the
     /// camera's axes, if the tip is the eye.
     ///
     /// The plane of u = c has the normal of u minus c times the last one. It touches the cone where its angle with the axis is the cone's

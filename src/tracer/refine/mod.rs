@@ -1,6 +1,6 @@
 //! Adaptive refinement: which points of the picture are traced, and how the other pixels are filled.
 //!
-//! Threads share the picture by bands of rows (see [`Band`](crate::Band)). A band is divided into *tiles*, at most 512 pixels wide, and a
+//! Threads share the picture in bands of rows (see [`Band`](crate::Band)). A band is divided into *tiles*, at most 512 pixels wide, and a
 //! tile is refined by *levels*: squares of 8 pixels, 4, 2, and single pixels. A level is a grid of points, the corners of its squares, with
 //! a bit for each square and point. Each step is a pass over rows:
 //!

@@ -73,7 +73,7 @@ impl Verdict {
     }
 }
 
-/// Judges the squares whose bits are set, by the rows of points above and below.
+/// Judges the squares whose bits are set, from the rows of points above and below.
 pub(super) fn judge(
     isa: Level,
     limits: [Limit; 2],

@@ -178,7 +178,7 @@ pub struct Material {
     pub kt: f32,
     /// The refractive index of the inside relative to the outside, 0.1 to 10.
     pub index: f32,
-    /// The colour of the object's shadow by lights with a [`Light::diameter`], 0 to 1 in each channel; black for a full shadow.
+    /// The colour of the object's shadow from lights with a [`Light::diameter`], 0 to 1 in each channel; black for a full shadow.
     pub tint: Vec3,
     /// The texture.
     pub pattern: Pattern,

@@ -12,7 +12,7 @@ use glam::Vec3;
 pub struct Caption {
     /// ASCII capitals, digits, full stops, and `/` for ±. Other bytes are spaces. Each of these signs is a digit of a number:
     ///
-    /// | sign | in a scene | by [`Frame::write`](crate::Frame::write) |
+    /// | sign | in a scene | in [`Frame::write`](crate::Frame::write) |
     /// | --- | --- | --- |
     /// | `#` | the traced points of the frame | the first number |
     /// | `$` | the pixels of the frame | the second number |

@@ -29,7 +29,7 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// Replaces the first three rows by normals. Before, the rows are x and z of `count` points, y of the rays' directions, and the
+/// Replaces the first three rows with normals. Before, the rows are x and z of `count` points, y of the rays' directions, and the
 /// rays' lengths. Uses the baseline only.
 #[inline(never)]
 fn tilt(world: World<'_>, rows: &mut [PerLane; 4], count: usize) {

@@ -1,4 +1,4 @@
-//! The portable backend, by `minifb`, std and libc.
+//! The portable backend, on `minifb`, std and libc.
 
 #[path = "../small/arguments.rs"]
 pub mod arguments;

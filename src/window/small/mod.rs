@@ -1,4 +1,4 @@
-//! The 64 kB backend for x86-64 Linux, by libc and Xlib.
+//! The 64 kB backend for x86-64 Linux, on libc and Xlib.
 
 #[path = "../abort.rs"]
 mod abort;

@@ -1,4 +1,4 @@
-//! Images in shared memory (MIT-SHM), by libXext.
+//! Images in shared memory (MIT-SHM), through libXext.
 
 #![allow(non_snake_case, reason = "Xlib's own names")]
 

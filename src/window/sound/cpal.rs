@@ -1,4 +1,4 @@
-//! Sound by `cpal`, on macOS.
+//! Sound through `cpal`, on macOS.
 //!
 //! The system requests samples on a thread of its own; they come from a queue that [`Device::write`] fills.
 

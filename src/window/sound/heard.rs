@@ -1,6 +1,6 @@
 /// Converts a clock's time to the sound's time: smooth, monotonic, close to the audible sound.
 ///
-/// A device reports its position in steps, with jitter, and by its own quartz. So the time follows the clock, and is pulled to the
+/// A device reports its position in steps, with jitter, and on its own quartz. So the time follows the clock, and is pulled to the
 /// device's position within a quarter of a second at 60 frames per second. After an underrun or a stop of the process the time
 /// waits for the written samples.
 #[derive(Default)]

@@ -49,7 +49,7 @@ pub trait Source: Send {
     fn chunk(&mut self) -> &[[f32; 2]];
 }
 
-/// The show's time, by the audible sound, or by a clock that excludes stops of the process.
+/// The show's time, from the audible sound, or from a clock that excludes stops of the process.
 pub struct Player {
     clock: Clock,
     heard: Heard,
@@ -101,8 +101,8 @@ impl Player {
     /// Plays a source until the process ends: on Linux on an ALSA device, whose name may be `default`, elsewhere on the default
     /// device.
     ///
-    /// If the device is missing, refuses the format, or does not open within three seconds, the time is by the clock, and standard
-    /// error tells the reason.
+    /// If the device is missing, refuses the format, or does not open within three seconds, the clock sets the time, and standard
+    /// error has the reason.
     pub fn start(device: &'static CStr, source: &'static mut dyn Source) -> Player {
         let work = Box::leak(Box::new(Work { device, source }));
         // SAFETY: the work is never freed, and only this thread uses it.
@@ -116,7 +116,7 @@ impl Player {
         }
     }
 
-    /// Returns the nanoseconds of the show until now. If the device is lost, the time continues by the clock.
+    /// Returns the nanoseconds of the show until now. If the device is lost, the time continues with the clock.
     pub fn time(&mut self) -> u64 {
         let (ahead, written) = (AHEAD.load(Relaxed), WRITTEN.load(Relaxed));
         let now = self.clock.time();

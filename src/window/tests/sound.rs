@@ -1,4 +1,4 @@
-//! Sound by ALSA: with its plug-ins `file` and `null`, and with a simulated device and clock.
+//! Sound through ALSA: with its plug-ins `file` and `null`, and with a simulated device and clock.
 //!
 //! A process reads ALSA's configuration once, so each case starts this program again.
 
@@ -90,7 +90,7 @@ fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
     times
 }
 
-/// Plays for a second with an ALSA configuration, by a command that ends in `"$0"`. Compares the player's pace with the clock's.
+/// Plays for a second with an ALSA configuration, from a command that ends in `"$0"`. Compares the player's pace with the clock's.
 fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
     let file = folder.join("asound.conf");
     fs::write(&file, configuration).expect("it is written");

@@ -4,7 +4,7 @@ use core::arch::global_asm;
 
 // Windows or the unpacker calls the first with two functions in `rcx` and `rdx`.
 //
-// The others are C's, by string instructions of the processor. Whole frames are never copied.
+// The others are C's, in string instructions of the processor. Whole frames are never copied.
 global_asm!(
     ".section .text.eightfold_start, \"ax\"",
     ".globl eightfold_start",

@@ -1,4 +1,4 @@
-//! The Linux stub: unpacks the program, and replaces itself by it.
+//! The Linux stub: unpacks the program, and replaces itself with it.
 //!
 //! The packer links it from a separate object, see `src/pack/build`.
 
@@ -29,7 +29,7 @@ const POPULATE: usize = 23;
 
 // The entry point. The dynamic linker later gets the same stack, and 0 in `rdx`: no function to call at exit.
 //
-// First the file is verified. If it was cut, reading its last pages would end the process by a signal. So Linux reads the last
+// First the file is verified. If it was cut, reading its last pages would end the process with a signal. So Linux reads the last
 // eight bytes, as the signal set of `rt_sigprocmask` (14) with an invalid operation (14), and reports EFAULT (-14). Then comes an
 // FNV-1a checksum of all bytes behind this section. This section itself is unverified; it is in the file's first page.
 global_asm!(

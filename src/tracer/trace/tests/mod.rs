@@ -27,7 +27,7 @@ use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
 
-/// The kernels by one instruction set. Packets and results have plain numbers, so that properties are compiled once. Only the first
+/// The kernels of one instruction set. Packets and results have plain numbers, so that properties are compiled once. Only the first
 /// [`lanes`](Self::lanes) rays of a packet are traced; further results repeat theirs.
 trait Kernels {
     fn lanes(&self) -> usize;

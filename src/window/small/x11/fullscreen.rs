@@ -1,4 +1,4 @@
-//! Fullscreen, by the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window is
+//! Fullscreen, through the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window is
 //! placed over the screen.
 
 use core::{
