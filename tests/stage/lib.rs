@@ -194,7 +194,9 @@ impl Server {
             self.window().is_none().then_some(())
         });
         let mut command = Command::new(intro());
-        command.arg("--silent").args(options.split_whitespace());
+        // Cheap frames leave the processors to other tests.
+        let cheap = ["--silent", "--quality", "thesis", "--fps", "20"];
+        command.args(cheap).args(options.split_whitespace());
         let intro = self.open(&mut command, || self.window());
         if self.focuses_new_windows {
             wait_for("the focus of the window", || {
