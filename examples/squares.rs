@@ -1,4 +1,4 @@
-//! Writes a PNG that outlines filled squares:
+//! Writes a frame with outlines around its interpolated squares as PNG:
 //!
 //!     cargo run --release -p eightfold-examples --bin squares squares.png
 
@@ -7,10 +7,11 @@ use eightfold_tracer::observe::{Fill, Observer};
 use eightfold_tracer::{Counts, Frame, Quality, Renderer, ScopedThreads};
 use std::{env, error::Error, fs::File, sync::Mutex};
 
+// Multiples of 8, so that squares end inside the picture.
 const WIDTH: usize = 640;
 const HEIGHT: usize = 360;
 
-/// `[x, y, width, height]` in pixels, clipped to the picture.
+/// `[x, y, width, height]` in pixels.
 type Square = [usize; 4];
 
 #[derive(Clone, Copy)]
@@ -26,13 +27,14 @@ impl Observer for Squares<'_> {
     }
 }
 
+/// Draws the upper and left sides; the neighbours draw the others.
 fn outline(pixels: &mut [u32], [x, y, w, h]: Square) {
-    let brighten = |pixel: &mut u32| *pixel = (*pixel >> 1 & 0x007f_7f7f) + 0x0060_6060;
+    let blend = |pixel: &mut u32| *pixel = (*pixel >> 1 & 0x007f_7f7f) + 0x0060_6060;
     for x in x..x + w {
-        brighten(&mut pixels[y * WIDTH + x]);
+        blend(&mut pixels[y * WIDTH + x]);
     }
     for y in y + 1..y + h {
-        brighten(&mut pixels[y * WIDTH + x]);
+        blend(&mut pixels[y * WIDTH + x]);
     }
 }
 

@@ -1,11 +1,9 @@
 use eightfold::show;
-use eightfold_window::{cpu, line::Writer};
+use eightfold_window::{cpu, line::Writer, window::KEYS};
 
 use super::qualities::NAMED;
 
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
-
-const KEYS: &str = "keys: F fullscreen, W window, H hud, Esc quit";
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
@@ -32,7 +30,7 @@ pub struct Flag {
     pub name: &'static str,
     /// The value's name in `--help`; empty without a value.
     pub value: &'static str,
-    /// The effect, the range of the value, and the default in brackets.
+    /// The effect, the range of the value, and the default in parentheses.
     help: &'static str,
 }
 
@@ -41,17 +39,17 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Size, "--size", "WxH", "size of the window or the frame, 1x1 to 3840x2160 (1024x768)"),
     flag(Switch::Fullscreen, "--fullscreen", "", "start in fullscreen"),
     flag(Switch::Threads, "--threads", "N", "threads that trace, 1 to 64 (one for each processor)"),
-    flag(Switch::Isa, "--isa", "NAME", "instruction set (the first of this CPU's):"),
-    flag(Switch::Seconds, "--seconds", "S", "seconds until the end, above 0 to 1000000000 (116; none with --loop)"),
-    flag(Switch::Loop, "--loop", "", "start again instead of ending"),
+    flag(Switch::Isa, "--isa", "NAME", "instruction set (the first listed):"),
+    flag(Switch::Seconds, "--seconds", "S", "seconds to play, above 0, at most 1000000000 (116; endless with --loop)"),
+    flag(Switch::Loop, "--loop", "", "repeat the show until Esc or --seconds"),
     flag(Switch::Fps, "--fps", "N", "target frame rate, 1 to 1000 (60)"),
-    flag(Switch::Psnr, "--psnr", "DB", "target PSNR to exhaustive, 1 to 99 dB; --fps overrides it"),
-    flag(Switch::Quality, "--quality", "NAME", "fixed quality (adaptive):"),
+    flag(Switch::Psnr, "--psnr", "DB", "target PSNR against exhaustive, 1 to 99 dB; --fps and --quality have priority"),
+    flag(Switch::Quality, "--quality", "NAME", "quality (adaptive by default):"),
     flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
-    flag(Switch::Uncapped, "--uncapped", "", "draw frames without a pause, at --quality default unless set"),
-    flag(Switch::Hud, "--hud", "", "show frames a second, points traced, dB to exhaustive"),
+    flag(Switch::Uncapped, "--uncapped", "", "draw without pauses; quality default unless --quality or --psnr is given"),
+    flag(Switch::Hud, "--hud", "", "show fps, traced points, and PSNR against exhaustive"),
     flag(Switch::Silent, "--silent", "", "play no sound"),
-    flag(Switch::Still, "--still", "S", "time in seconds of the frame to print as PPM, 0 to below 116"),
+    flag(Switch::Still, "--still", "S", "print a frame as PPM; its time in seconds, from 0 to below 116"),
     flag(Switch::Help, "--help", "", "print this help"),
     flag(Switch::Version, "--version", "", "print the version"),
 ];
@@ -68,7 +66,7 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
 /// The width of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
-// Check the order, the column, and the show's length in the help.
+// Check the order, the column's width, and the show's length in the help.
 const _: () = {
     assert!(show::LENGTH == 116.0);
     assert!(FLAGS.len() == Switch::Version as usize + 1);
@@ -121,7 +119,7 @@ pub fn write_help(output: &mut Writer) {
         flag.write_help(output);
         output.text("\n");
     }
-    output.text(KEYS).text("\n");
+    output.text("keys: ").text(KEYS).text("\n");
 }
 
 fn write_names(output: &mut Writer, names: impl IntoIterator<Item = &'static str>) {

@@ -56,7 +56,7 @@ fn help_and_version_are_printed() {
     assert_eq!(output.status.code(), Some(0));
     let flags = "--size --fullscreen --threads --isa --seconds --loop --fps --psnr --quality --exhaustive --uncapped \
                  --silent --hud --still --help --version";
-    let length = format!("({}; none with --loop)", show::LENGTH);
+    let length = format!("({}; endless with --loop)", show::LENGTH);
     let last = format!(" 0 to below {}\n", show::LENGTH);
     for text in flags.split(' ').chain([&qualities()[..], &length, &last]) {
         assert!(help.contains(text), "{text}: {help}");
@@ -89,10 +89,7 @@ fn options_have_their_effects() {
 fn instruction_set_of_another_cpu_is_refused() {
     let here: Vec<&str> = cpu::shipped().map(|isa| isa.name).collect();
     let (_, help) = run(&mut headless("--help"));
-    let list = format!(
-        "instruction set (the first of this CPU's): {}\n",
-        here.join(" ")
-    );
+    let list = format!("instruction set (the first listed): {}\n", here.join(" "));
     assert!(help.contains(&list), "{help}");
     for name in ["avx2", "sse2", "neon", "portable"] {
         let options = format!("--isa {name} --seconds 0.2 --size 64x48");

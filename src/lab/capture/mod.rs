@@ -13,9 +13,9 @@ use std::fs;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 
-/// Draws frames as PNG files, a video or a contact sheet, and writes their sound
+/// Draws frames as PNG files, a video or a contact sheet, and writes the show's sound
 ///
-/// Frames have the same bytes for any number of threads and any range, on all CPUs with AVX2, so machines can share a capture.
+/// A frame has the same bytes for any thread count and frame range, on all CPUs with AVX2, so machines can split the work.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),
@@ -25,7 +25,7 @@ pub struct Arguments {
     /// Folder for frame-000000.png, frame-000001.png and so on
     #[arg(long, value_name = "FOLDER")]
     png: Option<PathBuf>,
-    /// Video with sound (.mp4, .mkv) or animated picture (.webp), by ffmpeg
+    /// Video with the show's sound (.mp4, .mkv) or animation (.webp), by ffmpeg
     #[arg(long, value_name = "FILE")]
     video: Option<PathBuf>,
     /// PNG contact sheet of evenly spaced frames with their times, or - for standard output
@@ -40,7 +40,7 @@ pub struct Arguments {
     /// First frame
     #[arg(long, value_name = "FRAME", default_value = "0", value_parser = within(FRAME))]
     from: usize,
-    /// Frame after the last one [default: the scene's end]
+    /// End of the frame range, exclusive [default: the scene's end]
     #[arg(long, value_name = "FRAME", value_parser = within(FRAME))]
     to: Option<usize>,
     /// Frames per second
@@ -65,7 +65,7 @@ pub struct Arguments {
 }
 
 const FRAME: RangeInclusive<usize> = 0..=*arguments::FRAMES.end();
-/// 16x16 samples give all 256 levels of an edge.
+/// 256 samples, as many as a channel has levels.
 const MAX_SUPERSAMPLE: usize = 16;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -98,17 +98,17 @@ fn range(arguments: &Arguments) -> Result<Range<usize>> {
     Ok(from..to)
 }
 
-/// Padded names sort by number.
 fn write_files(recorder: &mut Recorder<'_>, frames: Range<usize>, folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| output::cannot("make", folder))?;
     let width = recorder.size.width;
     recorder.draw_each(frames, |frame, pixels| {
+        // Padded, so that names sort by frame.
         let path = folder.join(format!("frame-{frame:06}.png"));
         output::write(&path, &picture::png(width, pixels)?)
     })
 }
 
-/// Shows the middle frames of equal parts of the range.
+/// Splits the range into equal parts and shows the middle frame of each.
 fn write_sheet(recorder: &mut Recorder<'_>, range: &Range<usize>, name: &Path) -> Result<()> {
     output::check(name)?;
     let Arguments { fps, frames, .. } = *recorder.arguments;
@@ -124,7 +124,7 @@ fn write_sheet(recorder: &mut Recorder<'_>, range: &Range<usize>, name: &Path) -
     output::write(name, &sheet(recorder.size, columns(frames), &tiles)?)
 }
 
-/// Returns the column count from sqrt(`count`) to 2 sqrt(`count`) that leaves the fewest empty places.
+/// Returns the column count, from ceil(sqrt(`count`)) to twice that, with the fewest empty places.
 fn columns(count: usize) -> usize {
     let least = (count as f64).sqrt().ceil() as usize;
     let empty = |&columns: &usize| count.next_multiple_of(columns) - count;

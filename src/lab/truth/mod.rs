@@ -20,7 +20,7 @@ const MAX_SAMPLES: u32 = 1 << 20;
 
 /// Path-traces a scene, with area lights, indirect light and caustics
 ///
-/// Prints the RMS error and PSNR of the `default` picture, and the path tracer's noise.
+/// Prints the RMS error and PSNR of quality `default`, and the path tracer's noise.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -95,7 +95,7 @@ impl Estimate {
     }
 }
 
-/// Independent of the number of threads.
+/// The result is independent of the number of threads.
 pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate> {
     let tracer = PathTracer::new(scene, size);
     let bar = progress::bar(size.height);
@@ -118,7 +118,7 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
     rows.concat()
 }
 
-/// In 255ths.
+/// Errors in steps of 1/255.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
     /// The RMS difference, noise included.
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Cap noise at white; far above white, clipping hides it.
+            // Cap noise at 1; clipping hides it where the mean is 5 standard errors above white.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();
@@ -153,7 +153,7 @@ impl fmt::Display for Comparison {
         let psnr = 20.0 * (255.0 / error).log10();
         write!(
             f,
-            "RMS error {error:.2} of 255, PSNR {psnr:.1} dB, noise of the truth {noise:.2}"
+            "RMS error {error:.2} of 255, PSNR {psnr:.1} dB, path tracer noise {noise:.2}"
         )
     }
 }

@@ -1,6 +1,6 @@
-//! An unbiased estimate of the rendering equation (Kajiya, 1986).
+//! A path tracer (Kajiya, 1986), unbiased except for missing caustics of point lights.
 //!
-//! Every hit samples all lights for its rough part. A path adds lights that it meets straight from the eye, a mirror or glass.
+//! Every hit samples all lights for its diffuse and glossy lobes. Camera rays and specular rays add the lights that they hit.
 
 use super::light::{SphereLight, around};
 use crate::arguments::Size;
@@ -33,12 +33,12 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns a path's radiance through pixel (`x`, `y`).
+    /// Returns the exposed radiance of a random path through pixel (`x`, `y`).
     pub fn follow(&self, x: f64, y: f64, random: &mut Random) -> DVec3 {
         let mut ray = self.oracle.ray(x, y);
         let mut found = DVec3::ZERO;
         let mut throughput = DVec3::splat(self.exposure);
-        // The length since the last scattering, if any.
+        // The path's length since the last diffuse or glossy bounce, if any.
         let mut length: Option<f64> = None;
         let mut bounces = 0;
         loop {
@@ -67,12 +67,12 @@ impl<'a> PathTracer<'a> {
 
             let surface = Surface::new(&hit);
             found += throughput * self.direct(&surface, random);
-            let Some(next) = surface.scatter(random) else {
+            let Some(next) = surface.bounce(random) else {
                 return found;
             };
             ray = hit.ray.turned(next.d);
             throughput *= next.weight;
-            length = if next.is_scattered {
+            length = if next.is_rough {
                 Some(0.0)
             } else {
                 length.map(|length| length + t)
@@ -125,7 +125,7 @@ struct Next {
     d: DVec3,
     weight: DVec3,
     /// Diffuse or glossy.
-    is_scattered: bool,
+    is_rough: bool,
 }
 
 impl<'a> Surface<'a> {
@@ -136,7 +136,7 @@ impl<'a> Surface<'a> {
             .bounces()
             .map(|it| it.map_or(0.0, |(_, share)| share.into()));
         let diffuse = kd * hit.painted.max_element();
-        // Grooves spread the lobe: sample it like diffuse light.
+        // Anisotropic lobes are wide: sample them like diffuse ones.
         let shares = if material.anisotropy > 0.0 {
             let band = ks * (TAU / (exponent + 0.75)).sqrt();
             [diffuse + band, 0.0, mirrored, refracted]
@@ -161,7 +161,7 @@ impl<'a> Surface<'a> {
     }
 
     /// Returns the next segment; `None` if the path ends.
-    fn scatter(&self, random: &mut Random) -> Option<Next> {
+    fn bounce(&self, random: &mut Random) -> Option<Next> {
         let (choice, u) = (random.unit(), random.units());
         if self.albedo == 0.0 {
             return None;
@@ -175,7 +175,7 @@ impl<'a> Surface<'a> {
             return Some(Next {
                 d: glass.filter(|_| !is_mirrored).map_or(mirror, |(d, _)| d),
                 weight: DVec3::splat(self.albedo),
-                is_scattered: false,
+                is_rough: false,
             });
         }
         let d = if choice < diffuse {
@@ -190,7 +190,7 @@ impl<'a> Surface<'a> {
         (reflected != DVec3::ZERO && density > 0.0).then(|| Next {
             d,
             weight: reflected / density,
-            is_scattered: true,
+            is_rough: true,
         })
     }
 }

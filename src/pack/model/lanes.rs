@@ -36,7 +36,7 @@ impl Lanes {
         Lanes(sse2!(_mm_set_epi16(h, g, f, e, d, c, b, a)))
     }
 
-    /// Packs four pairs, each with its first number in the low 16 bits.
+    /// Loads eight `i16`, two per `u32`, the first in the low half.
     #[inline(always)]
     pub fn pairs(pairs: &[u32; 4]) -> Lanes {
         let [a, b, c, d] = pairs.map(|pair| pair as i32);
@@ -60,7 +60,7 @@ impl Lanes {
         Lanes::splat_pair(u32::from(number as u16) * 0x1_0001)
     }
 
-    /// Hides the value from the compiler, which would emit a 16-byte constant.
+    /// Hides a constant from the compiler, which otherwise stores it as 16 bytes.
     #[inline(always)]
     pub fn splat_pair(mut pair: u32) -> Lanes {
         // SAFETY: it does nothing.

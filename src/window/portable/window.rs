@@ -12,7 +12,10 @@ use crate::{
     render_target::{Next, RenderTarget},
 };
 
-/// A window for frames. Keys: H toggles the numbers, Esc quits. `minifb` has no fullscreen; the desktop may have one.
+/// For the intro's help.
+pub const KEYS: &str = "H hud, Esc quit";
+
+/// A window for frames. `minifb` has no fullscreen; the desktop may have one.
 pub struct Window {
     shown: minifb::Window,
     frame: &'static mut [u32],

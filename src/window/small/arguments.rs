@@ -7,7 +7,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Reads the arguments and prepares the process for [`main!`](crate::main).
+    /// Prepares the process and its arguments. [`main!`](crate::main) calls it first.
     ///
     /// # Safety
     /// `count` and `values` must be C's `argc` and `argv`, and no other thread may run.

@@ -5,7 +5,7 @@ use x11_dl::xlib;
 use super::x11::{self, Toplevel, Xlib};
 use crate::input::{Action, Button, Input, Mouse, Press};
 
-/// Records a window's input. The window calls `note` by a pointer, so programs that never listen do not link it.
+/// Records a window's input. `hear` calls `note` through a pointer: programs that never listen do not link `note`.
 pub struct Listener {
     note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool),
     inputs: Vec<Input>,
@@ -27,7 +27,7 @@ impl Listener {
         }))
     }
 
-    /// Records an event; `is_repeated` marks a held key.
+    /// Records an event; `is_repeated`: by auto-repeat.
     pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
         (self.note)(&mut self.inputs, x, event, is_repeated);
     }
@@ -38,7 +38,7 @@ impl Listener {
 }
 
 fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
-    // SAFETY: any bits are a valid key event; mouse events share its fields.
+    // SAFETY: any bits are a valid key event. In button events `keycode` is the button.
     let (kind, event) = unsafe { (event.type_, &event.key) };
     let action = match kind {
         xlib::KeyPress => {
@@ -68,7 +68,7 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: boo
     inputs.push(Input::Mouse(mouse));
 }
 
-/// Returns the button of an X11 number.
+/// Maps an X11 button number.
 fn button(number: u32) -> Option<Button> {
     Some(match number {
         1 => Button::Left,

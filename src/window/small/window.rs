@@ -16,8 +16,10 @@ use crate::{
     render_target::{Next, RenderTarget},
 };
 
-/// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits. A key that is pressed and released between
-/// two frames counts.
+/// For the intro's help.
+pub const KEYS: &str = "F fullscreen, W window, H hud, Esc quit";
+
+/// A window for frames. A key that is pressed and released between two frames counts.
 pub struct Window {
     top: Toplevel,
     delete: xlib::Atom,

@@ -51,7 +51,10 @@ const W_KEY: usize = b'W' as usize;
 /// Keeps system and display on, as long as the thread lives.
 const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 
-/// A window for frames. Keys: F fullscreen, W window, H toggles the numbers, Esc quits.
+/// For the intro's help.
+pub const KEYS: &str = "F fullscreen, W window, H hud, Esc quit";
+
+/// A window for frames.
 ///
 /// A separate thread handles the window's messages, changes its size and forwards its keys, so that it responds while a frame is
 /// drawn. A closed window has no size.

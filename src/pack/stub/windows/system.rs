@@ -1,4 +1,4 @@
-//! Windows functions in the packed file's import table.
+//! Windows functions that the packed file imports.
 
 use core::ffi::{c_char, c_void};
 
@@ -13,8 +13,8 @@ pub const COMMIT_RESERVE: u32 = 0x3000;
 /// `MEM_RELEASE`.
 pub const RELEASE: u32 = 0x8000;
 
-/// The import table, in the order of `FUNCTIONS` in `src/pack/executable/windows.rs`. The assembly in `main.rs` calls the last
-/// four by their offsets.
+/// The import address table, in the order of `FUNCTIONS` in `src/pack/executable/windows.rs`. The assembly in `main.rs` uses offsets
+/// of the first two and the last four.
 #[repr(C)]
 pub struct System {
     pub load_library: unsafe extern "win64" fn(name: *const u8) -> *mut c_void,
@@ -39,7 +39,7 @@ pub struct System {
 /// Changes access rights. Returns false if Windows refuses.
 ///
 /// # Safety
-/// Nothing may need the removed rights.
+/// No code must rely on the removed rights.
 #[inline(always)]
 pub unsafe fn protect(system: &System, address: usize, size: usize, to: u32) -> bool {
     let mut was = 0;
