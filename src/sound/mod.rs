@@ -20,7 +20,7 @@ pub const RATE: u32 = 48_000;
 /// A sixteenth, the song's shortest step, in samples: 6,000.
 pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
 
-/// Samples of a millisecond. Slow parameters, such as the filters', are updated once per chunk.
+/// Samples in a millisecond. Slow parameters, such as the filters', are updated once per chunk.
 const CHUNK: usize = 48;
 
 const STEPS_PER_BAR: u32 = 16;

@@ -1,6 +1,6 @@
 //! The song: each instrument's notes.
 //!
-//! It is in A minor. The title's eight notes return in every scene but one; the colonnade's melody returns in the swarm, louder,
+//! It is in A minor. The title's arpeggio returns in the model scene and the finale; the colonnade's melody returns in the swarm,
 //! and resolves in the finale. Each scene's last bar leads into the next scene.
 //!
 //! The song is written as text, which the compiler parses. Spaces separate scenes and beats for the reader.
@@ -43,8 +43,8 @@ static SCALE: [u8; 16] = [
     0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93,
 ];
 
-/// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start a note, by the instrument's
-/// [`Notes`](super::instruments::Notes); 0 does not.
+/// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
+/// [`Notes`](super::instruments::Notes) defines; 0 starts none.
 struct Part {
     /// Each bar's pattern, counted from 1; 0 is silence.
     bars: [u8; BARS],

@@ -65,8 +65,8 @@ impl Synthesizer {
         }
     }
 
-    /// Moves to a position in samples from the song's start. A sound depends on all sound before it, so this synthesizes the song
-    /// up to there, which takes some milliseconds for each of its seconds.
+    /// Moves to a position in samples from the song's start. Sound depends on all sound before it, so this synthesizes the song up
+    /// to there, which takes a few milliseconds per second of sound.
     pub fn seek(&mut self, position: u32) {
         *self = const { Self::new() };
         for _ in 0..position % SONG_LENGTH {

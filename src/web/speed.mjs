@@ -18,7 +18,7 @@ const SHOW = { width: 1280, height: 720, step: 0.25 };
 
 const load = async (name) => (await WebAssembly.instantiate(gunzipSync(readFileSync(join(site, `${name}.bin`))))).instance.exports;
 
-/** Draws a frame by the native program. Returns its milliseconds. */
+/** Draws a frame with the native program. Returns its milliseconds. */
 const native = (() => {
   const { stdin, stdout } = spawn(program, { stdio: ["pipe", "pipe", "inherit"] });
   const lines = createInterface({ input: stdout })[Symbol.asyncIterator]();
@@ -28,7 +28,7 @@ const native = (() => {
   };
 })();
 
-/** The same by a module, of the model scene or of the show. */
+/** The same in a module, of the model scene or of the show. */
 const byModule = (exports, setScene = exports.set_model, rows = height) => (place, time) => {
   const before = process.cpuUsage();
   setScene(time);

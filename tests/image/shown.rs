@@ -313,7 +313,6 @@ fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
         if is_image(image) && is_wide {
             let digit = |shift: u32| ((image >> shift & 0xff) as usize - 64) / 15;
             let number = digit(16) + 4 * digit(8) + 16 * digit(0);
-            // Spheres and blocks alternate.
             let is_sphere = number % 2 == 0;
             let is_promised = is_sphere || view.scene.blocks[number / 2].shape == BlockShape::Box;
             effects.push(Effect {

@@ -1,4 +1,4 @@
-// Headless Chromium, by the DevTools protocol over a pipe.
+// Headless Chromium, through the DevTools protocol over a pipe.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
@@ -37,7 +37,6 @@ export class Browser {
     return new Promise((resolve, reject) => this.replies.set(id, { resolve, reject }));
   }
 
-  /** Opens a page. */
   async open(address, width = 1440, height = 900) {
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank" });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
@@ -49,7 +48,6 @@ export class Browser {
     return page;
   }
 
-  /** Opens a page in a new browser. */
   static page(address) {
     return new Browser().open(address);
   }
@@ -108,7 +106,6 @@ class Page extends Driver {
     return this.browser.end();
   }
 
-  /** Clicks the centre of an element. */
   async click(selector) {
     const [x, y] = await this.value(`(() => { const element = document.querySelector(${JSON.stringify(selector)}); element.scrollIntoView({ block: "nearest" }); const box = element.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()`);
     for (const type of ["mousePressed", "mouseReleased"]) await this.mouse(type, x, y);

@@ -8,7 +8,6 @@ const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/cs
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** Returns a free port. */
 export async function freePort() {
   const server = createServer();
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
@@ -37,7 +36,7 @@ export async function serve(folder, headers = {}, change = () => ({})) {
   return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
-/** Runs the tests whose names contain a word, with a line each. Returns the exit code. */
+/** Runs the tests whose names contain a word, and prints a line for each. Returns the exit code. */
 export async function run(tests, word, by = "") {
   let code = 0;
   for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(word))) {
@@ -73,7 +72,7 @@ export class Driver {
     return this.value(`(() => { const input = document.getElementById("${id}"); input.value = ${JSON.stringify(value)}; input.dispatchEvent(new Event("input", { bubbles: true })); })()`);
   }
 
-  /** Returns a frame of the page as RGB bytes, by the expression that draws it. */
+  /** Returns a frame as RGB bytes. `frames` is an expression for the object that draws it. */
   async frame(order, frames = "eightfold.frames") {
     return Buffer.from(await this.value(`(async () => {
       const { bytesOf } = await import(new URL("frames.js", location));
@@ -85,7 +84,7 @@ export class Driver {
   }
 }
 
-/** A page by WebDriver: `navigate(url)`, and `script(text)` for asynchronous scripts. */
+/** A page through WebDriver: `navigate(url)`, and `script(text)` for asynchronous scripts. */
 export class WebDriver extends Driver {
   /** Loads an address, and waits for the page or another condition. */
   async go(address, condition = "globalThis.eightfold?.view") {

@@ -27,7 +27,7 @@ async function soundtrack(seconds) {
 }
 
 /**
- * Measures `times` times by how many seconds the picture leads the sound. The samples identify the position in the soundtrack; they are
+ * Measures the picture's lead over the sound in seconds, `times` times. The samples identify the position in the soundtrack; they are
  * heard up to Chromium's latency later. Other latencies are unknown: 0 in WebKit, and asking can hang Firefox.
  */
 async function leads(mixed, times) {
@@ -56,9 +56,9 @@ async function leads(mixed, times) {
 const show = (time, quality, width, height) => ({ scene: { kind: "show", time }, quality, isReference: false, width, height });
 const label = "document.getElementById('play').getAttribute('aria-label')";
 
-/** Faults of hosts and browsers, each with the message of the page. */
+/** Faults of hosts and browsers, each with the page's message; null if the page plays. */
 const faults = {
-  "a host that has a module unpacked": [{ change: (path) => path.endsWith(".bin") && { more: { "content-encoding": "gzip" } } }, null],
+  "a host whose modules the browser unpacks": [{ change: (path) => path.endsWith(".bin") && { more: { "content-encoding": "gzip" } } }, null],
   "a host without the fast module": [{ change: (path) => path === "/eightfold.bin" && { status: 404 } }, /eightfold\.bin: HTTP status is 404; must be 200/],
   "a host with half of the fast module": [{ change: (path, own) => path === "/eightfold.bin" && { bytes: own.subarray(0, own.length / 2) } }, /eightfold\.bin is cut short or damaged/],
   "a host without modules": [{ change: (path) => path.endsWith(".bin") && { status: 404 } }, /can.t be played: eightfold\.bin: HTTP status is 404; must be 200, and plain\.bin: HTTP/],
@@ -177,7 +177,7 @@ const silent = {
 };
 
 for (const [name, [{ headers, change, before }, sentence]] of Object.entries(faults)) {
-  tests[`${name} is reported`] = async () => {
+  tests[`${name} is ${sentence ? "reported" : "accepted"}`] = async () => {
     const inject = (path, own) => (path === "/index.html" || path === "/" ? { bytes: String(own).replace("<head>", `<head><script>${before}</script>`) } : {});
     const host = await serve(folder, headers, before ? inject : change);
     try {

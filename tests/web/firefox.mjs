@@ -1,4 +1,4 @@
-// Headless Firefox, by its Marionette protocol over a socket.
+// Headless Firefox, through its Marionette protocol over a socket.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";

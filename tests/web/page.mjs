@@ -65,7 +65,7 @@ const tests = {
     assert.equal(await textOf("notice"), "");
   },
 
-  async "frames have the bits of --still, by any number of workers"() {
+  async "frames have the bits of --still, with any number of workers"() {
     const { qualities } = await page.value("eightfold.about");
     for (const workers of [1, 2, 5]) {
       await page.value(`import("./frames.js").then(({ Frames }) => { globalThis.others = new Frames(eightfold.frames.compiled, ${workers}, (why) => { throw why; }) })`);
@@ -90,7 +90,7 @@ const tests = {
     assert.ok(exact.points >= 99 && fastest.points < 40, `${exact.points} % and ${fastest.points} %`);
   },
 
-  async "each overlay shows another picture"() {
+  async "each overlay shows a different picture"() {
     const seen = new Set();
     for (const overlay of ["none", "points", "squares", "error", "split"]) {
       await page.click(`input[value=${overlay}] + span`);
@@ -347,7 +347,7 @@ const tests = {
     await page.until("!document.fullscreenElement");
   },
 
-  async "keys work by position on layouts of other letters"() {
+  async "keys work by position on other keyboard layouts"() {
     await page.go(site.address);
     const { qualities } = await page.value("eightfold.about");
     // Press keys of Russian, Greek and French layouts, and of a Japanese input method.
@@ -386,7 +386,6 @@ const tests = {
     await page.until("eightfold.clock.isPlaying");
     await page.key(" ", "Space", false, 4);
     await page.until("!eightfold.clock.isPlaying");
-    // Hold Enter on a focused button.
     await page.value("document.getElementById('mute').focus()");
     await page.key("Enter", "Enter", false, 4);
     assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
@@ -429,7 +428,6 @@ const tests = {
     await page.until("document.getElementById('scene-fault').textContent !== ''");
     const line = text.split("\n").findIndex((line) => line.includes("radius: 1.0")) + 1;
     assert.match(await textOf("scene-fault"), new RegExp(`^Line ${line}, column \\d+: spheres\\[0\\].radius is -1; must be `));
-    // Select a missing example.
     const names = "const names = document.getElementById('scene-name'); names.append(new Option('gone')); names.value = 'gone';";
     await page.value(`(() => { ${names} names.dispatchEvent(new Event("change")); })()`);
     await page.until("document.getElementById('scene-fault').textContent === 'scenes/gone.ron: HTTP status is 404; must be 200.'");

@@ -1,4 +1,4 @@
-// WebKitGTK, Safari's engine, in a window on an X server, by WebDriver.
+// WebKitGTK, Safari's engine, in a window on an X server, through WebDriver.
 
 import { spawn } from "node:child_process";
 import { WebDriver, freePort, sleep } from "./driver.mjs";

@@ -67,7 +67,7 @@ fn environment_variables_do_not_block_the_window() {
 }
 
 /// Compares a small window with the frames after the fade-in, in which frames differ most, up to the present.
-/// `tolerance` is the mean difference of 255.
+/// `tolerance` limits the mean difference, of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let start = Instant::now();
     let intro = server.play("--size 200x150 --seconds 60");

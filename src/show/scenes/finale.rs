@@ -66,7 +66,7 @@ static CAPTIONS: &[Cue] = &[
 const ARMS: u8 = 8;
 const SPHERES: u8 = 16;
 
-/// The colour of an arm's first sphere, and the difference to its last: from gold to violet.
+/// The colour of an arm's first sphere, and the change along the arm: from gold to violet.
 const GOLD: Vec3 = vec3(0.95, 0.66, 0.25);
 const TO_VIOLET: Vec3 = vec3(-0.60, -0.58, 0.30);
 

@@ -55,7 +55,7 @@ const GENERATIONS: u8 = 3;
 /// The beats between generations: each grows on a bar, within a beat.
 const BEATS: f32 = 4.0;
 
-/// The colour of the first sphere, and the difference of a generation: from silver to orange.
+/// The colour of the first sphere, and the change per generation: from silver to orange.
 const SILVER: Vec3 = vec3(0.78, 0.80, 0.90);
 const TO_ORANGE: Vec3 = vec3(0.05, -0.15, -0.27);
 

@@ -107,7 +107,7 @@ fn add(beat: f32, scene: &mut Scene) {
         &material::SILVER,
         scene,
     );
-    // Two wheels that advance by a tooth, and mesh.
+    // Two meshing wheels advance by a tooth per tick.
     add_wheel(Vec3::Y * 0.5, 1.5, 16, ticks / 16.0, scene);
     add_wheel(vec3(2.25, 0.5, 0.0), 0.65, 8, 0.0625 - ticks / 8.0, scene);
 }

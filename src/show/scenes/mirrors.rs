@@ -51,7 +51,7 @@ static FLOOR: Material = Material {
     ..material::SANDSTONE
 };
 
-/// A perfect mirror, without a colour of its own.
+/// A mirror without colour and highlights.
 static WALL: Material = Material {
     kr: 0.62,
     index: 1.0,

@@ -1,4 +1,4 @@
-//! The show's scenes, a file for each. The show's length, cuts and scenes' names follow from the list.
+//! The show's scenes, a file for each.
 
 mod colonnade;
 mod finale;
@@ -70,7 +70,7 @@ const _: () = assert!(
 /// The length of the show in seconds.
 pub const LENGTH: f32 = BAR * BARS as f32;
 
-/// Returns the bar at which the scene of a name begins.
+/// Returns the bar at which a named scene begins.
 ///
 /// # Panics
 ///

@@ -57,7 +57,7 @@ const WIDE: i32 = 4;
 /// The centre of the ball and of the figure of eight, in scene units.
 const MIDDLE: Vec3 = vec3(0.0, 2.75, 0.0);
 
-/// The colour of the first sphere, and the difference to the last: from red to blue.
+/// The colour of the first sphere, and the change to the last: from red to blue.
 const RED: Vec3 = vec3(0.90, 0.15, 0.10);
 const TO_BLUE: Vec3 = vec3(-0.78, 0.17, 0.80);
 /// The colour of the waves' crests: darker than [`material::GOLD`], because plastic has a larger diffuse coefficient.

@@ -41,7 +41,7 @@ static ENVIRONMENT: Environment = Environment {
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
-    // Move back at the pace of the rising letters, to keep all in the picture even at 4:3, then past them.
+    // Move back at the pace of the rising letters, to keep them all in the picture even at 4:3.
     shot(6, &[
         keyframe([6.4, 0.9, 0.0], 0.9, 5.0, 0.1),
         keyframe([4.5, 1.0, 0.0], 0.75, 5.1, 0.05).rolled(-0.03),

@@ -147,7 +147,6 @@ export class Clock {
     else if (this.context.state === "running") this.context.suspend();
   }
 
-  /** Seeks to a time of the show. */
   seek(show) {
     this.still = show;
     this.from = { show, source: this.source() };
@@ -156,7 +155,6 @@ export class Clock {
     if (this.hasSound) this.node.port.postMessage(this.wanted);
   }
 
-  /** Unmutes or mutes the sound. */
   set isMuted(isMuted) {
     if (this.volume) this.volume.gain.value = isMuted ? 0 : 1;
   }

@@ -118,7 +118,7 @@ export class Frames {
   }
 }
 
-/** Sends neighbouring workers the adjacent rows of each other. */
+/** Sends neighbouring workers each other's adjacent rows. */
 function exchange(shares) {
   shares.slice(1).forEach((below, i) => {
     const above = shares[i];

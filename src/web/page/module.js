@@ -26,7 +26,6 @@ export class Module {
     return this.text(this.calls.read_file());
   }
 
-  /** Sets the size, the scene, the overlay and the quality. */
   begin({ scene, method, quality, isReference, width, height }) {
     if (this.width !== width || this.height !== height) {
       Object.assign(this, { width, height, pixels: this.calls.resize(width, height) });

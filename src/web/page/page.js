@@ -60,7 +60,6 @@ const view = { source: "show", edition: 0, quality: about.default, isHeld: true,
 /** Whether to draw a frame although the show is paused. */
 let isStale = true;
 let isDrawing = false;
-/** Recent measurements. */
 const recent = { shown: [], second: 0 };
 /** The sums of the probes of frames with the same `key`. */
 let probes = { key: "", probed: 0, squares: 0, fourths: 0 };

@@ -25,7 +25,7 @@ pub struct Frames {
     context: xlib::GC,
     image: *mut xlib::XImage,
     put_image: PutImage,
-    /// The next frame to draw is first.
+    /// The first is drawn next.
     frames: [&'static mut [u32]; 2],
     drawn: (usize, usize),
 }

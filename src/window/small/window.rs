@@ -29,7 +29,7 @@ pub struct Window {
     listener: Option<&'static mut Listener>,
 }
 
-/// The maximum side of a window in pixels, by the X protocol.
+/// The maximum side of a window in pixels in the X protocol.
 const MAX_SIDE: c_int = 32_767;
 
 impl Window {

@@ -17,7 +17,7 @@ const PULL: i64 = 16;
 /// The least difference that means lost sound rather than jitter: 50 ms.
 const LOST: u64 = 50_000_000;
 
-/// The maximum progress of a frame without sound, as on a device that hangs: 50 ms, the clock's pace from 20 frames per second on.
+/// The maximum progress of a frame without sound, as on a device that hangs: 50 ms, the clock's pace at 20 fps or more.
 const MAX_UNHEARD: i64 = 50_000_000;
 
 impl Heard {

@@ -45,7 +45,7 @@ const SLACK: u64 = LATENCY as u64 * 1500;
 const FASTEST: u64 = 1000;
 
 pub trait Source: Send {
-    /// Returns the next samples, at most some milliseconds: left and right, full scale 1.
+    /// Returns the next few milliseconds of samples: left and right, full scale 1.
     fn chunk(&mut self) -> &[[f32; 2]];
 }
 
@@ -65,7 +65,7 @@ static AHEAD: AtomicI64 = AtomicI64::new(0);
 /// The end of the written sound in nanoseconds; the maximum without sound.
 static WRITTEN: AtomicI64 = AtomicI64::new(i64::MAX);
 
-/// The time when the device was open, in [`Clock::start`]'s system time, or one of the constants below.
+/// The time when the device was opened, in [`Clock::start`]'s system time, or one of the constants below.
 static OPENED: AtomicU64 = AtomicU64::new(OPENING);
 const OPENING: u64 = u64::MAX;
 const SILENT: u64 = u64::MAX - 1;

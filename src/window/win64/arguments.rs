@@ -29,7 +29,6 @@ impl Arguments {
                 line::complaint().text(name).text(" is missing\n").flush();
                 end(1);
             }
-            // Sleep with a resolution of 1 ms.
             timeBeginPeriod(1);
             let all = CommandLineToArgvW(GetCommandLineW(), &mut count);
             let all = from_raw_parts(all, count as usize);

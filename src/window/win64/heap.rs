@@ -1,4 +1,4 @@
-//! An allocator for the few objects that are created once.
+//! A bump allocator, which never frees, for the few objects that are created once.
 
 use core::{
     alloc::{GlobalAlloc, Layout},
@@ -16,7 +16,6 @@ const _: () = assert!(SIZE >= (Pool::MOST + 64) * ALIGNMENT);
 
 const ALIGNMENT: usize = 16;
 
-/// A bump allocator that never frees.
 #[repr(C, align(16))]
 struct Heap {
     memory: UnsafeCell<[u8; SIZE]>,

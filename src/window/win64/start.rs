@@ -2,7 +2,7 @@
 
 use core::arch::global_asm;
 
-// Windows or the unpacker calls the first with two functions in `rcx` and `rdx`.
+// The unpacker starts the first with `LoadLibraryA` in `rcx` and `GetProcAddress` in `rdx`.
 //
 // The others are C's, in string instructions of the processor. Whole frames are never copied.
 global_asm!(

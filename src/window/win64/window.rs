@@ -125,7 +125,7 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         };
         let mut message = zeroed();
         while GetMessageA(&mut message, none, 0, 0) > 0 {
-            // Ctrl makes a key another program's command. (Alt sends other messages.)
+            // Ignore keys with Ctrl. (Alt sends other messages.)
             let is_new = message.message == WM_KEYDOWN && message.lParam & REPEATED == 0;
             if is_new && GetKeyState(VK_CONTROL.into()) >= 0 {
                 match message.wParam {

@@ -110,7 +110,6 @@ fn signal_keeps_results() {
     }
 }
 
-/// The test in `ladder` has jagged frames.
 #[test]
 fn antialias_includes_reference() {
     let table = printed("trade --ladder --size 48x36 --frames 2 --views 1 --antialias");
