@@ -1,6 +1,6 @@
 //! A second ray tracer: the reference for the library's pictures, and for the objects that the lab counts.
 //!
-//! It is scalar and recursive, in f64, by textbook formulas, and shares only the scene description with the library. The lab's path
+//! It is scalar and recursive, in f64, with textbook formulas, and shares only the scene description with the library. The lab's path
 //! tracer uses its geometry and shading.
 
 pub mod frame;

@@ -14,7 +14,7 @@ pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     let waves_there = v.to_array().map(wave);
     let sign: f64 = waves_there.into_iter().map(f64::signum).product();
     let lowest = waves_there.into_iter().map(f64::abs).fold(1.0, f64::min);
-    // A wave falls from 1 to -1 in half a period. Edges are at least a pixel wide.
+    // A wave falls from 1 to -1 in half a period.
     let steepest = 0.5 / (footprint * waves.abs().max_element());
     let edge = f64::from(pattern.edge).min(steepest);
     let shift = f64::from(pattern.balance) * edge.max(1.0);

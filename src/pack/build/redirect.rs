@@ -15,7 +15,7 @@
 //! | the others, with their messages' arguments | 975 |
 //! | `opt-level = 2`, as fast as 3 (of 72,726) | 6,566 |
 //!
-//! Rejected: an allocator by `malloc` saves 105 bytes; the window's crates at `opt-level = "s"` save 104.
+//! Rejected: an allocator on `malloc` saves 105 bytes; the window's crates at `opt-level = "s"` save 104.
 
 use std::{collections::HashSet, ffi::OsString, fs, path::PathBuf};
 

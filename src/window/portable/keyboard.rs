@@ -4,8 +4,7 @@ use minifb::{InputCallback, Key};
 
 use crate::input::{self, Press};
 
-/// Keys pressed since the last call of [`KeyQueue::take`], recorded by `minifb`'s callback: a key that is pressed and released
-/// between two frames counts.
+/// Keys pressed since the last call of [`KeyQueue::take`], recorded by `minifb`'s callback.
 #[derive(Clone, Default)]
 pub struct KeyQueue(Rc<RefCell<State>>);
 

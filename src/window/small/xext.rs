@@ -21,7 +21,7 @@ loaded! {
 static TABLE: Table<Xext> = Table::new();
 
 impl Xext {
-    /// Loads libXext at the first call. Call it from one thread at a time.
+    /// Loads libXext at the first call.
     pub fn load() -> Option<&'static Xext> {
         TABLE.open(c"libXext.so.6", NAMES)
     }

@@ -48,7 +48,7 @@ static TABLE: Table<Loaded> = Table::new();
 pub struct Xlib(());
 
 impl Xlib {
-    /// Loads libX11 at the first call. Returns `None` if a function is missing. Call it from one thread at a time.
+    /// Loads libX11 at the first call. Returns `None` if a function is missing.
     pub fn load() -> Option<Xlib> {
         TABLE.open(c"libX11.so.6", XLIB_NAMES)?;
         Some(Xlib(()))
