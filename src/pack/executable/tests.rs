@@ -140,7 +140,7 @@ fn windows_file_is_valid() {
         .expect("functions");
     for function in windows::FUNCTIONS {
         let thunk = thunks.next::<pe::ImageNtHeaders64>().expect("a function");
-        let import = table.import::<pe::ImageNtHeaders64>(thunk.expect("as many"));
+        let import = table.import::<pe::ImageNtHeaders64>(thunk.expect("enough thunks"));
         let import = import.expect("a name");
         assert!(
             matches!(import, Import::Name(_, name) if name == function.as_bytes()),
@@ -184,7 +184,7 @@ fn programs_without_header_space_are_refused() {
                 ..segment
             })
             .collect();
-        elf::set_segments(&mut program, &moved).expect("as many");
+        elf::set_segments(&mut program, &moved).expect("the same number of segments");
         let packed = pack_executable(&program, &stub(), &for_windows());
         assert!(packed.is_err(), "{base:#x}");
     }

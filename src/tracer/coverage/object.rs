@@ -13,7 +13,7 @@ pub(super) struct ObjectBounds {
     /// The index of its node in the tree, for solids and lights.
     pub node: u16,
     pub screen: ScreenBounds,
-    /// Bounds of the eye's power to a sphere, distance squared minus radius squared; infinite if the eye is inside, `None` if that is
+    /// Bounds of the eye's power with respect to a sphere, distance squared minus radius squared; infinite if the eye is inside, `None` if that is
     /// unsure, and for other objects. The plane of equal powers separates the visible parts of two spheres, so the sphere of smaller power
     /// is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
     power: Option<[f32; 2]>,

@@ -231,7 +231,7 @@ struct Silhouette {
 }
 
 impl Silhouette {
-    /// Returns the silhouette of a block from the origin of its own axes' coordinates, in which its centre is at `centre`.
+    /// Returns a block's silhouette from the origin. All vectors are along its own axes; its centre is at `centre`.
     pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
         let [a, b] = across(shape, centre);
         let [half_a, mut half_b] = across(shape, half);

@@ -4,7 +4,7 @@ use crate::picture::TILE_WIDTH;
 use core::array;
 use core::ops::{BitAnd, BitOr, BitOrAssign};
 
-/// One bit per pixel of a tile's width.
+/// Words with a bit per pixel of a tile's width.
 pub(crate) const WORDS: usize = TILE_WIDTH / 64;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -74,7 +74,7 @@ impl Pyramid {
 
     /// Returns the samples' memory, for other purposes between tiles.
     pub fn scratch(&mut self) -> &mut [u64; SCRATCH] {
-        self.samples.first_chunk_mut().expect("as many points")
+        self.samples.first_chunk_mut().expect("enough points")
     }
 
     pub fn row(&self, level: usize, y: usize) -> GridRow<'_> {

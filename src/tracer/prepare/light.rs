@@ -20,7 +20,7 @@ pub(crate) struct PreparedLight {
     pub glow2: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
-    /// The first object that shadow rays list as an occluder. The spheres before it cast hard shadows, by a faster test.
+    /// The first object that shadow rays list as an occluder. The spheres before it cast hard shadows, found by a faster test.
     pub listed_from: ObjectId,
     /// In the order of the tree's solid nodes.
     pub shadow_cones: [ShadowCone; MAX_NODES],
@@ -72,7 +72,7 @@ pub(crate) struct ShadowCone {
     /// Whether the light is inside the sphere, which then shadows its outside.
     pub around_light: bool,
     /// The vector to the light.
-    pub from_light: Vec3,
+    pub to_light: Vec3,
     /// The squared radius, reduced by the discriminant's rounding error: a ray that leaves the sphere is not in its shadow.
     /// Enlarged if the light is inside.
     pub r2: f32,
@@ -133,7 +133,7 @@ impl ShadowCone {
         skip: 0,
         object: ObjectId::FIRST,
         around_light: false,
-        from_light: Vec3::ZERO,
+        to_light: Vec3::ZERO,
         r2: 0.0,
         side: Vec3::ZERO,
         sine2: 0.0,
@@ -141,10 +141,10 @@ impl ShadowCone {
     };
 
     /// Prepares the shadow of a node; `radius` includes the penumbra.
-    fn set(&mut self, from_light: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
-        let distance2 = from_light.length_squared();
-        // The rounding error of the sphere's centre and of the vector from the light.
-        let error = hit_error(from_light, 0.0);
+    fn set(&mut self, to_light: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
+        let distance2 = to_light.length_squared();
+        // The rounding error of the sphere's centre and of the vector to the light.
+        let error = hit_error(to_light, 0.0);
         let r2_error = 2.0 * node.radius * (node.hit_error + error);
         let wide = radius * (1.0 + BOUND) + error;
         // The squared chord is 2 - 2 cos. Computed from the sine it loses no digits.
@@ -154,9 +154,9 @@ impl ShadowCone {
         self.around_light = !node.is_block && room > 0.0 && distance2 < room * room;
         let from = sqrt(distance2) * (1.0 - BOUND) - wide;
         let sine = sqrt(node.thin2) / from.max(0.0) + COSINE;
-        let side = node.axis.cross(from_light);
+        let side = node.axis.cross(to_light);
         *self = Self {
-            axis: from_light.normalize_or(Vec3A::Y).into(),
+            axis: to_light.normalize_or(Vec3A::Y).into(),
             // NaN if the light is inside.
             chord2: chord2.min(ALL_AROUND),
             from,
@@ -164,7 +164,7 @@ impl ShadowCone {
             skip: node.skip,
             object: node.object,
             around_light: self.around_light,
-            from_light: from_light.into(),
+            to_light: to_light.into(),
             side: side.into(),
             sine2: side.length_squared() * sine * sine,
             radius: node.radius * (1.0 + BOUND) + error,

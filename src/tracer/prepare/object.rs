@@ -70,7 +70,7 @@ const CROWD: usize = 12;
 /// The least `kr + kt` of strong mirrors and glass: the presets' `key_weight`.
 const STRONG: f32 = 0.3;
 
-/// The sine of half the viewing angle from which a glass sphere shows large enough images.
+/// The sine of half the viewing angle above which a glass sphere's images are large enough.
 const LARGE: f32 = 0.2;
 
 fn is_strong(material: &Material) -> bool {
@@ -84,7 +84,7 @@ pub(crate) fn is_crowd(scene: &Scene) -> bool {
     strong.count() >= CROWD
 }
 
-/// Returns whether the images in a crowd's object are too small to interpolate between its points.
+/// Returns whether the images in a crowd's object are too small to interpolate.
 pub(super) fn glitters(scene: &Scene, object: &Object<'_>, material: &Material) -> bool {
     let is_small = match object {
         Object::Sphere(sphere) => {

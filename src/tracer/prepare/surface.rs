@@ -46,7 +46,7 @@ pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 /// Above any parameter of a valid scene; products of a few such numbers are finite.
 const LARGEST: f32 = 2e9;
 
-/// Replaces NaN and numbers above [`LARGEST`], which spoil a point's sum even with the weight 0, by 0.
+/// Replaces with 0 NaN and numbers above [`LARGEST`], which spoil a point's sum even with the weight 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }

@@ -43,7 +43,7 @@ impl Block {
         let (is_valid, range) = match self.shape {
             Shape::Box => (true, ""),
             Shape::Cylinder => (is_equal, "equal in x and z"),
-            Shape::Capsule => (is_equal && is_high, "equal in x and z, and at least x in y"),
+            Shape::Capsule => (is_equal && is_high, "equal in x and z, and no smaller in y"),
         };
         of.field("centre", self.centre, POINT)?;
         of.field("half", self.half, EXTENT)?;

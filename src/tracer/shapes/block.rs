@@ -65,7 +65,7 @@ pub(crate) struct BlockHit<S: Isa> {
 }
 
 impl<S: Isa> BlockHit<S> {
-    /// Projects points near the surface to the nearest face.
+    /// Projects points near the surface onto the nearest face.
     #[inline(always)]
     pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
         let own = along(simd, &block.axes, &out);

@@ -148,7 +148,7 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution, in full brightness, for which the sum over the 255 nodes of the deepest ray tree does
+/// The upper limit of a ray's contribution: twice full brightness. The sum over the 255 nodes of the deepest ray tree then does
 /// not overflow. The excess over 1 is invisible.
 const BRIGHTEST: f32 = 2.0;
 

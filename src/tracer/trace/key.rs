@@ -1,7 +1,7 @@
 //! Keys: hashes of the objects that a point's ray tree hit.
 //!
 //! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the lights' states. Different trees
-//! collide with a probability of 2^-32: of some 10^5 keys per frame, one frame in 40,000 fills one square wrongly.
+//! collide with a probability of 2^-32: with about 10^5 keys per frame, one frame in 40,000 fills a square wrongly.
 
 use super::rays::{PATH_BITS, Rays};
 use crate::lanes::*;

@@ -1,6 +1,6 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Rays of any points travel in packets, one per lane. Secondary rays go to a stack, and a packet is popped as soon as it fills the
+//! Rays of different points share packets, one per lane. Secondary rays go to a stack, and a packet is popped as soon as it fills the
 //! lanes, so few lanes are idle. Colours are integer sums, so a point's bits do not depend on the order of rays or on other points.
 //!
 //! | step of a packet | module |

@@ -61,7 +61,7 @@ impl<S: Isa> ShadingPoint<S> {
         let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
         let inverse_radius = surface.number(Parameter::InverseRadius);
         let is_plane = inverse_radius.simd_eq(zero);
-        // Projected back to the sphere: secondary rays do not inherit the error of t.
+        // Projected back onto the sphere: secondary rays do not inherit the error of t.
         let out = (rays.o - surface.vector(Parameter::Centre)).add_scaled(rays.d, t);
         let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
         let mut scale = square.mul_add(splat(simd, -0.5), is_plane.select(one, splat(simd, 1.5)));

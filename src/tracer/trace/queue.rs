@@ -7,7 +7,7 @@ use fearless_simd::{f32x4, i32x4, u32x4};
 /// The capacity: 16 kB of sums stay in the L1 cache.
 pub(crate) const BATCH: usize = 1024;
 
-/// Positions are in this fraction of a pixel, so that the widest picture fits in 16 bits.
+/// Positions are in 16ths of a pixel, so that the widest picture fits in 16 bits.
 pub(crate) const PARTS: usize = 16;
 
 const PART: f32 = 1.0 / PARTS as f32;

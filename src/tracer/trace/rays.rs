@@ -40,7 +40,7 @@ pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> 
     [outward, outward | INWARD].map(|it| departures.simd_eq(U::<S>::splat(simd, it)))
 }
 
-/// A leading 1, and one for each reflection or transmission.
+/// A leading 1, and one bit for each reflection or transmission.
 pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
 
 impl<S: Isa> Rays<S> {

@@ -52,7 +52,7 @@ impl Sample {
         (upper.unzip_high(lower) << 2) >> (OBJECT - 30)
     }
 
-    /// Returns the mean colour, and the object if both are the same.
+    /// Returns the mean colour, and the object if both show the same.
     pub fn mean(self, other: Self) -> Self {
         // Sums do not carry into the next channel.
         let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);

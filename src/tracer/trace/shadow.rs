@@ -72,7 +72,7 @@ impl<S: Isa> ShadowRays<S> {
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
         let off = d.dot(Vec3x::splat(simd, cone.side));
-        let f = Vec3x::splat(simd, cone.from_light);
+        let f = Vec3x::splat(simd, cone.to_light);
         let along = f.dot(d);
         let across = f.add_scaled(d, -along);
         // Half of the penumbra is outside the sphere. Terms are multiplied by the distance: no division.
@@ -91,7 +91,7 @@ impl<S: Isa> ShadowRays<S> {
     fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let zero = splat(simd, 0.0);
         // The distance from the light to the ray's point nearest to the sphere's centre.
-        let f = Vec3x::splat(simd, cone.from_light);
+        let f = Vec3x::splat(simd, cone.to_light);
         let along = f.dot(self.d);
         let across = f.add_scaled(self.d, -along);
         let half2 = splat(simd, cone.r2) - across.dot(across);

@@ -65,7 +65,7 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// Returns the factor on the light from its cone and the listed occluders, as a colour; 0 in lanes at the distance 0.
+/// Returns the factor on the light from its cone and the listed occluders, as a colour; 0 in lanes whose distance is 0.
 #[inline(always)]
 fn transmittance<S: Isa>(
     simd: S,
