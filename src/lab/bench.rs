@@ -29,7 +29,7 @@ pub struct Arguments {
     /// Draws all frames with jagged edges; by default all are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Adds enlarged exhaustive frames of 0.3 to 0.9 of the side, a checkerboard of traced pixels, and `default` without its guard.
+    /// Adds exhaustive frames enlarged from 0.3 to 0.9 of the width, a checkerboard of traced pixels, and `default` without its guard.
     /// Prints the dB to 64 samples that a quality gains at equal time
     #[arg(long)]
     rivals: bool,

@@ -46,7 +46,7 @@ impl Build {
             .artifact("bin", name)
             .and_then(|artifact| artifact["executable"].as_str());
         path.map(PathBuf::from)
-            .with_context(|| format!("{name} is missing in cargo's output"))
+            .with_context(|| format!("{name} is missing from cargo's output"))
     }
 
     /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Its name is the packed program's in `deps`.
@@ -80,7 +80,7 @@ impl Build {
             .find(|message| Some(&message["package_id"]) == package)
             .and_then(|message| message["out_dir"].as_str())
             .map(PathBuf::from)
-            .with_context(|| format!("build script of {program} is missing in cargo's output"))
+            .with_context(|| format!("build script of {program} is missing from cargo's output"))
     }
 
     fn artifact(&self, kind: &str, name: &str) -> Option<&Value> {

@@ -61,7 +61,7 @@ impl SceneName {
         scene
     }
 
-    /// Returns the start in seconds of the show; `None` outside of it.
+    /// Returns the start in the show, in seconds; `None` for other scenes.
     pub fn start(self) -> Option<f32> {
         match self {
             Self::Show => Some(0.0),

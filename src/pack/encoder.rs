@@ -8,7 +8,7 @@ pub struct Encoder {
     written: Vec<u8>,
 }
 
-/// The number of bits in `low`: a byte more than the range. That byte is written when it is shifted out.
+/// The number of bits in `low`. Its top byte is written when it is shifted out.
 const LOW: u32 = 40;
 
 impl Encoder {

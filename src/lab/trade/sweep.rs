@@ -1,4 +1,4 @@
-//! Varies each field of the quality by itself, then combinations.
+//! Varies each field of `Quality` by itself, then combinations.
 
 use crate::arguments::NamedQuality;
 use crate::technique::{Sampling, Technique};

@@ -17,7 +17,7 @@ pub const KEYS: [(&str, &str); 17] = [
     ("P", "traced points, white"),
     ("S", "squares: the smaller, the brighter"),
     ("H", "rays per point: black for 0, white for 24 and more"),
-    ("E", "error to exhaustive: white for 32/255 and more"),
+    ("E", "error against exhaustive: white for 32/255 and more"),
     ("P, S, H, E again", "the picture"),
     ("Left drag", "orbits the point that the camera looks at"),
     ("Right drag", "pans; so does the middle button"),

@@ -17,7 +17,7 @@ use frame_viewer::FrameViewer;
 use session::Session;
 use subject::Subject;
 
-/// Plays the show or a scene in a window, with time, quality and camera under control
+/// Plays the show or a scene in a window, with controls for time, quality and camera
 ///
 /// Reloads a scene file whenever it changes, and shows mistakes over the last valid picture.
 #[derive(Args)]

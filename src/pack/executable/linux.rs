@@ -27,7 +27,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let segments = elf::segments(stripped)?;
     for kind in [elf::INTERPRETER, elf::PROGRAM_HEADERS] {
         if !segments.iter().any(|segment| segment.kind == kind) {
-            return Err("dynamic linker is missing in the program".into());
+            return Err("dynamic linker is missing from the program".into());
         }
     }
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;

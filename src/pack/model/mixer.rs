@@ -40,7 +40,7 @@ pub struct Mixer {
 impl Mixer {
     #[inline(always)]
     pub fn fill(&mut self) {
-        // Integrate p' = p (1 - p), the equation of the logistic function, from p(-8) on, in 2^-32nds, by steps of 1/256.
+        // Integrate p' = p (1 - p), the equation of the logistic function, from p(-8) on, in 2^-32nds, in steps of 1/256.
         let mut p = 1_440_000_u64;
         let mut next = 0;
         for (x, probability) in self.probabilities.iter_mut().enumerate() {

@@ -42,7 +42,7 @@ const SHAPES = { play: "M7 4v16l13-8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z" };
 const SIMD = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11);
 
 const missing = ["WebAssembly", "DecompressionStream", "Worker"].filter((name) => !(name in globalThis));
-if (missing.length > 0) throw new Error(`${missing.join(" and ")} is missing in this browser`);
+if (missing.length > 0) throw new Error(`${missing.join(" and ")} is missing from this browser`);
 const hasSimd = WebAssembly.validate(SIMD);
 const faults = [];
 const code = (hasSimd && (await tryToLoad("eightfold.bin"))) || (await tryToLoad("plain.bin"));
