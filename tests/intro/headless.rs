@@ -33,7 +33,7 @@ fn soundtrack_is_played() {
 /// The PulseAudio plugin accepts more samples at once than hardware.
 #[test]
 #[ignore = "a sound server is started"]
-fn pulseaudio_plays_at_speed_one() {
+fn pulseaudio_plays_at_normal_speed() {
     needs!(&["pulseaudio", "alsa-lib/libasound_module_pcm_pulse.so"]);
     let folder = tempfile::tempdir().unwrap();
     let [configuration, socket] = ["asound.conf", "native"].map(|name| folder.path().join(name));
