@@ -200,6 +200,8 @@ const tests = {
       ["eightfold.seek(90.1)", 4],
       ["eightfold.seek(2.4)", 1],
     ];
+    // A small picture has fewer pixels to measure.
+    await page.resize(640, 480);
     await page.go(site.address);
     for (const [way, quality] of ways) {
       await page.value("eightfold.seek(40)");
@@ -244,6 +246,7 @@ const tests = {
     await page.click("input[value=points] + span");
     await page.until("!eightfold.isStale() && eightfold.isSettled()");
     await page.click("input[value=none] + span");
+    await page.resize(1440, 900);
   },
 
   async "the poster and its file are named after their scene"() {
@@ -546,7 +549,9 @@ const tests = {
       await page.go(site.address);
       // The empty plot has a text.
       assert.ok(await page.value("document.querySelector('#front text').textContent.length > 0"));
-      await page.until("document.getElementById('accuracy').textContent.includes('±') && eightfold.steps.front().length === 7");
+      await page.until("document.getElementById('accuracy').textContent.includes('±')");
+      // The plot scales, so the narrowest page shows whether it fits.
+      if (width === 300) await page.until("eightfold.steps.front().length === 7");
       writeFileSync(join(screenshots, `web-${width}x${height}-touch.png`), await page.screenshot(true));
       const wide = await page.value(`[...document.querySelectorAll("body *")].filter((element) => element.checkVisibility() && element.getBoundingClientRect().right > ${width} + 0.5).map(({ id, tagName }) => id || tagName)`);
       assert.deepEqual(wide, [], `wider than ${width} pixels`);
