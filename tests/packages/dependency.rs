@@ -1,4 +1,4 @@
-//! Dependents of the tracer: a crate outside the workspace, and the intro and the lab, which link the same build.
+//! A dependent of the tracer outside the workspace.
 
 use std::{
     collections::BTreeSet,
@@ -88,23 +88,9 @@ fn dependent_without_optimisation_draws() {
 
     let said = cargo(&dependent, &["test", "--offline"]);
     assert_eq!(said.matches("... ok").count(), 2, "{said}");
-    let crates = tree(&dependent, "dependent", "{lib}");
+    let tree = "tree --edges normal --prefix none --no-dedupe --format {lib}";
+    let tree = cargo(&dependent, &tree.split(' ').collect::<Vec<_>>());
+    let crates: BTreeSet<&str> = tree.lines().collect();
     let expected = "dependent eightfold_tracer fearless_simd glam libm";
-    assert!(crates.iter().eq(expected.split(' ')), "{crates:?}");
-}
-
-/// Returns the libraries that a package's programs link.
-fn tree(directory: impl AsRef<Path>, package: &str, format: &str) -> BTreeSet<String> {
-    let words = "tree --edges normal,no-proc-macro --prefix none --no-dedupe --package";
-    let mut words: Vec<&str> = words.split(' ').collect();
-    words.extend([package, "--format", format]);
-    cargo(directory, &words).lines().map(String::from).collect()
-}
-
-/// The intro and the lab use one profile, so libraries with the same features are the same file.
-#[test]
-fn lab_is_linked_with_the_libraries_of_the_intro() {
-    let [intro, lab] = ["eightfold", "eightfold-lab"].map(|package| tree(ROOT, package, "{p} {f}"));
-    assert!(intro.len() >= 6, "{intro:?}");
-    assert!(intro.is_subset(&lab), "{:?}", intro.difference(&lab));
+    assert!(crates.into_iter().eq(expected.split(' ')), "{tree}");
 }
