@@ -46,7 +46,7 @@ fn assert_whole(count: u64) -> usize {
 
 #[test]
 fn thin_bars_have_no_holes() {
-    let shown = assert_whole(16);
+    let shown = assert_whole(8);
     assert!(shown > 60_000, "{shown}");
 }
 

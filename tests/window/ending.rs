@@ -31,7 +31,7 @@ fn closed_window_ends_the_intro() {
         assert_eq!(code, Some(0), "{tool}: {output}{errors}");
         assert_eq!(errors, "");
         assert_eq!(output.lines().count(), 1, "{tool}: {output}");
-        assert!(time < Duration::from_millis(500), "{tool}: {time:?}");
+        assert!(time < Duration::from_secs(2), "{tool}: {time:?}");
     }
 }
 

@@ -33,6 +33,6 @@ fn end_by_escape(server: &Server, intro: Process) -> String {
     let (time, code, output, errors) = intro.end();
     assert_eq!(code, Some(0), "{output}{errors}");
     assert_eq!(errors, "");
-    assert!(time < Duration::from_millis(500), "it took {time:?}");
+    assert!(time < Duration::from_secs(2), "it took {time:?}");
     output
 }
