@@ -46,7 +46,7 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Psnr, "--psnr", "DB", "target PSNR against exhaustive, 1 to 99 dB; --fps and --quality have priority"),
     flag(Switch::Quality, "--quality", "NAME", "quality (adaptive by default):"),
     flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
-    flag(Switch::Uncapped, "--uncapped", "", "draw without pauses; quality default unless --quality or --psnr is given"),
+    flag(Switch::Uncapped, "--uncapped", "", "draw without pauses; --quality default unless it or --psnr is given"),
     flag(Switch::Hud, "--hud", "", "show fps, traced points, and PSNR against exhaustive"),
     flag(Switch::Silent, "--silent", "", "play no sound"),
     flag(Switch::Still, "--still", "S", "print a frame as PPM; its time in seconds, from 0 to below 116"),

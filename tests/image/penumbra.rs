@@ -64,7 +64,7 @@ fn penumbra_matches_sampled_light() {
             coordinate(i % size) * half,
         )
         .as_dvec3();
-        // The sphere hides the floor within 0.63 from the camera.
+        // Within 0.63 of its centre, the sphere hides the floor.
         let to_sphere = (p - SPHERE.centre.as_dvec3().with_y(0.0)).length();
         if to_sphere < 0.65 {
             continue;

@@ -118,7 +118,7 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
     rows.concat()
 }
 
-/// Errors in steps of 1/255.
+/// Errors in units of 1/255.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
     /// The RMS difference, noise included.
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Cap noise at 1; clipping hides it where the mean is 5 standard errors above white.
+            // Cap noise at white; clipping hides it where the mean is 5 standard errors above.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();

@@ -27,7 +27,7 @@ impl Listener {
         }))
     }
 
-    /// Records an event; `is_repeated`: by auto-repeat.
+    /// Records an event; auto-repeat sets `is_repeated`.
     pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
         (self.note)(&mut self.inputs, x, event, is_repeated);
     }
