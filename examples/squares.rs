@@ -1,4 +1,4 @@
-//! Writes a frame with outlines around its interpolated squares as PNG:
+//! Writes a frame with outlines around its filled squares as PNG:
 //!
 //!     cargo run --release -p eightfold-examples --bin squares squares.png
 

@@ -89,7 +89,7 @@ fn options_have_their_effects() {
 fn instruction_set_of_another_cpu_is_refused() {
     let here: Vec<&str> = cpu::shipped().map(|isa| isa.name).collect();
     let (_, help) = run(&mut headless("--help"));
-    let list = format!("instruction set (the first listed): {}\n", here.join(" "));
+    let list = format!("instruction set (best by default): {}\n", here.join(" "));
     assert!(help.contains(&list), "{help}");
     for name in ["avx2", "sse2", "neon", "portable"] {
         let options = format!("--isa {name} --seconds 0.2 --size 64x48");

@@ -41,7 +41,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FRAME", default_value = "0", value_parser = within(FRAME))]
     from: usize,
     /// End of the frame range, exclusive [default: the scene's end]
-    #[arg(long, value_name = "FRAME", value_parser = within(FRAME))]
+    #[arg(long, value_name = "FRAME", value_parser = within(arguments::FRAMES))]
     to: Option<usize>,
     /// Frames per second
     #[arg(long, value_name = "N", default_value = "60", value_parser = within(1..=1000_u32))]
@@ -65,7 +65,7 @@ pub struct Arguments {
 }
 
 const FRAME: RangeInclusive<usize> = 0..=*arguments::FRAMES.end();
-/// 256 samples, as many as a channel has levels.
+/// 16x16 samples: as many as a channel has levels.
 const MAX_SUPERSAMPLE: usize = 16;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -102,7 +102,7 @@ fn write_files(recorder: &mut Recorder<'_>, frames: Range<usize>, folder: &Path)
     fs::create_dir_all(folder).with_context(|| output::cannot("make", folder))?;
     let width = recorder.size.width;
     recorder.draw_each(frames, |frame, pixels| {
-        // Padded, so that names sort by frame.
+        // Padded: names of 1,000,000 frames sort in order.
         let path = folder.join(format!("frame-{frame:06}.png"));
         output::write(&path, &picture::png(width, pixels)?)
     })

@@ -60,7 +60,7 @@ impl Lanes {
         Lanes::splat_pair(u32::from(number as u16) * 0x1_0001)
     }
 
-    /// Hides a constant from the compiler, which otherwise stores it as 16 bytes.
+    /// Repeats `pair`, and hides constants from the compiler, which would store 16 bytes.
     #[inline(always)]
     pub fn splat_pair(mut pair: u32) -> Lanes {
         // SAFETY: it does nothing.

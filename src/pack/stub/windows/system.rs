@@ -39,7 +39,7 @@ pub struct System {
 /// Changes access rights. Returns false if Windows refuses.
 ///
 /// # Safety
-/// No code must rely on the removed rights.
+/// No code may rely on the removed rights.
 #[inline(always)]
 pub unsafe fn protect(system: &System, address: usize, size: usize, to: u32) -> bool {
     let mut was = 0;
