@@ -29,6 +29,8 @@ pub enum Split {
     Keys,
     /// Its corners have equal keys, and colours beyond [`tolerance_agreeing`](crate::Quality::tolerance_agreeing).
     Colours,
+    /// It was filled, between two squares that were split for their corners.
+    Gap,
 }
 
 /// The way in which the pixels of a square were computed.

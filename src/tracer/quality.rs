@@ -79,7 +79,7 @@ impl Quality {
     };
 
     /// The middle preset.
-    pub const DEFAULT: Self = Self::within(8, 7.5).followed(5, 0.015).antialiased(20);
+    pub const DEFAULT: Self = Self::within(8, 7.7).followed(5, 0.015).antialiased(20);
 
     /// The presets from the finest to the fastest. The first four are antialiased, which takes a third to a half more time at `default`.
     /// `docs/accuracy.md` has their speed and errors, measured by `cargo lab trade --ladder`.

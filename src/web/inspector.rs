@@ -69,6 +69,7 @@ impl Observer for &Inspector {
             Split::Uncovered => "split: something may be seen that no corner shows",
             Split::Keys => "split: its corners show different objects or light",
             Split::Colours => "split: its corners\u{2019} colours are too far apart",
+            Split::Gap => "split: the squares on two opposite sides are split",
         };
         self.note([x, y], [side; 2], what);
     }

@@ -137,7 +137,7 @@ impl<'a> Squares<'a> {
         let mut split = all.to_vec();
         split.retain(|&(x, y)| !self.is_filled(x, y, side));
         let share = split.len() as f64 / all.len() as f64;
-        self.crowding = ((share - 0.7) / 0.2).clamp(0.0, 1.0);
+        self.crowding = share.powi(4);
         for (x, y) in split {
             self.split(x, y, side);
         }
@@ -210,7 +210,7 @@ impl<'a> Squares<'a> {
 
     fn growth(&self, side: usize) -> f64 {
         let growth = 8.0 / side as f64;
-        growth + self.crowding * (growth.min(1.0) - growth)
+        growth + self.crowding * (1.0 - growth)
     }
 
     /// Returns the tolerance of a side's midpoint; negative if no midpoint is averaged.

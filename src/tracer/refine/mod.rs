@@ -20,7 +20,8 @@
 //! 3. *Verdict* (`verdict`): compares keys and channels at the corners in vector registers: a bit for each closed square that passes the
 //!    [`Quality`](crate::Quality)'s rules.
 //! 4. *Fill* (`fill`): interpolates the corners' colours over these squares, eight pixels at once.
-//! 5. *Split*: the bits of the others, each twice in two rows, are the squares of the level below.
+//! 5. *Split*: the bits of the others, each twice in two rows, are the squares of the level below. A filled square is split if the verdict
+//!    split both squares beside it, or above and below.
 //! 6. *Follow* (`tile::edges`), after the last level: traces all pixels of filled squares of 8 at which an edge ends.
 //!
 //! Until then, no point of a tile is traced twice. Adjacent tiles both trace the points on their border, with the same bits: 8 %

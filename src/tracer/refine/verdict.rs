@@ -33,10 +33,10 @@ impl Limit {
 }
 
 /// Returns the factor on tolerances for squares of a side in pixels, see [`Quality`]. In crowded tiles (`crowding`, 0 to 1) errors
-/// in small squares add up, so the factor is smaller.
+/// in small squares add up, so the factor is closer to 1.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     let growth = 8.0 / side as f32;
-    growth + crowding * (growth.min(1.0) - growth)
+    growth + crowding * (1.0 - growth)
 }
 
 /// Returns the limits for equal keys and for different keys, scaled by [`growth`].
