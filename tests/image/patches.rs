@@ -15,7 +15,7 @@ const SIZE: [usize; 2] = [1280, 720];
 const LARGEST: usize = 90;
 
 /// The maximum number of the show's frames with a patch of [`VISIBLE`] pixels.
-const FRAMES: usize = 10;
+const FRAMES: usize = 3;
 const VISIBLE: usize = 20;
 
 /// The same for rooms of mirrors. The largest has 55; without nested images in the keys it has 441.
@@ -94,7 +94,7 @@ fn room(mut random: Random) -> (String, Scene) {
 
 #[test]
 fn show_worst_frames_have_small_patches() {
-    hold([7.1, 66.1, 87.1].into_iter().map(show), LARGEST, 2);
+    hold([7.1, 66.1, 87.1].into_iter().map(show), LARGEST, 0);
 }
 
 #[test]

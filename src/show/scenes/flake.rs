@@ -44,7 +44,7 @@ static SHOTS: &[Shot] = &[
     ]),
     shot(2, &[
         keyframe([0.3, 1.8, -0.5], 0.5, 4.2, 1.0).rolled(-0.06),
-        keyframe([0.2, 1.8, -0.3], 0.1, 4.8, 0.7),
+        keyframe([0.2, 1.8, -0.3], 0.1, 5.0, 0.7),
         keyframe([0.0, 1.9, 0.0], -0.3, 7.8, 0.3),
     ]),
 ];
@@ -69,7 +69,7 @@ fn add_flake(centre: Vec3, radius: f32, back: Vec3, generation: u8, beat: f32, s
     let material = Material {
         colour: SILVER + TO_ORANGE * number,
         kd: 0.25 + 0.18 * number,
-        kr: f32::max(0.55 - 0.25 * number, 0.0),
+        kr: f32::max(0.5 - 0.25 * number, 0.0),
         ..material::RED
     };
     add_sphere(centre, radius, &material, scene);

@@ -53,7 +53,7 @@ static FLOOR: Material = Material {
 
 /// A mirror without colour and highlights.
 static WALL: Material = Material {
-    kr: 0.62,
+    kr: 0.56,
     index: 1.0,
     ..Material::BLACK
 };
