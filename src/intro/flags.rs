@@ -44,7 +44,7 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Loop, "--loop", "", "repeat the show until Esc or --seconds"),
     flag(Switch::Fps, "--fps", "N", "target frame rate, 1 to 1000 (60)"),
     flag(Switch::Psnr, "--psnr", "DB", "target PSNR against exhaustive, 1 to 99 dB; --fps and --quality have priority"),
-    flag(Switch::Quality, "--quality", "NAME", "quality (adaptive; default with --still):"),
+    flag(Switch::Quality, "--quality", "NAME", "quality (adaptive; --still: default):"),
     flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
     flag(Switch::Uncapped, "--uncapped", "", "draw without pauses; without --quality or --psnr, at quality default"),
     flag(Switch::Hud, "--hud", "", "show fps, traced points, and PSNR against exhaustive"),

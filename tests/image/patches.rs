@@ -11,12 +11,8 @@ use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
 
 const SIZE: [usize; 2] = [1280, 720];
 
-/// The maximum patch in pixels. The largest, of 89, is in the colonnade at 50.1 s.
-const LARGEST: usize = 90;
-
-/// The maximum number of the show's frames with a patch of [`VISIBLE`] pixels.
-const FRAMES: usize = 3;
-const VISIBLE: usize = 20;
+/// The maximum patch in pixels, in frames at 0.1 s of each second. The largest has 17.
+const LARGEST: usize = 19;
 
 /// The same for rooms of mirrors. The largest has 55; without nested images in the keys it has 441.
 const ROOM: usize = 60;
@@ -35,8 +31,8 @@ fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     (0..exact.len()).filter(is_lost).collect()
 }
 
-fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize, frames: usize) {
-    let (mut largest, mut visible, mut least) = (0, 0, f64::INFINITY);
+fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
+    let (mut largest, mut least) = (0, f64::INFINITY);
     for (name, scene) in scenes {
         for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
             let [exact, drawn] = [quality.reference(), quality]
@@ -49,13 +45,12 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize, frames: usi
                 quality.antialias
             );
             largest = largest.max(patch);
-            visible += usize::from(patch >= VISIBLE);
             least = least.min(psnr);
         }
     }
     assert!(
-        largest <= limit && visible <= frames && least >= 42.0,
-        "{largest}, {visible} frames, {least:.1} dB"
+        largest <= limit && least >= 42.0,
+        "{largest}, {least:.1} dB"
     );
 }
 
@@ -94,20 +89,16 @@ fn room(mut random: Random) -> (String, Scene) {
 
 #[test]
 fn show_worst_frames_have_small_patches() {
-    hold([7.1, 66.1, 87.1].into_iter().map(show), LARGEST, 0);
+    hold([7.1, 66.1, 87.1].into_iter().map(show), LARGEST);
 }
 
 #[test]
 #[ignore = "many frames"]
 fn long_show_has_small_patches() {
-    hold(
-        (0..116).map(|second| show(second as f32 + 0.1)),
-        LARGEST,
-        FRAMES,
-    );
+    hold((0..116).map(|second| show(second as f32 + 0.1)), LARGEST);
 }
 
 #[test]
 fn rooms_of_mirrors_have_small_patches() {
-    hold(cases(4).map(room), ROOM, usize::MAX);
+    hold(cases(4).map(room), ROOM);
 }

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 
 const MAX_SAMPLES: u32 = 1 << 20;
 
-/// Path-traces a scene, with area lights, indirect light and caustics
+/// Path-traces a scene, with indirect light and caustics of area lights
 ///
 /// Prints the RMS error and PSNR of quality `default`, and the path tracer's noise.
 #[derive(Args)]
@@ -134,7 +134,7 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Variance is at most 1. Clipping hides noise where the mean exceeds 1 by 5 standard errors.
+            // Cap the variance at 1. Clipping hides noise where the mean exceeds 1 by 5 standard errors.
             let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();

@@ -23,7 +23,7 @@ static ENVIRONMENT: Environment = Environment {
         Light {
             diameter: 0.2,
             glow: 0.3,
-            ..sun([7.0, 1.9, -3.4], [1.00, 0.70, 0.40])
+            ..sun([7.0, 2.0, -3.4], [1.00, 0.70, 0.40])
         },
         sun([-4.0, 5.0, -5.0], [0.16, 0.22, 0.38]),
         Light {

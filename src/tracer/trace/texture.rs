@@ -105,7 +105,7 @@ pub(crate) fn seen_points(
 
 /// A pattern is fine, and evaluated at each pixel, where a sharp edge is narrower than this number of pixels. Interpolating the
 /// others halves the time of the marble in the show's colonnade.
-const FINE: f32 = 6.0;
+const FINE: f32 = 5.0;
 
 /// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long. It is
 /// negative where the pattern is [`FINE`].
