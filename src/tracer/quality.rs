@@ -94,7 +94,7 @@ impl Quality {
         Self::within(8, 3.0).antialiased(12),
         Self::within(8, 5.0).antialiased(16),
         Self::DEFAULT,
-        Self::within(8, 8.0).followed(4, 0.02),
+        Self::within(8, 8.5).followed(4, 0.02),
         Self::within(8, 16.0).followed(4, 0.02),
         Self::within(8, 28.0).followed(3, 0.05),
     ];
