@@ -25,7 +25,7 @@ pub struct Arguments {
     /// Folder for frame-000000.png, frame-000001.png and so on
     #[arg(long, value_name = "FOLDER")]
     png: Option<PathBuf>,
-    /// Video with the show's sound (.mp4, .mkv) or animation (.webp), by ffmpeg
+    /// Animation (.webp) or video with the show's sound (.mp4, .mkv), by ffmpeg
     #[arg(long, value_name = "FILE")]
     video: Option<PathBuf>,
     /// PNG contact sheet of evenly spaced frames with their times, or - for standard output

@@ -60,7 +60,7 @@ impl Lanes {
         Lanes::splat_pair(u32::from(number as u16) * 0x1_0001)
     }
 
-    /// Repeats `pair`, and hides constants from the compiler, which would store 16 bytes.
+    /// Repeats `pair`, hidden from the compiler, which would emit a 16-byte constant.
     #[inline(always)]
     pub fn splat_pair(mut pair: u32) -> Lanes {
         // SAFETY: it does nothing.
