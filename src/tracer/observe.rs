@@ -29,7 +29,7 @@ pub enum Split {
     Keys,
     /// Its corners have equal keys, and colours beyond [`tolerance_agreeing`](crate::Quality::tolerance_agreeing).
     Colours,
-    /// It was filled, between two squares that were split for their corners.
+    /// It could be filled, but lies between two squares that were split for their corners.
     Gap,
 }
 

@@ -21,8 +21,8 @@ pub struct Quality {
     /// it, the midpoint is their mean.
     pub tolerance_side: f32,
     /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first plane, or a highlight may be
-    /// visible between its corners, except as [`limits`](crate::limits) lists. All presets are guarded. The original rules of 2008
-    /// are `Quality { guarded: false, ..Quality::THESIS }`.
+    /// visible between its corners, except as [`limits`](crate::limits) lists, or if it lies between two split squares. All presets are
+    /// guarded. The original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,

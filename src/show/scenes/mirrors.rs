@@ -51,12 +51,7 @@ static FLOOR: Material = Material {
     ..material::SANDSTONE
 };
 
-/// A mirror without colour and highlights.
-static WALL: Material = Material {
-    kr: 0.56,
-    index: 1.0,
-    ..Material::BLACK
-};
+static WALL: Material = Material::mirror(0.56);
 
 #[rustfmt::skip]
 static PROPS: &[Prop] = &[

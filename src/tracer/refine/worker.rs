@@ -74,7 +74,7 @@ pub(super) struct Marks {
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Filled squares; single pixels are never filled, so half the rows suffice.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],
-    /// The last cluster may extend beyond the rows. Until the pixels are found, level 0 marks the squares that the verdict split, from row 1.
+    /// The last cluster may extend beyond the rows.
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
 

@@ -27,6 +27,9 @@ impl Sample {
 
     pub const PATTERN: u64 = 1 << 62;
 
+    /// The threshold that rounds to the nearest step, see [`Sample::pixel`].
+    pub const HALF_STEP: u64 = 0x0040_0040_0040;
+
     pub fn showing(self, object: u32) -> Self {
         Self(self.0 | u64::from(object + 1) << OBJECT)
     }
@@ -65,7 +68,7 @@ impl Sample {
     }
 
     /// Returns the colour as `0x00RRGGBB`. The 16-bit words of `threshold` are added before truncation, 0 to 127 in 128ths of a
-    /// step; 64 rounds to nearest.
+    /// step.
     pub fn pixel(self, threshold: u64) -> u32 {
         let steps = (self.0 + threshold) >> SAMPLE_BITS;
         (steps & 0xff | (steps >> 8) & 0xff00 | (steps >> 16) & 0x00ff_0000) as u32

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 fn verdict(quality: &Quality, side: usize, corners: [(Sample, u32); 4]) -> [bool; 4] {
     let samples = corners.map(|(sample, _)| sample);
     let agreeing = corners.iter().all(|&(_, key)| key == corners[0].1);
-    let rounded = |sample: &Sample| sample.pixel(0x0040_0040_0040);
+    let rounded = |sample: &Sample| sample.pixel(Sample::HALF_STEP);
     let flat = samples.iter().all(|s| rounded(s) == rounded(&samples[0]));
     let tolerance = if agreeing {
         quality.tolerance_agreeing

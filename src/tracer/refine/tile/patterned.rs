@@ -4,7 +4,7 @@
 use super::Tile;
 use crate::grid::{Bits, Pyramid};
 use crate::lanes::*;
-use crate::observe::{Fill, Observer};
+use crate::observe::Observer;
 use crate::picture::Band;
 use crate::prepare::{Four, ObjectId, World};
 use crate::refine::verdict::Verdict;
@@ -21,10 +21,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let indices = Pyramid::corner_indices(level, x, y);
             let samples = indices.map(|index| pyramid.sample(index));
             let [corner, ..] = samples;
-            // If the pattern is coarse at some corners, it is nearly coarse at all.
-            let is_alike =
-                |other: &Sample| other.object() == corner.object() && other.is_patterned();
-            let (Some(object), true) = (corner.object(), samples.iter().all(is_alike)) else {
+            let Some(object) = patterned_object(&samples) else {
                 return;
             };
             verdict.filled.clear(x);
@@ -44,10 +41,16 @@ impl<O: Observer> Tile<'_, '_, O> {
             // The traced corner keeps its exact bits.
             self.put(left, top, corner);
             filled.set(x);
-            self.report(level, x, y, Fill::Patterned);
         });
         filled
     }
+}
+
+/// Returns the object with a fine pattern at all corners. If the pattern is coarse at some corners, it is nearly coarse at all.
+pub(super) fn patterned_object(corners: &[Sample; 4]) -> Option<ObjectId> {
+    let object = corners[0].object()?;
+    let is_alike = |other: &Sample| other.object() == Some(object) && other.is_patterned();
+    corners.iter().all(is_alike).then_some(object)
 }
 
 /// Interpolates the corners' layers over the square at (left, top) of the band.
