@@ -1,8 +1,7 @@
 //! Opens filled squares at which an edge ends: something crosses them between their corners.
 //!
-//! Along the border of a smooth cell and a rough one, each pair of pixels has a bit, set if they differ by an edge. An edge that
-//! runs along the whole border sets all bits. If the bits change within it, an edge of the rough cell does not continue in the smooth one.
-//! A change beside the first or last pixel does not count: that edge may leave through the cell's corner.
+//! Along the border of a smooth cell and a rough one, each pair of pixels has a bit, set if they differ by an edge. The first pair
+//! is at a traced corner. If its bit is clear and others are set, an edge of the rough cell does not continue in the smooth one.
 
 use super::Tile;
 use crate::grid::{Bits, each};
@@ -10,15 +9,14 @@ use crate::observe::Observer;
 use crate::picture::{CELL, TILE_WIDTH};
 use crate::refine::antialias::is_edge;
 
-/// The changes between the inner six pairs of a border.
-const INNER: u32 = 0b11_1110;
-
 impl<O: Observer> Tile<'_, '_, O> {
     /// Traces all pixels of the smooth cells at whose sides an edge of a rough one ends, until there are none.
     pub(super) fn follow_edges(&mut self) {
         let [columns, rows] = [self.area.columns(0), self.area.rows(0)].map(|size| size / CELL);
         let whole = Bits::first(columns).0[0];
         let (stride, edge) = (self.band.stride, self.context.plan.quality.edge);
+        // Fainter edges are not worth a cell's points.
+        let edge = edge.saturating_add(edge / 2);
         loop {
             for y in 0..rows {
                 for side in 0..(rows - y).min(2) {
@@ -33,11 +31,12 @@ impl<O: Observer> Tile<'_, '_, O> {
                         // A one above the pairs' bits ends the loop, which is smaller than one over a range.
                         let mut edges = 1_u32;
                         while edges >> CELL == 0 {
-                            let [a, b] = [at, at + across].map(|at| self.band.pixels[at]);
+                            // The pixel between them may be a mean of corners.
+                            let [a, b] = [at, at + 2 * across].map(|at| self.band.pixels[at]);
                             edges = edges << 1 | u32::from(is_edge(edge, a, b));
                             at += along;
                         }
-                        if (edges ^ edges >> 1) & INNER != 0 {
+                        if (0b1_0000_0001..0b1_1000_0000).contains(&edges) {
                             self.open(x, y);
                             self.open(x + 1 - side, y + side);
                         }
@@ -60,6 +59,9 @@ impl<O: Observer> Tile<'_, '_, O> {
     fn open(&mut self, x: usize, y: usize) {
         if self.rough(y) >> (x % 64) & 1 == 0 {
             self.band.rough[y][self.area.left / TILE_WIDTH] |= 1 << (x % 64);
+            for row in &mut self.worker.marks.traced[0][CELL * y..][..CELL] {
+                row.0[x / CELL] |= 0xff << (x % CELL * CELL);
+            }
             for left in [CELL * x, CELL * x + CELL / 2] {
                 self.add_cluster(0, [left, CELL * y], 0xffff_ffff);
             }
