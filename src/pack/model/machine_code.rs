@@ -9,8 +9,8 @@ use super::operands::operands_by_runs;
 pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
-/// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2,
-/// AVX2 and AVX-512. The opcodes of the three previous instructions follow at distances of [`STEP`], the first two with their next
+/// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2
+/// and AVX2. The opcodes of the three previous instructions follow at distances of [`STEP`], the first two with their next
 /// three features.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
@@ -22,25 +22,22 @@ const STEP: usize = 4;
 const HISTORY_END: usize = OPCODE + 3 * STEP + 1;
 /// The position modulo 4, for tables of 32-bit words.
 pub const PLACE: usize = HISTORY_END;
-/// The position divided by 256: many jumps end nearby.
-pub const PAGE: usize = 19;
 /// The distance to the next target of an earlier jump or call, at most [`FAR`]. An instruction begins there, often after a jump.
-pub const TARGET: usize = 20;
-pub const OPERAND: usize = 21;
+pub const TARGET: usize = 19;
+pub const OPERAND: usize = 20;
 /// The register extension bits of prefixes: 8 for ModRM's register, 2 for its operand.
-pub const EXTENSION: usize = 22;
+pub const EXTENSION: usize = 21;
 /// The instruction's first byte, without the bits that may extend registers.
-pub const FIRST: usize = 23;
-pub const LENGTH: usize = 24;
-pub const SOURCE: usize = 25;
+pub const FIRST: usize = 22;
+pub const LENGTH: usize = 23;
 /// The match length before [`AFTER_MATCH`], at most [`LONGEST_MATCH`], times 0x100.
-pub const MATCH: usize = 26;
+pub const MATCH: usize = 24;
 /// The last two bytes of this kind after the same opcode, the newer in the lower bits.
-pub const SAME_OPCODE: usize = 27;
+pub const SAME_OPCODE: usize = 25;
 /// The same after the same operand.
-pub const SAME_OPERAND: usize = 28;
+pub const SAME_OPERAND: usize = 26;
 /// The byte that followed the last occurrence of the last bytes.
-pub const AFTER_MATCH: usize = 29;
+pub const AFTER_MATCH: usize = 27;
 
 pub const fn before(feature: usize, instructions: usize) -> usize {
     feature + instructions * STEP
@@ -51,7 +48,7 @@ const START: u32 = 0;
 const AFTER_PREFIX: u32 = 1;
 const IS_MODRM: u32 = 2;
 const IS_SIB: u32 = 3;
-/// Up to three bytes after the first one of a VEX or EVEX prefix.
+/// One or two bytes after the first one of a VEX prefix. The intro has no EVEX prefixes.
 const VEX: u32 = 4;
 const DISPLACEMENT: u32 = 8;
 const RELATIVE_DISPLACEMENT: u32 = 12;
@@ -125,7 +122,6 @@ impl Reader {
         self.targets[self.place as usize % TARGETS] = 0;
         self.place += 1;
         features[PLACE] = self.place & 3;
-        features[PAGE] = self.place >> 8;
         let mut next = match kind {
             START | AFTER_PREFIX => self.read_opcode(byte),
             IS_MODRM => self.read_modrm(byte),
@@ -170,7 +166,6 @@ impl Reader {
                 0x0f => AFTER_PREFIX,
                 0xc5 => VEX,
                 0xc4 => VEX + 1,
-                0x62 => VEX + 2,
                 _ => 0,
             };
             if escape != 0 {
@@ -249,17 +244,14 @@ impl Reader {
     #[inline(always)]
     fn read_vex(&mut self, byte: u32, kind: u32) -> u32 {
         let features = &mut self.features;
-        let is_first = features[PREFIXES] == 0;
-        if is_first {
-            features[EXTENSION] = !byte >> 4 & if kind == VEX { 8 } else { 15 };
-        }
-        if is_first && kind != VEX {
-            features[OPCODE] = (byte & 3) << 8;
-        } else {
-            // In EVEX the last byte has zeros in place of `pp`, except for masks.
+        if kind == VEX {
+            if features[PREFIXES] == 0 {
+                features[EXTENSION] = !byte >> 4 & 8;
+            }
             features[OPCODE] |= (byte & 3) << 10;
-            // The third byte of EVEX has no register, but is nearly constant.
-            features[SOURCE] += byte & 0x78;
+        } else {
+            features[EXTENSION] = !byte >> 4 & 15;
+            features[OPCODE] = (byte & 3) << 8;
         }
         features[PREFIXES] = features[PREFIXES] << 8 | byte;
         if kind == VEX { AFTER_PREFIX } else { kind - 1 }
@@ -329,7 +321,7 @@ mod tests {
 
     /// Instructions with every kind of field, as an assembler encodes them.
     #[rustfmt::skip]
-    const CODE: [(&[u8], &str); 16] = [
+    const CODE: [(&[u8], &str); 15] = [
         (&[0xc3], "ret"),
         (&[0x48, 0x89, 0xd8], "mov rax, rbx"),
         (&[0x8b, 0x44, 0x24, 0x08], "mov eax, [rsp + 8]"),
@@ -345,7 +337,6 @@ mod tests {
         (&[0xf0, 0x48, 0x0f, 0xc1, 0x07], "lock xadd [rdi], rax"),
         (&[0xc5, 0xf8, 0x28, 0xc1], "vmovaps xmm0, xmm1"),
         (&[0xc4, 0xe3, 0x79, 0x0f, 0xc1, 4], "vpalignr xmm0, xmm0, xmm1, 4"),
-        (&[0x62, 0xf1, 0x7c, 0x48, 0x58, 0x05, 1, 2, 3, 4], "vaddps zmm0, zmm0, [rip + ...]"),
     ];
 
     #[test]
@@ -360,6 +351,6 @@ mod tests {
                 offsets.extend(reader.ended_offset());
             }
         }
-        assert_eq!(offsets, [11, 16, 22, 86]);
+        assert_eq!(offsets, [11, 16, 22]);
     }
 }

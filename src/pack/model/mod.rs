@@ -18,8 +18,8 @@ pub use coder::{Coder, Decoder};
 
 use lanes::Lanes;
 use machine_code::{
-    AFTER_MATCH, DESTINATION, EXTENSION, FIRST, KIND, LENGTH, MATCH, OPCODE, OPERAND, PLACE,
-    PREFIXES, Reader, SAME_OPCODE, SAME_OPERAND, SOURCE, TARGET, before,
+    AFTER_MATCH, DESTINATION, EXTENSION, FIRST, KIND, LENGTH, MATCH, MODRM, OPCODE, OPERAND, PLACE,
+    PREFIXES, Reader, SAME_OPCODE, SAME_OPERAND, TARGET, before,
 };
 use mixer::Mixer;
 use slot::{HISTORIES, OPPOSITE, Rates, Slot, Slots};
@@ -37,12 +37,13 @@ static CONTEXTS: [u32; COUNT] = [
     context(&[0, KIND]),
     context(&[0, PLACE]),
     context(&[KIND, OPERAND, EXTENSION, FIRST, LENGTH]),
-    expecting(SAME_OPERAND, &[0, KIND, before(OPCODE, 1)]),
+    expecting(SAME_OPERAND, &[KIND, DESTINATION, FIRST, LENGTH]),
     expecting(
         SAME_OPERAND,
         &[
             0,
             3,
+            OPCODE,
             PREFIXES,
             before(OPCODE, 1),
             before(PREFIXES, 1),
@@ -51,7 +52,6 @@ static CONTEXTS: [u32; COUNT] = [
             TARGET,
             OPERAND,
             LENGTH,
-            SOURCE,
             SAME_OPERAND,
         ],
     ),
@@ -63,13 +63,14 @@ static CONTEXTS: [u32; COUNT] = [
     context(&[0, 1, PREFIXES]),
     context(&[
         0,
+        OPCODE,
+        MODRM,
         before(OPCODE, 1),
         before(DESTINATION, 1),
         OPERAND,
         EXTENSION,
-        FIRST,
     ]),
-    expecting(SAME_OPERAND, &[KIND, FIRST, LENGTH]),
+    expecting(SAME_OPERAND, &[0, KIND, before(OPCODE, 1)]),
     expecting(SAME_OPERAND, &[KIND, SAME_OPCODE, SAME_OPERAND]),
     expecting(
         SAME_OPERAND,
@@ -83,7 +84,7 @@ static CONTEXTS: [u32; COUNT] = [
             FIRST,
         ],
     ),
-    context(&[KIND, before(DESTINATION, 1), TARGET, EXTENSION]),
+    context(&[KIND, before(DESTINATION, 1), TARGET, OPERAND, EXTENSION]),
 ];
 const COUNT: usize = 18;
 const PAIRS: usize = 6;
