@@ -1,4 +1,4 @@
-use crate::arguments::{self, NamedQuality, Size};
+use crate::arguments::{self, NamedQuality};
 use crate::error::Difference;
 use crate::flip::Flip;
 use crate::output;
@@ -37,13 +37,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 fn figures(arguments: &Arguments) -> Vec<Tile> {
     let FrameArguments { scene, time, size } = arguments.frame;
-    let Size { width, height } = size;
+    let width = size.width;
     let mut renderer = ThreadedRenderer::new(arguments::processors());
     let frame = scene.without_overlay(time);
     let mut draw = |quality: &Quality| {
-        let trace = FrameTrace::new(width, height);
         let (level, mut pixels) = (cpu::best().level, vec![0; size.area()]);
-        renderer.draw_observed(level, &frame, quality, width, &mut pixels, &trace);
+        let trace = renderer.trace(level, &frame, quality, width, &mut pixels);
         (pixels, trace)
     };
     let quality = arguments.quality.quality;

@@ -5,7 +5,6 @@ pub mod bench;
 pub mod bitmap;
 pub mod capture;
 pub mod cargo;
-pub mod error;
 pub mod figures;
 pub mod flip;
 pub mod interrupt;
@@ -31,3 +30,5 @@ pub mod trade;
 pub mod truth;
 pub mod view;
 pub mod wav;
+
+pub use eightfold_oracle::error;

@@ -3,8 +3,11 @@
 use png::{BitDepth, ColorType, Encoder, EncodingError};
 
 pub fn rgb(pixels: &[u32]) -> Vec<u8> {
-    let bytes = pixels.iter().map(|pixel| pixel.to_be_bytes());
-    bytes.flat_map(|[_, rgb @ ..]| rgb).collect()
+    let mut bytes = Vec::with_capacity(3 * pixels.len());
+    for pixel in pixels {
+        bytes.extend_from_slice(&pixel.to_be_bytes()[1..]);
+    }
+    bytes
 }
 
 #[derive(Default)]

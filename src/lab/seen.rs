@@ -1,5 +1,5 @@
 use crate::arguments::{Size, processors};
-use crate::error::{Difference, worst_channel};
+use crate::error::{Difference, pops};
 use crate::flip::Flip;
 use crate::interrupt;
 use crate::missed::Visible;
@@ -11,9 +11,6 @@ use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;
 
 const GRID: usize = 8;
-/// A pixel pops if a channel changes by more than [`POP`] of 255 in a frame, and by at most [`STILL`] in the reference.
-const POP: u32 = 16;
-const STILL: u32 = 4;
 
 #[derive(Clone, Default)]
 pub struct Seen {
@@ -25,12 +22,6 @@ pub struct Seen {
     pub missed: Vec<f64>,
     pub differences_to_64: Vec<Difference>,
     pub flips_to_64: Vec<f64>,
-}
-
-pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
-    let change = |[before, after]: [&[u32]; 2], i: usize| worst_channel(before[i], after[i]);
-    let pops = |&i: &usize| change(frames, i) > POP && change(references, i) <= STILL;
-    (0..frames[0].len()).filter(pops).count()
 }
 
 /// Adds the errors of a view with consecutive frames of `scenes`. The first technique is the reference.

@@ -1,4 +1,5 @@
 use crate::arguments::Size;
+use crate::overlay::FrameTrace;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{
@@ -70,6 +71,20 @@ impl ThreadedRenderer {
         self.renderer
             .render_observed(scene, quality, frame, &mut self.threads, observer)
             .expect("a valid scene")
+    }
+
+    /// Draws a frame and records its points and squares.
+    pub fn trace(
+        &mut self,
+        level: Level,
+        scene: &Scene,
+        quality: &Quality,
+        width: usize,
+        pixels: &mut [u32],
+    ) -> FrameTrace {
+        let trace = FrameTrace::new(width, pixels.len() / width);
+        self.draw_observed(level, scene, quality, width, pixels, &trace);
+        trace
     }
 
     pub fn set_probes(&mut self, count: u16, seed: u32) {

@@ -61,7 +61,7 @@ fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2],
             let record = Record::default();
             let counts =
                 renderer.draw_observed(isa.level, scene, quality, width, &mut pixels, &record);
-            let (_, splits) = record.0.into_inner().unwrap();
+            let splits = record.split.into_inner().unwrap().into_keys().collect();
             (isa.name, counts.points, pixels, splits)
         })
         .collect();

@@ -6,7 +6,6 @@
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
-use eightfold_oracle::squares::Splits;
 use eightfold_tracer::observe::{Fill, Observer, Split};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Quality};
@@ -109,17 +108,25 @@ pub fn of_the_show(time: f32) -> Scene {
     scene
 }
 
+/// The work of points, how squares were drawn, and why they were split, by x, y and side.
 #[derive(Default)]
-pub struct Record(pub Mutex<(Counts, Splits)>);
+pub struct Record {
+    pub counts: Mutex<Counts>,
+    pub drawn: Mutex<HashMap<[usize; 3], Fill>>,
+    pub split: Mutex<HashMap<[usize; 3], Split>>,
+}
 
+// The only observer of these tests: refinement is compiled for each.
 impl Observer for &Record {
     fn point(self, _: usize, _: usize, work: Counts) {
-        self.0.lock().unwrap().0 += work;
+        *self.counts.lock().unwrap() += work;
     }
 
-    fn square(self, _: usize, _: usize, _: usize, _: usize, _: Fill) {}
+    fn square(self, x: usize, y: usize, side: usize, _: usize, fill: Fill) {
+        self.drawn.lock().unwrap().insert([x, y, side], fill);
+    }
 
-    fn split(self, x: usize, y: usize, side: usize, _: Split) {
-        self.0.lock().unwrap().1.insert([x, y, side]);
+    fn split(self, x: usize, y: usize, side: usize, why: Split) {
+        self.split.lock().unwrap().insert([x, y, side], why);
     }
 }

@@ -4,12 +4,12 @@
 use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, draw, draw_by_all, isa_of, of_side, of_the_show};
 use crate::error::Difference;
-use crate::text::Text;
 use eightfold::show;
 use eightfold_oracle::frame::Frame as Traced;
 use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::scaled;
 use eightfold_scenes::solids::SHAPES;
+use eightfold_scenes::text::Text;
 use eightfold_tracer::scene::{
     Block, Camera, Caption, CopperBar, Light, List, Material, Scene, Sphere, Waves,
 };
@@ -37,7 +37,7 @@ fn rich() -> Scene {
     scene
 }
 
-pub fn written() -> Scene {
+fn written() -> Scene {
     let mut scene = rich();
     scene.method.points = 0.4;
     scene.captions.push(Caption {

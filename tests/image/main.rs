@@ -24,7 +24,6 @@ mod shipped;
 mod show;
 mod shown;
 mod soak;
-mod text;
 mod thin;
 mod water;
 mod written;

@@ -35,12 +35,9 @@ fn drawn(method: Method, quality: Quality) -> Drawn {
 
 fn trace(quality: &Quality) -> FrameTrace {
     let (width, height) = SIZE;
-    let trace = FrameTrace::new(width, height);
     let mut pixels = vec![0; width * height];
     let (level, scene) = (cpu::best().level, scene(MARKS));
-    let mut renderer = ThreadedRenderer::new(2);
-    renderer.draw_observed(level, &scene, quality, width, &mut pixels, &trace);
-    trace
+    ThreadedRenderer::new(2).trace(level, &scene, quality, width, &mut pixels)
 }
 
 #[test]

@@ -1,15 +1,13 @@
 use crate::cpu;
-use crate::drawn::{draw, draw_best, draw_by_all, jagged, of_the_show};
+use crate::drawn::{Record, draw, draw_best, draw_by_all, jagged, of_the_show};
 use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_oracle::squares::TILE;
 use eightfold_scenes::{Random, cases, crowd, lights};
 use eightfold_tracer::Quality;
-use eightfold_tracer::observe::{Fill, Observer, Split};
+use eightfold_tracer::observe::{Fill, Split};
 use eightfold_tracer::scene::Scene;
-use std::collections::HashMap;
-use std::sync::Mutex;
 
 /// Returns the PSNR against the exhaustive picture with the same antialiasing.
 fn psnr(scene: &Scene, quality: Quality, [width, height]: [usize; 2]) -> f64 {
@@ -57,23 +55,6 @@ pub fn most_points(square: usize, width: usize, height: usize) -> usize {
         width * height
     } else {
         corners(width, TILE[0]) * corners(height, TILE[1])
-    }
-}
-
-/// How squares were drawn, and why they were split, by x, y and side.
-#[derive(Default)]
-struct Record {
-    drawn: Mutex<HashMap<[usize; 3], Fill>>,
-    split: Mutex<HashMap<[usize; 3], Split>>,
-}
-
-impl Observer for &Record {
-    fn square(self, x: usize, y: usize, side: usize, _: usize, fill: Fill) {
-        self.drawn.lock().unwrap().insert([x, y, side], fill);
-    }
-
-    fn split(self, x: usize, y: usize, side: usize, why: Split) {
-        self.split.lock().unwrap().insert([x, y, side], why);
     }
 }
 

@@ -52,7 +52,7 @@ fn threads_order_observers_and_probes_change_no_bit() {
                     probing.draw_observed(isa.level, &scene, &quality, width, &mut pixels, &record);
                 assert_same(&pixels, counts, "observed and probed");
                 // Observers receive no points of antialiasing.
-                let (heard, _) = record.0.into_inner().unwrap();
+                let heard = record.counts.into_inner().unwrap();
                 assert!(quality.antialias || work(heard) == work(counts));
             }
         }

@@ -1,8 +1,9 @@
-//! A second ray tracer: the reference for the library's pictures, and for the objects that the lab counts.
+//! A second ray tracer: the reference for the library's pictures, and for the objects that the lab counts; and errors of pictures.
 //!
 //! It is scalar and recursive, in f64, with textbook formulas, and shares only the scene description with the library. The lab's path
 //! tracer uses its geometry and shading.
 
+pub mod error;
 pub mod frame;
 pub mod geometry;
 mod grooves;

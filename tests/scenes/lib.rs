@@ -24,6 +24,7 @@ mod placed;
 mod random;
 mod shiny;
 pub mod solids;
+pub mod text;
 mod thin;
 
 pub use crowd::crowd;

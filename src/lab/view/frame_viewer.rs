@@ -2,7 +2,7 @@ use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
 use super::subject::Subject;
 use crate::arguments::Size;
 use crate::error::Difference;
-use crate::overlay::{FrameTrace, draw_error};
+use crate::overlay::draw_error;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Frame, Probes};
@@ -99,11 +99,11 @@ impl FrameViewer {
         if matches!(controls.overlay, Overlay::None | Overlay::Error) {
             return;
         }
-        let trace = FrameTrace::new(size.width, size.height);
         let mut pixels = vec![0; size.area()];
         let (level, quality) = (self.isa.level, &controls.quality.quality);
-        self.renderer
-            .draw_observed(level, scene, quality, size.width, &mut pixels, &trace);
+        let trace = self
+            .renderer
+            .trace(level, scene, quality, size.width, &mut pixels);
         match controls.overlay {
             Overlay::Points => trace.draw_points(&mut self.picture),
             Overlay::Squares => trace.draw_squares(&mut self.picture),

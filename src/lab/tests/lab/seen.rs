@@ -1,8 +1,9 @@
 use eightfold::show;
 use eightfold_lab::arguments::Size;
+use eightfold_lab::error::pops;
 use eightfold_lab::measure::Shot;
 use eightfold_lab::scenes::SceneName;
-use eightfold_lab::seen::{Seen, look, pops};
+use eightfold_lab::seen::{Seen, look};
 use eightfold_lab::technique::{Sampling, Technique};
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;

@@ -1,7 +1,7 @@
 use crate::display::{SIZE, View, bright, rendered};
 use eightfold::show;
 use eightfold_lab::arguments::{NamedQuality, Size};
-use eightfold_lab::overlay::{FrameTrace, draw_error};
+use eightfold_lab::overlay::draw_error;
 use eightfold_lab::scenes::SceneName;
 use eightfold_lab::threaded_renderer::ThreadedRenderer;
 use eightfold_lab::view::controls::{Controls, KEYS, MOST_ERROR, MOST_RAYS, Overlay};
@@ -31,17 +31,10 @@ fn keys_select_quality_overlay_time() {
     let at = |time: &str, quality: &str| rendered(&format!("--time {time} --quality {quality}"));
     let [thesis, exhaustive, fastest] =
         ["thesis", "exhaustive", "fastest"].map(|name| at("2", name));
-    let [width, height] = SIZE.map(|side| side as usize);
-    let trace = FrameTrace::new(width, height);
+    let width = SIZE[0] as usize;
     let (level, scene, mut pixels) = (cpu::best().level, show::model_scene(2.0), thesis.clone());
-    ThreadedRenderer::new(1).draw_observed(
-        level,
-        &scene,
-        &Quality::THESIS,
-        width,
-        &mut pixels,
-        &trace,
-    );
+    let mut renderer = ThreadedRenderer::new(1);
+    let trace = renderer.trace(level, &scene, &Quality::THESIS, width, &mut pixels);
     let [mut points, mut squares, mut heat, mut error] = [(); 4].map(|()| thesis.clone());
     trace.draw_points(&mut points);
     trace.draw_squares(&mut squares);

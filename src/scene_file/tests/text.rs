@@ -1,46 +1,16 @@
-use crate::extremes::written;
 use eightfold_scene_file::SceneFile;
+use eightfold_scenes::text::Text;
 use eightfold_scenes::{Kinds, Random, cases};
 use eightfold_tracer::scene::{Caption, CopperBar, List, Scene};
 use std::fs;
-use std::ops::Range;
 use std::path::Path;
 
-/// A scene in RON, and the places of its numbers.
-pub struct Text {
-    ron: String,
-    pub numbers: Vec<Range<usize>>,
-}
-
-impl Text {
-    pub fn of(scene: &Scene) -> Self {
-        let ron = ron::to_string(scene).expect("a scene has a text");
-        let (mut numbers, mut at) = (Vec::new(), 0);
-        for word in ron.split(['(', ')', '[', ']', ',', ':']) {
-            if word.parse::<f32>().is_ok() {
-                numbers.push(at..at + word.len());
-            }
-            at += word.len() + 1;
-        }
-        Self { ron, numbers }
-    }
-
-    fn field(&self, i: usize) -> (usize, &str) {
-        let before = &self.ron[..self.numbers[i].start];
-        let colon = before.rfind(':').expect("a number is in a field");
-        let name = before[..colon].rsplit(['(', ',']).next();
-        (colon + 1, name.expect("a name"))
-    }
-
-    fn with(&self, i: usize, number: f32) -> String {
-        let Range { start, end } = self.numbers[i];
-        format!("{}{number:?}{}", &self.ron[..start], &self.ron[end..])
-    }
-
-    pub fn scene_with(&self, i: usize, number: f32) -> (Scene, &str) {
-        let scene = ron::from_str(&self.with(i, number)).expect("it is a number");
-        (scene, self.field(i).1)
-    }
+fn written(kinds: Kinds, random: &mut Random) -> Scene {
+    let mut scene = kinds.scene(random);
+    scene.captions.push(Caption::default());
+    scene.captions[0].letters = List::of(b"\"8\\\x7f\n#");
+    scene.copper_bars.push(CopperBar::default());
+    scene
 }
 
 fn place(message: &str) -> Option<(usize, usize)> {
@@ -50,7 +20,7 @@ fn place(message: &str) -> Option<(usize, usize)> {
 
 #[test]
 fn number_beyond_its_range_is_refused_at_its_place() {
-    let text = Text::of(&written());
+    let text = Text::of(&written(Kinds::RICH, &mut Random::new(2008)));
     let mut count = 0;
     for i in 0..text.numbers.len() {
         let error = |number| text.scene_with(i, number).0.validate().err();
@@ -80,10 +50,7 @@ fn number_beyond_its_range_is_refused_at_its_place() {
 fn scene_is_read_as_it_was_written() {
     let contents = |scene: &Scene| format!("{scene:?}");
     for mut random in cases(8) {
-        let mut scene = Kinds::EXTREME.scene(&mut random);
-        scene.captions.push(Caption::default());
-        scene.captions[0].letters = List::of(b"\"8\\\x7f\n#");
-        scene.copper_bars.push(CopperBar::default());
+        let scene = written(Kinds::EXTREME, &mut random);
         let ron = ron::to_string(&scene).expect("RON");
         let json = serde_json::to_string(&scene).expect("JSON");
         let file = SceneFile::parse("a.ron", &ron).expect("a scene file");
@@ -102,7 +69,7 @@ fn scene_is_read_as_it_was_written() {
 fn mutated_text_gives_a_line_and_a_column() {
     const PIECES: &str = " ( ) ] { \" , : /* - 1e40 NaN é None";
     let pieces: Vec<&str> = PIECES.split(' ').collect();
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes");
     let mut refused = 0;
     for name in ["motion.ron", "blocks.ron", "lights.ron"] {
         let example = fs::read_to_string(folder.join(name)).expect("an example");

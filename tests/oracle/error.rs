@@ -1,3 +1,5 @@
+//! The errors of pictures.
+
 /// The difference of two pictures, over all channels, in steps of 1/255.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
@@ -49,4 +51,14 @@ pub fn worst_channel(a: u32, b: u32) -> u32 {
 
 fn channels(a: u32, b: u32) -> [u32; 3] {
     [16, 8, 0].map(|shift| (a >> shift & 0xff).abs_diff(b >> shift & 0xff))
+}
+
+/// A pixel pops if a channel changes by more than [`POP`] of 255 in a frame, and by at most [`STILL`] in the reference.
+const POP: u32 = 16;
+const STILL: u32 = 4;
+
+pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
+    let change = |[before, after]: [&[u32]; 2], i: usize| worst_channel(before[i], after[i]);
+    let pops = |&i: &usize| change(frames, i) > POP && change(references, i) <= STILL;
+    (0..frames[0].len()).filter(pops).count()
 }

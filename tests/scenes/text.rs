@@ -1,0 +1,42 @@
+//! Scenes as text, with other numbers.
+
+use eightfold_tracer::scene::Scene;
+use std::ops::Range;
+
+/// A scene in RON, and the places of its numbers.
+pub struct Text {
+    ron: String,
+    pub numbers: Vec<Range<usize>>,
+}
+
+impl Text {
+    pub fn of(scene: &Scene) -> Self {
+        let ron = ron::to_string(scene).expect("a scene has a text");
+        let (mut numbers, mut at) = (Vec::new(), 0);
+        for word in ron.split(['(', ')', '[', ']', ',', ':']) {
+            if word.parse::<f32>().is_ok() {
+                numbers.push(at..at + word.len());
+            }
+            at += word.len() + 1;
+        }
+        Self { ron, numbers }
+    }
+
+    /// Returns the end of the colon and the name of a number's field.
+    pub fn field(&self, i: usize) -> (usize, &str) {
+        let before = &self.ron[..self.numbers[i].start];
+        let colon = before.rfind(':').expect("a number is in a field");
+        let name = before[..colon].rsplit(['(', ',']).next();
+        (colon + 1, name.expect("a name"))
+    }
+
+    pub fn with(&self, i: usize, number: f32) -> String {
+        let Range { start, end } = self.numbers[i];
+        format!("{}{number:?}{}", &self.ron[..start], &self.ron[end..])
+    }
+
+    pub fn scene_with(&self, i: usize, number: f32) -> (Scene, &str) {
+        let scene = ron::from_str(&self.with(i, number)).expect("it is a number");
+        (scene, self.field(i).1)
+    }
+}
