@@ -11,7 +11,7 @@ use std::f32::consts::TAU;
 
 #[test]
 fn points_are_added_between_differing_pixels() {
-    for mut random in cases(80) {
+    for mut random in cases(50) {
         let scene = Kinds {
             overlays: false,
             ..Kinds::EXTREME

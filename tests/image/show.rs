@@ -75,7 +75,7 @@ fn every_object_of_the_show_is_seen() {
         for moment in 0..MOMENTS {
             let bars = (end - start) as f32 * (moment as f32 + 0.5) / MOMENTS as f32;
             let scene = at((start as f32 + bars) * grid::BAR);
-            let draw = |scene: &Scene| draw_best(scene, &Quality::EXHAUSTIVE, 240, 135).pixels;
+            let draw = |scene: &Scene| draw_best(scene, &Quality::EXHAUSTIVE, 160, 90).pixels;
             let whole = draw(&scene);
             let all: Vec<Object> = objects(&scene).collect();
             let objects = unseen.entry((name, all.len())).or_insert(all);
