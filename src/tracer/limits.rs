@@ -103,7 +103,7 @@
 //! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
 //!   a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
-//!   both. Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 70 pixels in
+//!   both. Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 54 pixels in
 //!   the show.
 //! - dB to exhaustive of other scenes: 38.8 for crowds of glass in glass, 40.3 for mirrors in mirrors, 39.0 for coincident faces;
 //!   less for an eye inside glass, extreme scales and the fastest quality.

@@ -47,7 +47,7 @@ static PROPS: &[Prop] = &[
     cylinder(&material::MARBLE, [-2.6, 2.7, -6.0], [0.9, 4.6, 0.9]).repeat([2, 7], [5.2, 3.2]),
     cuboid(&material::MARBLE, [-2.6, 5.2, -6.0], [1.4, 0.4, 1.4]).repeat([2, 7], [5.2, 3.2]),
     cuboid(&material::MARBLE, [-2.6, 5.7, -2.6], [1.1, 0.6, 11.2]).repeat([2, 2], [5.2, 11.2]),
-    sphere(&material::CRYSTAL, [0.0, 1.7, 6.0], 1.9).moving(Bouncing { phase: 0.0 }),
+    sphere(&material::CRYSTAL, [0.0, 1.7, 6.0], 2.0).moving(Bouncing { phase: 0.0 }),
     sphere(&material::GOLD, [-0.9, 0.7, 1.4], 1.0).moving(Bouncing { phase: 1.0 }),
     sphere(&material::SCARLET, [0.9, 1.0, 3.2], 0.9).moving(Bouncing { phase: 2.0 }),
     sphere(&material::SILVER, [-0.2, 3.2, 9.0], 1.4).moving(Bouncing { phase: 3.0 }),
@@ -58,7 +58,7 @@ static SHOTS: &[Shot] = &[
     shot(3, &[
         keyframe([0.0, 2.9, 2.6], -1.8, 15.0, -2.2),
         keyframe([0.0, 2.9, 2.6], -1.95, 14.0, -2.2).rolled(0.03),
-        keyframe([0.0, 2.9, 2.6], -2.15, 12.5, -2.2),
+        keyframe([0.0, 2.9, 2.6], -2.1, 12.5, -2.2),
     ]),
     shot(2, &[
         keyframe([0.0, 2.0, 3.4], 1.4, 16.0, 5.0),

@@ -22,7 +22,7 @@ static ENVIRONMENT: Environment = Environment {
     film: SHOW,
     floor: &material::WATER,
     floor_half: FAR,
-    swell: 0.015,
+    swell: 0.0125,
     lights: &[
         // The sun.
         Light {
@@ -75,7 +75,7 @@ fn add(beat: f32, scene: &mut Scene) {
         let mut out = 2.0;
         for number in 0..SPHERES {
             let number = f32::from(number);
-            let turns = f32::from(arm) / f32::from(ARMS) + 0.018 * number + 0.006 * beat;
+            let turns = f32::from(arm) / f32::from(ARMS) + 0.0185 * number + 0.006 * beat;
             let radius = 0.05 * out;
             let material = Material {
                 colour: GOLD + TO_VIOLET * (number / f32::from(SPHERES)),

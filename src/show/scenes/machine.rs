@@ -52,7 +52,7 @@ static SHOTS: &[Shot] = &[
     shot(3, &[
         keyframe([0.0, 1.3, 0.0], -1.4, 5.5, 1.6).rolled(0.05),
         keyframe([0.0, 1.5, 0.0], -0.9, 6.5, 1.8),
-        keyframe([0.0, 1.7, 0.0], -0.3, 8.4, 2.0),
+        keyframe([0.0, 1.7, 0.0], -0.32, 8.4, 2.0),
         keyframe([0.0, 1.7, 0.0], 0.2, 10.4, 3.0),
     ]),
     shot(3, &[
@@ -146,7 +146,7 @@ fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene
     );
     for tooth in 0..teeth {
         let out = around(f32::from(tooth) / f32::from(teeth) + turns);
-        let half = vec3(0.1, 0.08, 0.12);
+        let half = vec3(0.11, 0.085, 0.12);
         add(Shape::Box, centre + out * (radius + 0.08), half, axes(out));
     }
 }

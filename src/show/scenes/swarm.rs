@@ -22,7 +22,7 @@ static ENVIRONMENT: Environment = Environment {
     floor_half: FAR,
     swell: 0.0,
     lights: &[
-        point([-8.0, 12.0, -6.0], [0.95, 0.86, 0.74]),
+        point([-8.0, 12.0, -7.5], [0.95, 0.86, 0.74]),
         Light {
             drawn_radius: 0.3,
             glow: 0.5,

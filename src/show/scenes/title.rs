@@ -24,7 +24,7 @@ static ENVIRONMENT: Environment = Environment {
     film: SHOW,
     floor: &material::WATER,
     floor_half: FAR,
-    swell: 0.0095,
+    swell: 0.006,
     lights: &[
         Light {
             drawn_radius: 0.12,
