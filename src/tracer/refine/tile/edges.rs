@@ -59,6 +59,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     fn open(&mut self, x: usize, y: usize) {
         if self.rough(y) >> (x % 64) & 1 == 0 {
             self.band.rough[y][self.area.left / TILE_WIDTH] |= 1 << (x % 64);
+            // For the overlay. A word of 64 pixels has a byte for each cell.
             for row in &mut self.worker.marks.traced[0][CELL * y..][..CELL] {
                 row.0[x / CELL] |= 0xff << (x % CELL * CELL);
             }
