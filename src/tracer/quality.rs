@@ -5,9 +5,9 @@ use crate::range_error::{Checked, Range, RangeError};
 /// Settings that trade accuracy for speed: the refinement of squares, and the depth of rays.
 ///
 /// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
-/// it is split. Corners with equal *keys* show the same objects in the same light. A tolerance is the largest difference in a
-/// channel, in units of 1/255, for squares of 8 pixels. It doubles for squares of 4 pixels, where an error covers a quarter of the
-/// pixels, and so on.
+/// it is split. Corners with equal *keys* show the same objects in the same light, and, in mirrors and glass, the same fields of
+/// patterns. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for squares
+/// of 4 pixels, where an error covers a quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {

@@ -1,5 +1,5 @@
 use crate::{Random, solids};
-use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
 /// Half the side of the cube above the floor that contains the objects.
@@ -33,7 +33,8 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     }
 }
 
-/// Returns a crowd of `spheres` and `blocks`, with these shares of glass and mirrors.
+/// Returns a crowd of `spheres` and `blocks`, with these shares of glass and mirrors, over checkers or a plain floor. Up to sixteen
+/// are large, and large glass spheres contain up to three others.
 pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let eye = vec3(
         0.0,
@@ -41,7 +42,10 @@ pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2
         REACH * random.between(1.0, 2.2),
     );
     let look_at = Vec3::Y * REACH * random.between(0.1, 0.5);
-    let floor = material(random, [0.0, shares[1]]);
+    let mut floor = material(random, [0.0, shares[1]]);
+    if random.below(2) == 0 {
+        floor.pattern = Pattern::checkers(random.between(0.3, 1.5), 0.7);
+    }
     let mut scene = Scene {
         camera: Camera::new(eye, look_at, random.between(0.5, 1.2)),
         background: random.vector(Vec3::ZERO, Vec3::splat(0.8)),
@@ -50,13 +54,20 @@ pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2
         ..Scene::default()
     };
     let place = |random: &mut Random| random.vector(vec3(-REACH, 0.0, -REACH), Vec3::splat(REACH));
+    let is_large = spheres + blocks <= 16;
+    let size = if is_large { 3.0 } else { 1.0 };
     for _ in 0..spheres {
-        let (centre, radius) = (place(random), random.between(0.1, 0.4));
-        let sphere = Sphere::new(centre, radius, material(random, shares));
+        let (centre, mut radius) = (place(random), size * random.between(0.1, 0.4));
+        let mut sphere = Sphere::new(centre, radius, material(random, shares));
         scene.spheres.push(sphere);
+        for _ in 0..random.below(4) * usize::from(is_large && sphere.material.kt > 0.0) {
+            radius *= random.one_of([0.999, 0.95, 0.8, 0.5]);
+            sphere = Sphere::new(centre, radius, material(random, shares));
+            scene.spheres.push(sphere);
+        }
     }
     for _ in 0..blocks {
-        let half = random.vector(vec3(0.05, 0.3, 0.05), vec3(0.3, 2.0, 0.5));
+        let half = size * random.vector(vec3(0.05, 0.3, 0.05), vec3(0.3, 2.0, 0.5));
         let (centre, material) = (place(random), material(random, shares));
         let block = solids::block(random, centre, half, material);
         scene.blocks.push(block);

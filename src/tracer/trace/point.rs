@@ -22,6 +22,8 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub anisotropy: F<S>,
     /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
     pub reflectance: F<S>,
+    /// A hash of the texture's field.
+    pub field: U<S>,
     /// The least cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere, whose far
     /// side blocks all lights beyond it. A chord towards a light is twice the cosine times the radius long.
     pub horizon: F<S>,
@@ -83,6 +85,7 @@ impl<S: Isa> ShadingPoint<S> {
             groove: n,
             anisotropy: zero,
             reflectance: splat(simd, 1.0),
+            field: U::<S>::splat(simd, 0),
             horizon: inverse_radius * 0.5,
             inside: shaded,
             shaded,
@@ -125,7 +128,8 @@ impl<S: Isa> ShadingPoint<S> {
             }
             let pattern = &material.pattern;
             if pattern.depth > 0.0 {
-                let left = texture_point.reflectance(simd, world, pattern, d, hit.t);
+                let (left, field) = texture_point.reflectance(simd, world, pattern, d, hit.t);
+                self.field = same.select(field, self.field);
                 self.reflectance = same.select(left, self.reflectance);
             }
         }

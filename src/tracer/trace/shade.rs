@@ -32,6 +32,7 @@ pub(super) fn shade<S: Isa>(
     let mut colour = surface.emitted();
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
+    let mut field = U::<S>::splat(simd, 0);
     let mut keys = Keys::new(simd, quality, active, rays);
     if shaded.any_true() {
         let point = &ShadingPoint::new(simd, world, rays, hit, &surface, shaded);
@@ -45,6 +46,7 @@ pub(super) fn shade<S: Isa>(
         );
         untextured = reflected.untextured;
         reflectance = point.reflectance;
+        field = point.field;
         colour = reflected.specular.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
@@ -58,7 +60,7 @@ pub(super) fn shade<S: Isa>(
     }
     Contribution {
         colour: colour.scaled(active.select(rays.weight, splat(simd, 0.0))),
-        key: keys.terms(simd, quality, hit.object),
+        key: keys.terms(simd, quality, hit.object, field),
         untextured: untextured.scaled(weight),
         reflectance,
     }

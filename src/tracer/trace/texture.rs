@@ -32,8 +32,8 @@ impl<S: Isa> TexturePoint<S> {
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// Returns the pattern's factor on the colour, 0 to 1, seen along `d` from the distance `t` (times the length of `d`); negative
-    /// where the pattern is [`FINE`].
+    /// Returns the pattern's factor on the colour, 0 to 1, negative where the pattern is [`FINE`], seen along `d` from the distance `t`
+    /// (times the length of `d`); and a hash of the field between the pattern's edges.
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -42,7 +42,7 @@ impl<S: Isa> TexturePoint<S> {
         pattern: &Pattern,
         d: &Vec3x<S>,
         t: F<S>,
-    ) -> F<S> {
+    ) -> (F<S>, U<S>) {
         // At distance 1, seen perpendicularly, a pixel is `pixel` wide.
         let pixels = d.dot(self.n).abs() / (t * world.pixel);
         reflectance(simd, pattern, &self.own, pixels)
@@ -73,7 +73,7 @@ impl<'a> SeenPattern<'a> {
         let (d, t) = seen_points(world, &self.object, at);
         let from = Vec3x::splat(simd, world.eye) - Vec3x::splat(simd, self.object.centre());
         let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
-        let share = point.reflectance(simd, world, self.pattern, &d, t * d.dot(d));
+        let (share, _) = point.reflectance(simd, world, self.pattern, &d, t * d.dot(d));
         share.abs()
     }
 }
@@ -107,33 +107,36 @@ pub(crate) fn seen_points(
 /// others halves the time of the marble in the show's colonnade.
 const FINE: f32 = 5.0;
 
-/// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long. It is
-/// negative where the pattern is [`FINE`].
+/// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long, and a hash of the
+/// field. The factor is negative where the pattern is [`FINE`].
 ///
 /// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
 /// w)` of the waves w along the axes.
 #[inline(always)]
-fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> F<S> {
+fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> (F<S>, U<S>) {
     let mut height = splat(simd, 1.0);
+    let mut fields = U::<S>::splat(simd, 0);
     if pattern.depth == 0.0 {
-        return height;
+        return (height, fields);
     }
-    let mut sign = U::<S>::splat(simd, 0);
     let [along_x, along_y, along_z] = pattern.waves.to_array();
     for v in [
         own.x * along_x + turbulence(simd, pattern, *own),
         own.y * along_y,
         own.z * along_z,
     ] {
-        let wave = off_integer::<S>(v).abs() * -4.0 + 1.0;
-        height = at_most::<S>(wave.abs(), height);
-        sign ^= wave.bitcast::<U<S>>();
+        let halves: F<S> = v + v;
+        let field = halves + ROUND_TO_INTEGER;
+        let off: F<S> = halves - (field - ROUND_TO_INTEGER);
+        height = at_most::<S>(off.abs() * -2.0 + 1.0, height);
+        // Multiplies by an odd number: the lowest bit is the parity.
+        fields = (fields + (fields << 4)) ^ field.bitcast::<U<S>>();
     }
     // Edges are at least a pixel wide.
     let steepest = pixels * (0.5 / pattern.waves.max_element());
     let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
     let one = splat(simd, 1.0);
-    let height = flipped::<S>(height * edge, sign & (1 << 31));
+    let height = flipped::<S>(height * edge, fields << 31);
     let height = at_most::<S>(height + at_least::<S>(edge, one) * pattern.balance, one);
     let height = at_least::<S>(height, -one);
     let share = (height - 1.0) * (0.5 * pattern.depth) + 1.0;
@@ -142,7 +145,7 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     let edges = 1.0 + pattern.edge.max(1.0);
     let fine = pixels.simd_lt(splat(simd, 2.0 * FINE * edges * frequency));
     let sign: U<S> = fine.to_vector().bitcast();
-    flipped::<S>(share, sign & (1 << 31))
+    (flipped::<S>(share, sign & (1 << 31)), fields)
 }
 
 /// Returns the noise along x, in periods. It is constant along one oblique direction.
