@@ -27,6 +27,7 @@ impl Writer {
     }
 
     /// Writes the buffered bytes. Returns false if this or an earlier write failed.
+    #[inline(never)]
     pub fn flush(&mut self) -> bool {
         self.has_failed = self.has_failed || !write(self.file, &self.buffer[..self.length]);
         self.length = 0;
@@ -41,6 +42,7 @@ impl Writer {
         self.length += 1;
     }
 
+    #[inline(never)]
     pub fn text(&mut self, text: &str) -> &mut Writer {
         for byte in text.bytes() {
             self.byte(byte);
