@@ -12,23 +12,25 @@ use core::{
 
 use crate::line::ascii;
 
-/// Defines a structure of functions and their names, for a [`Table`].
+/// Defines a structure of a library's functions, and its [`Table`].
 macro_rules! loaded {
-    ($(#[$doc:meta])* $table:ident, $names:ident: $( fn $name:ident($($argument:ty),* $(,)?) -> $result:ty; )*) => {
-        $(#[$doc])*
+    (static $table:ident: $functions:ident = $library:literal; $( fn $name:ident($($argument:ty),* $(,)?) -> $result:ty; )*) => {
         #[repr(C)]
-        pub struct $table {
+        pub struct $functions {
             $( pub $name: unsafe extern "C" fn($($argument),*) -> $result, )*
         }
 
-        static $names: &str = concat!($( stringify!($name), "\0" ),*);
+        pub static $table: $crate::loading::Table<$functions> =
+            $crate::loading::Table::new($library, concat!($( stringify!($name), "\0" ),*));
     };
 }
 
 pub(crate) use loaded;
 
-/// A table of functions, defined by [`loaded!`], which is filled once.
+/// Functions of a library, filled once.
 pub struct Table<T> {
+    library: &'static CStr,
+    names: &'static str,
     functions: UnsafeCell<MaybeUninit<T>>,
     ready: AtomicBool,
 }
@@ -37,23 +39,23 @@ pub struct Table<T> {
 unsafe impl<T> Sync for Table<T> {}
 
 impl<T> Table<T> {
-    pub const fn new() -> Table<T> {
+    pub const fn new(library: &'static CStr, names: &'static str) -> Table<T> {
         Table {
+            library,
+            names,
             functions: UnsafeCell::new(MaybeUninit::uninit()),
             ready: AtomicBool::new(false),
         }
     }
 
-    /// Fills the table, unless it is full, with a library's functions. Returns `None` if any is missing. Call it from one thread at
-    /// a time.
+    /// Fills the table, unless it is full. Returns `None` if any function is missing. Call it from one thread at a time.
     #[inline]
-    pub fn open(&'static self, library: &CStr, names: &str) -> Option<&'static T> {
-        // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for each of `loaded!`'s names.
-        if !unsafe { load(&self.ready, library, names, self.functions.get().cast()) } {
-            return None;
-        }
+    pub fn open(&'static self) -> Option<&'static T> {
+        let slot = self.functions.get().cast();
+        // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for each name.
+        let is_filled = unsafe { load(&self.ready, self.library, self.names, slot) };
         // SAFETY: it has been filled.
-        Some(unsafe { self.loaded() })
+        is_filled.then(|| unsafe { self.loaded() })
     }
 
     /// # Safety

@@ -17,7 +17,7 @@ use x11_dl::{xlib, xshm::XShmSegmentInfo};
 use super::{
     memory::pixels,
     x11::{self, Toplevel},
-    xext::Xext,
+    xext::{XEXT, Xext},
 };
 use crate::render_target::MOST_PIXELS;
 
@@ -145,7 +145,7 @@ impl Frames {
 
     /// Allocates shared memory for two frames, and attaches the server to it if possible.
     fn share(&mut self, top: &Toplevel) -> Option<&'static mut [u32]> {
-        let shared = Xext::load()?;
+        let shared = XEXT.open()?;
         let size = 2 * MOST_PIXELS * size_of::<u32>();
         // SAFETY: the display is open and the image valid. The zeroed segment has this size, exists as long as the process, and is
         // read-only for the server. A zeroed `shmid_ds` is valid.

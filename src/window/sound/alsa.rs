@@ -6,7 +6,7 @@ use core::{
     ptr::null_mut,
 };
 
-use crate::loading::{Table, loaded, why_not_loaded};
+use crate::loading::{loaded, why_not_loaded};
 
 #[repr(C)]
 pub struct Pcm {
@@ -14,11 +14,11 @@ pub struct Pcm {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// The handler of error messages. (It is variadic in ALSA; the remaining arguments are unused.)
+/// The handler of error messages, without ALSA's variadic arguments.
 type Complain = extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char);
 
 loaded! {
-    Alsa, ALSA_NAMES:
+    static ALSA: Alsa = c"libasound.so.2";
     fn snd_lib_error_set_handler(Complain) -> c_int;
     fn snd_pcm_delay(*mut Pcm, *mut c_long) -> c_int;
     fn snd_pcm_open(*mut *mut Pcm, *const c_char, c_int, c_int) -> c_int;
@@ -26,8 +26,6 @@ loaded! {
     fn snd_pcm_set_params(*mut Pcm, c_int, c_int, c_uint, c_uint, c_int, c_uint) -> c_int;
     fn snd_pcm_writei(*mut Pcm, *const [f32; 2], c_ulong) -> c_long;
 }
-
-static ALSA: Table<Alsa> = Table::new();
 
 /// A device that plays 48 kHz stereo, open as long as the process lasts.
 pub struct Device {
@@ -54,9 +52,7 @@ impl Device {
         const INTERLEAVED: c_int = 3;
         const SIDES: c_uint = 2;
         const RESAMPLED: c_int = 1;
-        let Some(alsa) = ALSA.open(c"libasound.so.2", ALSA_NAMES) else {
-            return Err(why_not_loaded());
-        };
+        let alsa = ALSA.open().ok_or_else(why_not_loaded)?;
         let mut pcm = null_mut();
         // SAFETY: the functions have the signatures of ALSA's headers, and pointers outlive the calls. The handler has fewer
         // parameters than ALSA passes; on every supported system the caller cleans up.

@@ -7,10 +7,10 @@ use core::{
 
 use x11_dl::xlib::*;
 
-use crate::loading::{Table, loaded};
+use crate::loading::loaded;
 
 loaded! {
-    Loaded, XLIB_NAMES:
+    static TABLE: Loaded = c"libX11.so.6";
     fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
     fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;
     fn XCreateImage(*mut Display, *mut Visual, c_uint, c_int, c_int, *mut c_char, c_uint, c_uint, c_int, c_int) -> *mut XImage;
@@ -41,8 +41,6 @@ loaded! {
     fn XkbKeycodeToKeysym(*mut Display, KeyCode, c_int, c_int) -> KeySym;
 }
 
-static TABLE: Table<Loaded> = Table::new();
-
 /// Loaded libX11, a zero-sized token.
 #[derive(Clone, Copy)]
 pub struct Xlib(());
@@ -50,8 +48,7 @@ pub struct Xlib(());
 impl Xlib {
     /// Loads libX11 at the first call. Returns `None` if a function is missing.
     pub fn load() -> Option<Xlib> {
-        TABLE.open(c"libX11.so.6", XLIB_NAMES)?;
-        Some(Xlib(()))
+        TABLE.open().map(|_| Xlib(()))
     }
 }
 
