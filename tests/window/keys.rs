@@ -4,18 +4,28 @@ use std::{thread::sleep, time::Duration};
 
 #[test]
 fn f_and_w_switch_fullscreen() {
-    needs!(DISPLAY, &["twm"]);
-    // twm does not know fullscreen.
+    needs!(DISPLAY, &["twm", "xrandr"]);
+    // twm lacks fullscreen.
     let twm = ("twm", on_screen(Server::start_with_twm));
     for (manager, server) in servers().into_iter().chain([twm]) {
-        let intro = server.play("--size 640x400 --seconds 60");
-        server.xdotool("search --name Eightfold windowmove 123 77");
-        sleep(Duration::from_millis(300));
-        let window = server.window().expect("a window");
-        server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
-        for _ in 0..3 {
+        for monitor in [
+            "--setmonitor right 640/1x800/1+640+0 screen",
+            "--setmonitor left 640/1x800/1+0+0 none",
+        ] {
+            run(server.tool("xrandr").args(monitor.split(' ')));
+        }
+        let intro = server.play("--size 400x300 --seconds 60");
+        let mut window = server.window().expect("a window");
+        if manager == "no window manager" {
+            assert_eq!(window, [760, 250, 400, 300], "centre of the first monitor");
+        }
+        for (left, monitor) in [(123, 0), (600, 640), (77, 0)] {
+            server.xdotool(&format!("search --name Eightfold windowmove {left} 77"));
+            sleep(Duration::from_millis(300));
+            window = server.window().expect("a window");
+            server.xdotool(&format!("mousemove {} {}", window[0] + 200, window[1] + 20));
             server.xdotool("key f");
-            server.wait_for_window(SCREEN);
+            server.wait_for_window([monitor, 0, 640, 800]);
             assert_covered(&server, manager);
             server.xdotool("key w");
             server.wait_for_window(window);
@@ -55,7 +65,7 @@ fn keys_follow_the_layout_or_the_us_keyboard() {
         tap(f);
         server.wait_for_window(SCREEN);
         if layout.contains(',') {
-            // Right Alt selects the second layout while it is held.
+            // Right Alt selects the second layout.
             server.xdotool(&format!("keydown {alt} key {w} keyup {alt}"));
         } else {
             tap(w);
@@ -127,7 +137,7 @@ fn fullscreen_option_starts_fullscreen() {
 }
 
 fn assert_covered(server: &Server, manager: &str) {
-    let shot = server.screenshot(SCREEN);
+    let shot = server.screenshot(server.window().expect("a window"));
     let black = shot.iter().filter(|&&pixel| pixel == 0).count();
     assert_eq!(black, 0, "{manager}: black pixels");
 }

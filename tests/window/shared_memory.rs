@@ -7,7 +7,7 @@ use std::{
     process::Command,
 };
 
-/// A libXext for a server that accepts every request and shows nothing.
+/// A libXext that accepts every request and shows nothing.
 const YES_AND_NOTHING: &str = "
     #[unsafe(no_mangle)] extern \"C\" fn XShmQueryExtension() -> i32 { 1 }
     #[unsafe(no_mangle)] extern \"C\" fn XShmAttach() -> i32 { 1 }
@@ -52,6 +52,8 @@ fn server_without_shared_memory_gets_frames() {
     needs!(DISPLAY);
     let folder = tempfile::tempdir().expect("a folder");
     build(folder.path(), "libXext.so.6", YES_AND_NOTHING);
+    // The real one needs libXext.
+    build(folder.path(), "libXinerama.so.1", "");
     let server = Server::start(320, 240);
     let mut command = Command::new(intro());
     play(&server, command.env("LD_LIBRARY_PATH", folder.path()));

@@ -93,19 +93,20 @@ impl Window {
         self.top.set_text(name, kind, title.to_bytes());
     }
 
-    /// Shows the window for the first time, in the centre of the screen unless the window manager moves it.
+    /// Shows the window for the first time, in the centre of the first monitor unless the window manager moves it.
     fn place(&self, width: usize, height: usize) {
         let (width, height) = (width as c_int, height as c_int);
-        let (screen, _) = self.top.attributes(self.top.root);
+        // No monitor shows this point.
+        let monitor = self.top.monitor(-1, -1);
         self.top.move_to(Place {
-            x: c_int::max(screen.width - width, 0) / 2,
-            y: c_int::max(screen.height - height, 0) / 2,
+            x: monitor.x + c_int::max(monitor.width - width, 0) / 2,
+            y: monitor.y + c_int::max(monitor.height - height, 0) / 2,
             width,
             height,
         });
     }
 
-    /// Makes the window cover the screen, without a pointer, or restores it.
+    /// Makes the window cover its monitor, without a pointer, or restores it.
     pub fn set_fullscreen(&mut self, on: bool) {
         self.top.set_fullscreen(on);
     }

@@ -1,5 +1,5 @@
 //! Fullscreen, through the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window is
-//! placed over the screen.
+//! placed over its monitor.
 
 use core::{
     ffi::{c_int, c_long, c_uint},
@@ -9,7 +9,7 @@ use core::{
 
 use x11_dl::xlib;
 
-use super::Toplevel;
+use super::{super::xext::XINERAMA, Toplevel};
 
 #[derive(Clone, Copy)]
 pub struct Place {
@@ -24,7 +24,7 @@ impl Toplevel {
         let pointer = if on { self.no_pointer } else { 0 };
         // SAFETY: the window exists, and so does the pointer; 0 is the desktop's own.
         unsafe { (self.x.XDefineCursor)(self.display, self.window, pointer) };
-        let (screen, listening) = self.attributes(self.root);
+        let (_, listening) = self.attributes(self.root);
         let is_managed = listening & xlib::SubstructureRedirectMask != 0;
         if let Some(place) = self.before {
             if !on {
@@ -35,23 +35,46 @@ impl Toplevel {
             self.ask_manager(on);
         } else if on {
             let (mut place, _) = self.attributes(self.window);
-            let mut over = screen;
+            let (x, y) = self.position();
+            let mut over = self.monitor(x + place.width / 2, y + place.height / 2);
             if is_managed {
-                // The window manager moves its frame: put the frame's left and upper parts beyond the screen.
+                // The window manager moves its frame: put its left and upper parts beyond the monitor.
                 let (left, top) = (place.x, place.y);
-                (over.x, over.y) = (-left, -top);
-                (place.x, place.y) = self.position();
-                place.x -= left;
-                place.y -= top;
+                (over.x, over.y) = (over.x - left, over.y - top);
+                (place.x, place.y) = (x - left, y - top);
             }
             self.before = Some(place);
             self.move_to(over);
+            let (display, window) = (self.display, self.window);
             // SAFETY: the window exists.
-            unsafe {
-                let (display, window) = (self.display, self.window);
-                (self.x.XSetInputFocus)(display, window, xlib::RevertToPointerRoot, 0);
+            unsafe { (self.x.XSetInputFocus)(display, window, xlib::RevertToPointerRoot, 0) };
+        }
+    }
+
+    /// Returns a monitor that shows a point, otherwise the first monitor, otherwise the screen.
+    pub fn monitor(&self, x: c_int, y: c_int) -> Place {
+        let (mut found, _) = self.attributes(self.root);
+        let mut count = 0;
+        // SAFETY: the display is open. The list has this length, and is leaked.
+        let monitors = XINERAMA.open().and_then(|xinerama| unsafe {
+            // A query without the extension prints a message.
+            ((xinerama.XineramaIsActive)(self.display) != 0).then_some(())?;
+            let list = (xinerama.XineramaQueryScreens)(self.display, &mut count);
+            Some(from_raw_parts(list.as_ref()?, count as usize))
+        });
+        for (index, monitor) in monitors.into_iter().flatten().enumerate() {
+            let place = Place {
+                x: monitor.x_org.into(),
+                y: monitor.y_org.into(),
+                width: monitor.width.into(),
+                height: monitor.height.into(),
+            };
+            let (dx, dy) = (x - place.x, y - place.y);
+            if index == 0 || (0..place.width).contains(&dx) && (0..place.height).contains(&dy) {
+                found = place;
             }
         }
+        found
     }
 
     fn position(&self) -> (c_int, c_int) {
@@ -76,18 +99,17 @@ impl Toplevel {
     /// leave properties behind, but not its selection.
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is valid for all fields, and the window exists.
-        let attributes = unsafe {
+        unsafe {
             let mut attributes: xlib::XWindowAttributes = zeroed();
             (self.x.XGetWindowAttributes)(self.display, window, &mut attributes);
-            attributes
-        };
-        let place = Place {
-            x: attributes.x,
-            y: attributes.y,
-            width: attributes.width,
-            height: attributes.height,
-        };
-        (place, attributes.all_event_masks)
+            let place = Place {
+                x: attributes.x,
+                y: attributes.y,
+                width: attributes.width,
+                height: attributes.height,
+            };
+            (place, attributes.all_event_masks)
+        }
     }
 
     fn ask_manager(&self, fullscreen: bool) {
