@@ -140,17 +140,18 @@ fn distance(at: Vec2, letter: u8) -> f32 {
     sqrt(distance2)
 }
 
-/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares up to `covered`.
+/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares, at most `covered`.
 ///
 /// Not inlined: vectorised rows would cost the intro 240 packed bytes.
 #[inline(never)]
 fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
-    // In 256ths. A brightness above 1, of an invalid scene, counts as 1.
-    let rounded = |share: f32| ((256.0 * share + 0.5) as u32).min(256);
-    let left = 256 - rounded(covered);
+    // In 256ths. Invalid scenes exceed the limits.
+    let rounded = |share: f32| (256.0 * share + 0.5) as u32;
+    let covered = rounded(covered).min(256);
     let channel = |number: usize| {
         let picture = (pixel >> (8 * number)) & 0xff;
-        (picture * left + 255 * rounded(added[number])) >> 8 << (8 * number)
+        let added = rounded(added[number]).min(covered);
+        (picture * (256 - covered) + 255 * added) >> 8 << (8 * number)
     };
     channel(0) | channel(1) | channel(2)
 }

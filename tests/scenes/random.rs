@@ -71,5 +71,6 @@ pub fn cases(count: u64) -> impl Iterator<Item = Random> {
         Some(text.parse::<u64>().expect("a number of cases"))
     };
     let first = number("FIRST_CASE").unwrap_or(0);
-    (first..first + number("CASES").unwrap_or(count)).map(Random::new)
+    let end = first.saturating_add(number("CASES").unwrap_or(count));
+    (first..end).map(Random::new)
 }
