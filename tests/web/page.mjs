@@ -211,7 +211,7 @@ const tests = {
       await page.until("!eightfold.isStale() && eightfold.isSettled()");
       const before = await textOf("accuracy");
       await page.value(way);
-      await page.until("!eightfold.isStale()");
+      await page.until("!eightfold.isStale() && document.getElementById('accuracy').textContent.includes('±')");
       const [, first, margin] = /^(\d+\.\d) ± (\d+\.\d) dB$/.exec(await textOf("accuracy")) ?? [];
       await page.until("eightfold.isSettled()");
       const text = await textOf("accuracy");
