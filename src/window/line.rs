@@ -27,6 +27,8 @@ impl Writer {
     }
 
     /// Writes the buffered bytes. Returns false if this or an earlier write failed.
+    ///
+    /// Not inlined, like `text`: saves 400 packed bytes.
     #[inline(never)]
     pub fn flush(&mut self) -> bool {
         self.has_failed = self.has_failed || !write(self.file, &self.buffer[..self.length]);

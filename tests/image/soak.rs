@@ -41,7 +41,7 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
-fn corrupt(scene: &mut Scene, random: &mut Random) {
+fn corrupt(scene: &mut Scene, random: &mut Random) -> bool {
     let wrong = random.one_of([
         f32::NAN,
         f32::INFINITY,
@@ -54,7 +54,9 @@ fn corrupt(scene: &mut Scene, random: &mut Random) {
     ]);
     let text = Text::of(scene);
     let number = random.below(text.numbers.len());
-    *scene = text.scene_with(number, wrong).0;
+    let (invalid, field) = text.scene_with(number, wrong);
+    *scene = invalid;
+    field == "axes"
 }
 
 fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<Difference> {
@@ -72,9 +74,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     };
     assert_eq!(scene.validate(), Ok(()), "{what}");
     let is_corrupt = random.below(4) == 0;
-    if is_corrupt {
-        corrupt(&mut scene, random);
-    }
+    let has_wrong_axes = is_corrupt && corrupt(&mut scene, random);
     let quality = quality(random);
     let (width, height) = match random.below(8) {
         0 => (1, 1 + random.below(300)),
@@ -110,14 +110,14 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     let most = counts.rays * lights;
     assert!(counts.shadow_rays <= most, "{what}: {counts:?}");
 
-    // The corners of the largest squares are always traced, but antialiasing and marks change their pixels, and culling of
-    // invalid blocks depends on the squares.
+    // The corners of the largest squares are always traced, but antialiasing and marks change their pixels, and culling by
+    // wrong axes depends on the squares.
     let every = Quality {
         square: 1,
         ..quality
     };
     let (others, _) = draw(one, &every);
-    if !quality.antialias && scene.method == Method::PLAIN && !is_corrupt {
+    if !quality.antialias && scene.method == Method::PLAIN && !has_wrong_axes {
         for y in (0..height).step_by(square) {
             for x in (0..width).step_by(square) {
                 let i = y * width + x;

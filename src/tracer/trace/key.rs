@@ -54,13 +54,13 @@ impl<S: Isa> Keys<S> {
 
     /// Returns the nodes' terms of the keys.
     #[inline(always)]
-    pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>, fields: U<S>) -> U<S> {
+    pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>, field: U<S>) -> U<S> {
         let zero = U::<S>::splat(simd, 0);
         if !self.has_any {
             return zero;
         }
         let with_states = to_depth(simd, self.paths, quality.state_depth);
-        let states = with_states.select(self.states, fields) << (PATH_BITS + OBJECT_BITS);
+        let states = with_states.select(self.states, field) << (PATH_BITS + OBJECT_BITS);
         let mut h = self.paths | (objects << PATH_BITS) | states;
         // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.
         h ^= h >> 16;

@@ -115,9 +115,9 @@ const FINE: f32 = 5.0;
 #[inline(always)]
 fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> (F<S>, U<S>) {
     let mut height = splat(simd, 1.0);
-    let mut fields = U::<S>::splat(simd, 0);
+    let mut field = U::<S>::splat(simd, 0);
     if pattern.depth == 0.0 {
-        return (height, fields);
+        return (height, field);
     }
     let [along_x, along_y, along_z] = pattern.waves.to_array();
     for v in [
@@ -126,17 +126,16 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
         own.z * along_z,
     ] {
         let halves: F<S> = v + v;
-        let field = halves + ROUND_TO_INTEGER;
-        let off: F<S> = halves - (field - ROUND_TO_INTEGER);
-        height = at_most::<S>(off.abs() * -2.0 + 1.0, height);
+        let wave = off_integer::<S>(halves).abs() * -2.0 + 1.0;
+        height = at_most::<S>(wave, height);
         // Multiplies by an odd number: the lowest bit is the parity.
-        fields = (fields + (fields << 4)) ^ field.bitcast::<U<S>>();
+        field = (field + (field << 4)) ^ (halves + ROUND_TO_INTEGER).bitcast::<U<S>>();
     }
     // Edges are at least a pixel wide.
     let steepest = pixels * (0.5 / pattern.waves.max_element());
     let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
     let one = splat(simd, 1.0);
-    let height = flipped::<S>(height * edge, fields << 31);
+    let height = flipped::<S>(height * edge, field << 31);
     let height = at_most::<S>(height + at_least::<S>(edge, one) * pattern.balance, one);
     let height = at_least::<S>(height, -one);
     let share = (height - 1.0) * (0.5 * pattern.depth) + 1.0;
@@ -145,7 +144,7 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     let edges = 1.0 + pattern.edge.max(1.0);
     let fine = pixels.simd_lt(splat(simd, 2.0 * FINE * edges * frequency));
     let sign: U<S> = fine.to_vector().bitcast();
-    (flipped::<S>(share, sign & (1 << 31)), fields)
+    (flipped::<S>(share, sign & (1 << 31)), field)
 }
 
 /// Returns the noise along x, in periods. It is constant along one oblique direction.
