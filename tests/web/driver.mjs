@@ -36,17 +36,25 @@ export async function serve(folder, headers = {}, change = () => ({})) {
   return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
-/** Runs the tests whose names contain a word, and prints a line for each. Returns the exit code. */
-export async function run(tests, word, by = "") {
+/**
+ * Runs the tests whose names contain a word, and prints a line for each. `replace` returns whether the browser had crashed, and another
+ * one runs: then a failed test runs once more. Returns the exit code.
+ */
+export async function run(tests, word, by = "", replace = () => false) {
   let code = 0;
   for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(word))) {
     const start = Date.now();
-    try {
-      await test();
-      console.log(`ok      ${name}${by} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
-    } catch (error) {
+    const attempt = () => test().then(() => null, (error) => error);
+    let error = await attempt();
+    if (error && (await replace())) {
+      console.log(`CRASHED ${name}${by}: ${error.message}`);
+      error = await attempt();
+    }
+    if (error) {
       code = 1;
       console.log(`FAILED  ${name}${by}\n${error.stack}`);
+    } else {
+      console.log(`ok      ${name}${by} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
     }
   }
   return code;

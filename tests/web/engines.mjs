@@ -13,7 +13,17 @@ import { WebKit } from "./webkit.mjs";
 
 const [engine, folder, intro, word = ""] = process.argv.slice(2);
 const site = await serve(folder);
-const page = await { chromium: () => Browser.page(site.address), firefox: Firefox.start, webkit: WebKit.start }[engine]();
+const start = { chromium: () => Browser.page(site.address), firefox: Firefox.start, webkit: WebKit.start }[engine];
+let page = await start();
+
+/** Replaces the browser if it does not answer. WebKitGTK 2.50 rarely aborts in its graphics library. */
+async function replace() {
+  if (await page.value("true").catch(() => false)) return false;
+  await page.end();
+  page = await start();
+  await page.go(site.address);
+  return true;
+}
 
 /** Returns the first seconds of the module's soundtrack in mono. */
 async function soundtrack(seconds) {
@@ -201,6 +211,6 @@ for (const [name, [{ headers, change, before }, sentence]] of Object.entries(fau
   };
 }
 
-const code = await run(word === "silent" ? silent : tests, word === "silent" ? "" : word, ` in ${engine}`);
+const code = await run(word === "silent" ? silent : tests, word === "silent" ? "" : word, ` in ${engine}`, replace);
 await page.end();
 process.exit(code);

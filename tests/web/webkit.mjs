@@ -9,7 +9,9 @@ export class WebKit extends WebDriver {
   static async start() {
     const webkit = new WebKit();
     webkit.port = await freePort();
-    webkit.process = spawn("WebKitWebDriver", [`--port=${webkit.port}`], { stdio: "ignore" });
+    // Without a GPU, its painting on one sometimes aborts.
+    const env = { ...process.env, WEBKIT_SKIA_ENABLE_CPU_RENDERING: "1" };
+    webkit.process = spawn("WebKitWebDriver", [`--port=${webkit.port}`], { stdio: "ignore", env });
     const options = { "webkitgtk:browserOptions": { binary: BROWSER, args: ["--automation"] } };
     for (let turn = 0; turn < 300 && !webkit.session; turn++) {
       const answer = await webkit.send("POST", "/session", { capabilities: { alwaysMatch: options } }).catch(({ cause }) => {
