@@ -40,7 +40,7 @@ static ENVIRONMENT: Environment = Environment {
     procedural: Some(add),
 };
 
-static PROPS: &[Prop] = &[sphere(&material::GLASS, [0.0, 1.5, 0.0], 2.6)];
+static PROPS: &[Prop] = &[sphere(&material::GLASS, [0.0, 1.6, 0.0], 2.3)];
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
@@ -64,7 +64,7 @@ static CAPTIONS: &[Cue] = &[
 ];
 
 const ARMS: u8 = 8;
-const SPHERES: u8 = 16;
+const SPHERES: u8 = 12;
 
 /// The colour of an arm's first sphere, and the change along the arm: from gold to violet.
 const GOLD: Vec3 = vec3(0.95, 0.66, 0.25);
@@ -72,7 +72,7 @@ const TO_VIOLET: Vec3 = vec3(-0.60, -0.58, 0.30);
 
 fn add(beat: f32, scene: &mut Scene) {
     for arm in 0..ARMS {
-        let mut out = 2.0;
+        let mut out = 2.8;
         for number in 0..SPHERES {
             let number = f32::from(number);
             let turns = f32::from(arm) / f32::from(ARMS) + 0.0185 * number + 0.006 * beat;
