@@ -41,6 +41,7 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
+/// Returns whether an axis became invalid.
 fn corrupt(scene: &mut Scene, random: &mut Random) -> bool {
     let wrong = random.one_of([
         f32::NAN,

@@ -37,8 +37,8 @@ export async function serve(folder, headers = {}, change = () => ({})) {
 }
 
 /**
- * Runs the tests whose names contain a word, and prints a line for each. `replace` returns whether the browser had crashed, and another
- * one runs: then a failed test runs once more. Returns the exit code.
+ * Runs the tests whose names contain a word, and prints a line for each. `replace` replaces a crashed
+ * browser, and returns whether it did: then a failed test runs once more. Returns the exit code.
  */
 export async function run(tests, word, by = "", replace = () => false) {
   let code = 0;

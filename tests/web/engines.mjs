@@ -16,7 +16,7 @@ const site = await serve(folder);
 const start = { chromium: () => Browser.page(site.address), firefox: Firefox.start, webkit: WebKit.start }[engine];
 let page = await start();
 
-/** Replaces the browser if it does not answer. WebKitGTK 2.50 rarely aborts in its graphics library. */
+/** Replaces the browser if it does not answer: WebKitGTK 2.50 rarely aborts. */
 async function replace() {
   if (await page.value("true").catch(() => false)) return false;
   await page.end();

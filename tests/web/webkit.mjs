@@ -9,7 +9,7 @@ export class WebKit extends WebDriver {
   static async start() {
     const webkit = new WebKit();
     webkit.port = await freePort();
-    // Without a GPU, its painting on one sometimes aborts.
+    // Avoids OpenGL in software, where WebKit rarely aborts.
     const env = { ...process.env, WEBKIT_SKIA_ENABLE_CPU_RENDERING: "1" };
     webkit.process = spawn("WebKitWebDriver", [`--port=${webkit.port}`], { stdio: "ignore", env });
     const options = { "webkitgtk:browserOptions": { binary: BROWSER, args: ["--automation"] } };

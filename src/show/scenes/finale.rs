@@ -72,6 +72,7 @@ const TO_VIOLET: Vec3 = vec3(-0.60, -0.58, 0.30);
 
 fn add(beat: f32, scene: &mut Scene) {
     for arm in 0..ARMS {
+        // Nearer spheres are strips at the ball's rim.
         let mut out = 2.8;
         for number in 0..SPHERES {
             let number = f32::from(number);

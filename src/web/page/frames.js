@@ -7,10 +7,10 @@ export class Frames {
   /** Milliseconds without an answer after which a worker counts as dead. */
   patience = 20_000;
 
-  /** Workers that died. */
+  /** The number of workers that died. */
   deaths = 0;
 
-  /** Starts workers with a compiled module. `complain` gets a sentence when one of them dies again. */
+  /** Starts workers with a compiled module. `complain` gets a sentence from the second death on. */
   constructor(compiled, count, complain) {
     this.compiled = compiled;
     this.complain = complain;
