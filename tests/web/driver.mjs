@@ -37,17 +37,18 @@ export async function serve(folder, headers = {}, change = () => ({})) {
 }
 
 /**
- * Runs the tests whose names contain a word, and prints a line for each. `replace` replaces a crashed
- * browser, and returns whether it did: then a failed test runs once more. Returns the exit code.
+ * Runs the tests whose names contain a word, and prints a line for each. With `replace`, a failed test runs once more in another
+ * browser. Returns the exit code.
  */
-export async function run(tests, word, by = "", replace = () => false) {
+export async function run(tests, word, by = "", replace) {
   let code = 0;
   for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(word))) {
     const start = Date.now();
     const attempt = () => test().then(() => null, (error) => error);
     let error = await attempt();
-    if (error && (await replace())) {
-      console.log(`CRASHED ${name}${by}: ${error.message}`);
+    if (error && replace) {
+      console.log(`AGAIN   ${name}${by}: ${error.message}`);
+      await replace();
       error = await attempt();
     }
     if (error) {
@@ -68,7 +69,8 @@ export class Driver {
       if (await this.value(expression)) return;
       await sleep(100);
     }
-    throw new Error(`not within a minute: ${expression}`);
+    const clock = await this.value("JSON.stringify(globalThis.eightfold?.clock, (key, value) => (key && typeof value === 'object' ? undefined : value))");
+    throw new Error(`not within a minute: ${expression}; the clock is ${clock}`);
   }
 
   textOf(id) {

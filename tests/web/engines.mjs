@@ -16,13 +16,11 @@ const site = await serve(folder);
 const start = { chromium: () => Browser.page(site.address), firefox: Firefox.start, webkit: WebKit.start }[engine];
 let page = await start();
 
-/** Replaces the browser if it does not answer: WebKitGTK 2.50 rarely aborts. */
+/** Replaces the browser. */
 async function replace() {
-  if (await page.value("true").catch(() => false)) return false;
   await page.end();
   page = await start();
   await page.go(site.address);
-  return true;
 }
 
 /** Returns the first seconds of the module's soundtrack in mono. */
@@ -211,6 +209,7 @@ for (const [name, [{ headers, change, before }, sentence]] of Object.entries(fau
   };
 }
 
-const code = await run(word === "silent" ? silent : tests, word === "silent" ? "" : word, ` in ${engine}`, replace);
+// WebKitGTK 2.50 rarely hangs or aborts while it stops or starts sound, and rarely reports a memory access out of bounds in valid code.
+const code = await run(word === "silent" ? silent : tests, word === "silent" ? "" : word, ` in ${engine}`, engine === "webkit" ? replace : undefined);
 await page.end();
 process.exit(code);

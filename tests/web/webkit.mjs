@@ -11,7 +11,7 @@ export class WebKit extends WebDriver {
     webkit.port = await freePort();
     // Avoids OpenGL in software, where WebKit rarely aborts.
     const env = { ...process.env, WEBKIT_SKIA_ENABLE_CPU_RENDERING: "1" };
-    webkit.process = spawn("WebKitWebDriver", [`--port=${webkit.port}`], { stdio: "ignore", env });
+    webkit.process = spawn("WebKitWebDriver", [`--port=${webkit.port}`], { stdio: "ignore", env, detached: true });
     const options = { "webkitgtk:browserOptions": { binary: BROWSER, args: ["--automation"] } };
     for (let turn = 0; turn < 300 && !webkit.session; turn++) {
       const answer = await webkit.send("POST", "/session", { capabilities: { alwaysMatch: options } }).catch(({ cause }) => {
@@ -23,8 +23,10 @@ export class WebKit extends WebDriver {
     return webkit;
   }
 
-  async send(method, path, body) {
-    const response = await fetch(`http://127.0.0.1:${this.port}${path}`, { method, body: JSON.stringify(body) });
+  /** Sends a command; rejects after some seconds without an answer. */
+  async send(method, path, body, seconds = 30) {
+    const signal = AbortSignal.timeout(seconds * 1000);
+    const response = await fetch(`http://127.0.0.1:${this.port}${path}`, { method, body: JSON.stringify(body), signal });
     const { value } = await response.json();
     if (value?.error) throw new Error(`${value.error}: ${value.message}`);
     return value;
@@ -44,7 +46,8 @@ export class WebKit extends WebDriver {
   }
 
   async end() {
-    await this.send("DELETE", this.session).catch(() => {});
-    this.process.kill();
+    await this.send("DELETE", this.session, undefined, 5).catch(() => {});
+    // The driver leaves a browser behind that hangs.
+    process.kill(-this.process.pid);
   }
 }
