@@ -39,14 +39,14 @@ async function soundtrack(seconds) {
  * heard up to Chromium's latency later. Other latencies are unknown: 0 in WebKit, and asking can hang Firefox.
  */
 async function leads(mixed, times) {
-  await page.value("(globalThis.ear ??= eightfold.clock.node.connect(new AnalyserNode(eightfold.clock.context, { fftSize: 256 })), true)");
+  await page.value("(eightfold.clock.node.ear ??= eightfold.clock.node.connect(new AnalyserNode(eightfold.clock.context, { fftSize: 256 })), true)");
   const leads = [];
   for (let turn = 0; turn < times; turn++) {
     await sleep(200);
     const [time, latency, ...heard] = await page.value(`(() => {
       const heard = new Float32Array(256);
       const time = eightfold.clock.time();
-      ear.getFloatTimeDomainData(heard);
+      eightfold.clock.node.ear.getFloatTimeDomainData(heard);
       return [time, ${engine === "chromium"} ? eightfold.clock.context.outputLatency : 0, ...heard];
     })()`);
     const isThere = (at) => heard.every((sample, i) => Math.abs(sample - mixed[at - 255 + i]) < 1e-5);
@@ -130,8 +130,8 @@ const tests = {
     await page.until("eightfold.clock.isPlaying && eightfold.clock.hasSound && eightfold.clock.time() > 6");
     assert.equal(await page.value(label), "Pause");
     await together("from the start");
-    await page.value("eightfold.seek(64)");
-    await page.until("!eightfold.clock.isMoving && eightfold.clock.time() > 64.2");
+    await page.value("eightfold.seek(30)");
+    await page.until("!eightfold.clock.isMoving && eightfold.clock.time() > 30.2");
     await together("elsewhere");
     await page.click("#play");
     await page.until(`${label} === "Play" && !eightfold.clock.isPlaying`);
@@ -171,6 +171,31 @@ const tests = {
     await page.value("delete eightfold.clock.context.currentTime");
     await page.until("eightfold.clock.hasSound && !eightfold.clock.isMoving");
     await together("after a device stood still");
+    // A seek to an integer without limit fails in the synthesizer.
+    await page.value("(globalThis.failed = eightfold.clock.node, failed.port.postMessage(10n ** 12n), true)");
+    await page.until("eightfold.clock.node !== failed && eightfold.clock.hasSound && !eightfold.clock.isMoving");
+    await together("after a failure of the synthesizer");
+  },
+
+  async "the show plays without a synthesizer that fails at once"() {
+    let isBroken = true;
+    const host = await serve(folder, {}, (path, own) => isBroken && path === "/sound.js" && { bytes: String(own).replace("super();", "super(); throw Error();") });
+    try {
+      await page.go(host.address);
+      await page.click("#start");
+      await page.until("eightfold.clock.isPlaying && eightfold.clock.time() > 1 && !eightfold.clock.hasSound");
+      assert.equal(await page.textOf("notice"), "Sound is off: its synthesizer failed.");
+      assert.equal(await page.value(label), "Pause");
+      // Play opens the sound again.
+      isBroken = false;
+      await page.click("#play");
+      await page.until(`${label} === "Play"`);
+      await page.click("#play");
+      await page.until("eightfold.clock.isPlaying && eightfold.clock.hasSound && !eightfold.clock.isMoving");
+      assert.equal(await page.textOf("notice"), "");
+    } finally {
+      host.end();
+    }
   },
 };
 

@@ -29,6 +29,8 @@ export class Clock {
     this.still = 0;
     this.isMoving = false;
     this.hasSound = false;
+    /** Why there is no sound, after it opened. */
+    this.why = "";
     /** The latest time of audible sound, in seconds. */
     this.heard = 0;
     /** The context's time, and when it last changed, in milliseconds. */
@@ -40,8 +42,9 @@ export class Clock {
     return this.isWanted && !(this.hasSound && this.context.state !== "running");
   }
 
-  /** Opens the sound, once. Browsers require a click or a key first. Rejects without a device. */
+  /** Opens the sound, once unless it was lost. Browsers require a click or a key first. Rejects without a device. */
   open() {
+    if (this.context && !this.hasSound) this.close();
     return (this.opening ??= this.begin().catch((error) => {
       this.opening = undefined;
       throw error;
@@ -52,22 +55,46 @@ export class Clock {
     if (!globalThis.isSecureContext) throw new Error("page address must be https or localhost");
     const context = new AudioContext({ sampleRate: this.rate, latencyHint: "playback" });
     await context.audioWorklet.addModule(new URL("sound.js", import.meta.url));
-    const node = new AudioWorkletNode(context, "eightfold", {
+    const volume = context.createGain();
+    volume.connect(context.destination);
+    context.onstatechange = () => this.follow();
+    Object.assign(this, { context, volume, hasSound: true, heard: 0, why: "its device is missing" });
+    this.start();
+  }
+
+  /** Starts the synthesizer on the audio thread. If it fails there, it is replaced once it has played, else the sound is lost. */
+  start() {
+    const node = new AudioWorkletNode(this.context, "eightfold", {
       numberOfInputs: 0,
       outputChannelCount: [2],
       processorOptions: { code: this.code },
     });
+    let hasPlayed = false;
     node.port.onmessage = ({ data }) => {
+      hasPlayed = true;
       // Ignore the answer to an earlier seek.
       if (!this.hasSound || data.position !== this.wanted) return;
       this.from = { show: data.position / this.rate, source: data.context };
       this.isMoving = false;
     };
-    this.volume = context.createGain();
-    node.connect(this.volume).connect(context.destination);
-    context.onstatechange = () => this.follow();
-    Object.assign(this, { context, node, hasSound: true });
+    node.onprocessorerror = () => {
+      node.disconnect();
+      if (hasPlayed) return this.start();
+      const show = this.position();
+      this.close();
+      this.why = "its synthesizer failed";
+      this.seek(show);
+      this.follow();
+    };
+    node.connect(this.volume);
+    this.node = node;
     this.seek(this.time());
+  }
+
+  close() {
+    this.context.onstatechange = null;
+    this.context.close();
+    Object.assign(this, { context: undefined, opening: undefined, hasSound: false });
   }
 
   /** The source's time of the sample that is audible now. */
@@ -100,6 +127,7 @@ export class Clock {
     if (isThere === this.hasSound) return;
     const show = this.position();
     this.hasSound = isThere;
+    this.why = "its device has stopped";
     this.seek(show);
     this.onChange();
   }
@@ -127,11 +155,11 @@ export class Clock {
     const start = context.currentTime;
     // This fails while another program uses the device.
     context.resume().catch(() => {});
-    for (let waited = 0; context.currentTime === start && waited < PATIENCE; waited += 20) {
+    for (let waited = 0; context === this.context && context.currentTime === start && waited < PATIENCE; waited += 20) {
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
     this.seen = { time: context.currentTime, since: performance.now() };
-    return context.currentTime > start;
+    return context === this.context && context.currentTime > start;
   }
 
   pause() {
@@ -144,7 +172,7 @@ export class Clock {
   follow() {
     if (this.isStarting) return;
     if (this.isWanted) this.onChange();
-    else if (this.context.state === "running") this.context.suspend();
+    else if (this.context?.state === "running") this.context.suspend();
   }
 
   seek(show) {

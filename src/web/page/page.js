@@ -301,17 +301,18 @@ async function toggle() {
     clock.pause();
   } else {
     view.isPoster = false;
+    notify("");
     await clock.open().catch(({ message }) => notify(`Sound is off: ${message}.`));
     if (view.isHeld) module.calls.govern(HELD);
     await clock.play();
-    if (!clock.hasSound && !get("notice").textContent) notify("Sound is off: its device is missing.");
+    if (!clock.hasSound && !get("notice").textContent) notify(`Sound is off: ${clock.why}.`);
   }
   update();
 }
 
 /** Shows that the browser has stopped or resumed the sound. */
 clock.onChange = () => {
-  const silence = clock.hasSound ? "" : "Sound is off: its device has stopped.";
+  const silence = clock.hasSound ? "" : `Sound is off: ${clock.why}.`;
   notify(clock.isPlaying ? silence : "The browser stopped the sound; press Play to continue.");
   update();
 };
