@@ -152,20 +152,10 @@ struct Cover {
 
 impl Cover {
     fn set(&mut self, on: bool) {
-        if on == self.before.is_some() {
-            return;
-        }
         // SAFETY: the functions ignore a closed window. Pointers outlive the calls.
         unsafe {
             let style = GetWindowLongPtrA(self.window, GWL_STYLE);
-            if let Some(place) = self.before.take() {
-                SetWindowLongPtrA(self.window, GWL_STYLE, style | FRAME);
-                SetWindowPlacement(self.window, &place);
-                self.place(
-                    [0; 4],
-                    SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_FRAMECHANGED,
-                );
-            } else {
+            if on {
                 let mut monitor = MONITORINFO {
                     cbSize: size_of::<MONITORINFO>() as u32,
                     ..MONITORINFO::default()
@@ -174,16 +164,26 @@ impl Cover {
                 if GetMonitorInfoA(nearest, &mut monitor) == 0 {
                     return;
                 }
-                let mut place = WINDOWPLACEMENT {
-                    length: size_of::<WINDOWPLACEMENT>() as u32,
-                    ..WINDOWPLACEMENT::default()
-                };
-                GetWindowPlacement(self.window, &mut place);
-                self.before = Some(place);
-                SetWindowLongPtrA(self.window, GWL_STYLE, style & !FRAME);
+                if self.before.is_none() {
+                    let mut place = WINDOWPLACEMENT {
+                        length: size_of::<WINDOWPLACEMENT>() as u32,
+                        ..WINDOWPLACEMENT::default()
+                    };
+                    GetWindowPlacement(self.window, &mut place);
+                    self.before = Some(place);
+                    SetWindowLongPtrA(self.window, GWL_STYLE, style & !FRAME);
+                }
+                // Again with each key, as Wine may have kept the old size nevertheless.
                 let all = monitor.rcMonitor;
                 let size = [all.right - all.left, all.bottom - all.top];
                 self.place([all.left, all.top, size[0], size[1]], SWP_FRAMECHANGED);
+            } else if let Some(place) = self.before.take() {
+                SetWindowLongPtrA(self.window, GWL_STYLE, style | FRAME);
+                SetWindowPlacement(self.window, &place);
+                self.place(
+                    [0; 4],
+                    SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_FRAMECHANGED,
+                );
             }
             SetClassLongPtrA(self.window, GCLP_HCURSOR, self.pointers[usize::from(on)]);
         }
