@@ -58,15 +58,15 @@ pub fn run(command: &mut Command) -> (Output, String) {
 /// Waits for a value.
 ///
 /// # Panics
-/// After twenty seconds.
+/// After ten seconds.
 pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
     try_for(look).unwrap_or_else(|| panic!("waited in vain for {what}"))
 }
 
-/// Waits up to twenty seconds for a value.
+/// Waits up to ten seconds for a value.
 pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
-    while start.elapsed() < Duration::from_secs(20) {
+    while start.elapsed() < Duration::from_secs(10) {
         if let Some(seen) = look() {
             return Some(seen);
         }
@@ -217,7 +217,7 @@ impl Server {
                 ended.is_none(),
                 "the program ended without a window: {ended:?}"
             );
-            eprintln!("no window within 20 s: the program is started again");
+            eprintln!("no window within 10 s: the program is started again");
             drop(program);
             program = Process::start(command);
             wait_for("the window", window);

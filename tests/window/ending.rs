@@ -27,10 +27,11 @@ fn closed_window_ends_the_intro() {
         let intro = server.play("--seconds 60");
         sleep(Duration::from_millis(300));
         run(server.tool(tool).args(words.split(' ')));
-        let (_, code, output, errors) = intro.end();
+        let (time, code, output, errors) = intro.end();
         assert_eq!(code, Some(0), "{tool}: {output}{errors}");
         assert_eq!(errors, "");
         assert_eq!(output.lines().count(), 1, "{tool}: {output}");
+        assert!(time < Duration::from_secs(2), "{tool}: {time:?}");
     }
 }
 

@@ -8,6 +8,7 @@ mod shared_memory;
 mod shown;
 
 use eightfold_stage::{Process, Server};
+use std::time::Duration;
 
 /// Larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
@@ -29,8 +30,9 @@ fn end_by_escape(server: &Server, intro: Process) -> String {
     let [x, y, ..] = server.window().expect("a window");
     server.xdotool(&format!("mousemove {x} {y}"));
     server.xdotool("key Escape");
-    let (_, code, output, errors) = intro.end();
+    let (time, code, output, errors) = intro.end();
     assert_eq!(code, Some(0), "{output}{errors}");
     assert_eq!(errors, "");
+    assert!(time < Duration::from_secs(2), "it took {time:?}");
     output
 }
