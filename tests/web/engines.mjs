@@ -16,7 +16,10 @@ const site = await serve(folder);
 const start = { chromium: () => Browser.page(site.address), firefox: Firefox.start, webkit: WebKit.start }[engine];
 let page = await start();
 
-/** Replaces the browser. */
+/**
+ * Replaces the browser. WebKitGTK 2.50 rarely hangs or aborts when sound stops or starts, and rarely reports a memory access out of bounds
+ * in valid code.
+ */
 async function replace() {
   await page.end();
   page = await start();
@@ -234,7 +237,6 @@ for (const [name, [{ headers, change, before }, sentence]] of Object.entries(fau
   };
 }
 
-// WebKitGTK 2.50 rarely hangs or aborts while it stops or starts sound, and rarely reports a memory access out of bounds in valid code.
 const code = await run(word === "silent" ? silent : tests, word === "silent" ? "" : word, ` in ${engine}`, engine === "webkit" ? replace : undefined);
 await page.end();
 process.exit(code);

@@ -47,7 +47,7 @@ export class WebKit extends WebDriver {
 
   async end() {
     await this.send("DELETE", this.session, undefined, 5).catch(() => {});
-    // The driver leaves a browser behind that hangs.
+    // The driver alone would leave a hanging browser behind.
     process.kill(-this.process.pid);
   }
 }

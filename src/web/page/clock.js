@@ -42,7 +42,7 @@ export class Clock {
     return this.isWanted && !(this.hasSound && this.context.state !== "running");
   }
 
-  /** Opens the sound, once unless it was lost. Browsers require a click or a key first. Rejects without a device. */
+  /** Opens the sound once, and again after it was lost. Browsers require a click or a key first. Rejects without a device. */
   open() {
     if (this.context && !this.hasSound) this.close();
     return (this.opening ??= this.begin().catch((error) => {
@@ -62,7 +62,7 @@ export class Clock {
     this.start();
   }
 
-  /** Starts the synthesizer on the audio thread. If it fails there, it is replaced once it has played, else the sound is lost. */
+  /** Starts the synthesizer on the audio thread. One that fails is replaced if it has played; otherwise the sound is closed. */
   start() {
     const node = new AudioWorkletNode(this.context, "eightfold", {
       numberOfInputs: 0,
