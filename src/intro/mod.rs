@@ -18,7 +18,7 @@ use options::{Options, Task};
 
 const SHOW_NANOSECONDS: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
 
-/// The exit code if the display is lost or a write fails.
+/// The exit code if the display is lost, a write fails, or the processor lacks an instruction set.
 const FAILURE: i32 = 1;
 
 const MISUSE: i32 = 2;
@@ -32,11 +32,17 @@ pub fn run(arguments: Arguments) -> i32 {
             return MISUSE;
         }
     };
-    match options.task {
-        Task::Play => playing::play(&options),
-        Task::Still(time) => still::write(time, &options),
-        Task::Help => print(flags::write_help),
-        Task::Version => print(|output| _ = output.text(flags::VERSION).text("\n")),
+    match (options.task, options.isa) {
+        (Task::Help, _) => print(flags::write_help),
+        (Task::Version, _) => print(|output| _ = output.text(flags::VERSION).text("\n")),
+        (Task::Play, Some(isa)) => playing::play(&options, isa),
+        (Task::Still(time), Some(isa)) => still::write(time, &options, isa),
+        (_, None) => {
+            line::complaint()
+                .text("this processor lacks AVX2; build with: cargo build --release -p eightfold --features sse2\n")
+                .flush();
+            FAILURE
+        }
     }
 }
 

@@ -38,7 +38,8 @@ pub struct Options {
     pub is_fullscreen: bool,
     /// 1 to [`MAX_THREADS`]; `None` means one for each processor.
     pub threads: Option<usize>,
-    pub isa: Isa,
+    /// `None` if this machine has none that the intro needs.
+    pub isa: Option<Isa>,
     /// In nanoseconds, above 0; `None` means the show's length.
     pub length: Option<u64>,
     pub is_looping: bool,
@@ -90,7 +91,7 @@ impl Options {
             size: (1024, 768),
             is_fullscreen: false,
             threads: None,
-            isa: cpu::best(),
+            isa: cpu::shipped().next(),
             length: None,
             is_looping: false,
             fps: 60,
@@ -130,7 +131,7 @@ impl Options {
             Switch::Size => self.size = size(value).ok_or(bad_value)?,
             Switch::Fullscreen => self.is_fullscreen = true,
             Switch::Threads => self.threads = Some(number(value, MAX_THREADS).ok_or(bad_value)?),
-            Switch::Isa => self.isa = cpu::named(value).ok_or(bad_value)?,
+            Switch::Isa => self.isa = Some(cpu::named(value).ok_or(bad_value)?),
             Switch::Seconds => {
                 let length = nanoseconds(value).filter(|&length| length > 0);
                 self.length = Some(length.ok_or(bad_value)?);

@@ -3,6 +3,7 @@ use eightfold::sound::Synthesizer;
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     clock::SECOND,
+    cpu::Isa,
     line,
     render_target::{Headless, Next, RenderTarget, fit},
     sound::{Player, Source},
@@ -31,7 +32,7 @@ impl Source for Music {
 }
 
 /// Plays the show and prints its statistics. Returns the exit code.
-pub fn play(options: &Options) -> i32 {
+pub fn play(options: &Options, isa: Isa) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let (width, height) = options.size;
     let window = Window::open(c"Eightfold", width, height);
@@ -55,7 +56,7 @@ pub fn play(options: &Options) -> i32 {
         } else {
             Player::start(c"default", MUSIC.take())
         },
-        renderer: ShowRenderer::new(options),
+        renderer: ShowRenderer::new(options, isa),
         tally: Tally::default(),
     };
     let code = match window {
@@ -73,7 +74,7 @@ pub fn play(options: &Options) -> i32 {
     let Playing {
         renderer, tally, ..
     } = &playing;
-    let reported = print(|output| tally.report(output, renderer.threads(), options));
+    let reported = print(|output| tally.report(output, renderer, options));
     if code != 0 { code } else { reported }
 }
 

@@ -4,6 +4,7 @@ use eightfold_tracer::{
 };
 use eightfold_window::{
     clock::SECOND,
+    cpu::{self, Isa},
     pool::{self, Pool},
     static_cell::StaticCell,
 };
@@ -28,13 +29,14 @@ static WORKSPACE: StaticCell<Workspace> = StaticCell::new(Workspace {
 
 /// A renderer of the show's frames. A process can have one.
 pub struct ShowRenderer {
+    pub isa: Isa,
     renderer: Renderer<&'static mut Memory>,
     scene: &'static mut Scene,
     threads: PoolThreads,
 }
 
 impl ShowRenderer {
-    pub fn new(options: &Options) -> ShowRenderer {
+    pub fn new(options: &Options, isa: Isa) -> ShowRenderer {
         let Workspace {
             scene,
             memory,
@@ -42,7 +44,8 @@ impl ShowRenderer {
         } = WORKSPACE.take();
         let threads = options.threads.unwrap_or_else(pool::processors);
         ShowRenderer {
-            renderer: Renderer::narrow(options.isa.level, memory),
+            isa,
+            renderer: renderer(isa, memory),
             scene,
             threads: PoolThreads {
                 pool: Pool::new(threads.min(MAX_THREADS)),
@@ -72,6 +75,16 @@ impl ShowRenderer {
         self.renderer
             .render_valid(self.scene, quality, frame, &mut self.threads)
     }
+}
+
+/// Returns a renderer that links only the kernels of [`cpu::shipped`].
+fn renderer(isa: Isa, memory: &'static mut Memory) -> Renderer<&'static mut Memory> {
+    #[cfg(target_arch = "x86_64")]
+    if !cpu::HAS_BASELINE {
+        let simd = isa.level.as_avx2().unwrap();
+        return Renderer::avx2(simd, memory);
+    }
+    Renderer::narrow(isa.level, memory)
 }
 
 struct PoolThreads {

@@ -2,6 +2,7 @@
 
 use eightfold_tracer::Frame;
 use eightfold_window::{
+    cpu::Isa,
     line::{self, Writer},
     render_target::{Headless, RenderTarget},
 };
@@ -14,7 +15,7 @@ use super::{
 };
 
 /// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
-pub fn write(time: u64, options: &Options) -> i32 {
+pub fn write(time: u64, options: &Options, isa: Isa) -> i32 {
     if line::is_terminal(line::OUTPUT) {
         line::complaint()
             .text("standard output is a terminal; must be a file or a pipe\n")
@@ -26,7 +27,7 @@ pub fn write(time: u64, options: &Options) -> i32 {
     let mut target = Headless::new(width, height);
     let pixels = target.canvas(width, height);
     let mut frame = Frame::new(width, height, &mut *pixels);
-    ShowRenderer::new(options).draw(time, 0, quality, &mut frame);
+    ShowRenderer::new(options, isa).draw(time, 0, quality, &mut frame);
     exit_code(write_ppm(width, height, pixels))
 }
 

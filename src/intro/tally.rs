@@ -5,7 +5,7 @@ use eightfold_tracer::{
     scene::{Caption, List},
 };
 
-use super::{options::Options, qualities::NAMED};
+use super::{options::Options, qualities::NAMED, renderer::ShowRenderer};
 
 /// Times are in nanoseconds.
 #[derive(Default)]
@@ -69,7 +69,7 @@ impl Tally {
         self.time = time;
     }
 
-    pub fn report(&self, output: &mut Writer, threads: usize, options: &Options) {
+    pub fn report(&self, output: &mut Writer, renderer: &ShowRenderer, options: &Options) {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);
         output.decimal(self.frames).text(" frames in ");
@@ -79,8 +79,8 @@ impl Tally {
         self.report_accuracy(output, mean, options);
         output.text(", ").decimal(self.size.0 as u64);
         output.text("x").decimal(self.size.1 as u64);
-        output.text(", threads ").decimal(threads as u64);
-        output.text(", ").text(options.isa.name);
+        output.text(", threads ").decimal(renderer.threads() as u64);
+        output.text(", ").text(renderer.isa.name);
         for ((name, _), &time) in NAMED.iter().zip(&self.used) {
             if time > 0 {
                 output.text(", ").text(name);

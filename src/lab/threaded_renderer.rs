@@ -3,13 +3,14 @@ use crate::overlay::FrameTrace;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{
-    Band, Counts, Frame, Job, Level, Probing, Quality, Renderer, Threads, Worker,
+    Band, BoxedMemory, Counts, Frame, Job, Level, Probing, Quality, Renderer, Threads, Worker,
 };
 use eightfold_window::cpu;
 use eightfold_window::pool::Pool;
+use std::borrow::BorrowMut;
 
 pub struct ThreadedRenderer {
-    renderer: Renderer,
+    memory: BoxedMemory,
     pub threads: PoolThreads,
     offset: [f32; 2],
     probing: Probing,
@@ -32,7 +33,7 @@ impl ThreadedRenderer {
         let pool = Pool::new(threads);
         assert_eq!(pool.threads(), threads, "the system starts no more threads");
         Self {
-            renderer: Renderer::new(Level::baseline()),
+            memory: BoxedMemory::new(),
             threads: PoolThreads {
                 pool,
                 workers: Worker::several(threads),
@@ -52,9 +53,12 @@ impl ThreadedRenderer {
         pixels: &mut [u32],
     ) -> Counts {
         let frame = self.whole(width, pixels);
-        self.renderer.set_level(level);
-        self.renderer
-            .render_valid(scene, quality, frame, &mut self.threads)
+        Renderer::with_memory(level, self.memory.borrow_mut()).render_valid(
+            scene,
+            quality,
+            frame,
+            &mut self.threads,
+        )
     }
 
     pub fn draw_observed(
@@ -67,8 +71,7 @@ impl ThreadedRenderer {
         observer: impl Observer,
     ) -> Counts {
         let frame = self.whole(width, pixels);
-        self.renderer.set_level(level);
-        self.renderer
+        Renderer::with_memory(level, self.memory.borrow_mut())
             .render_observed(scene, quality, frame, &mut self.threads, observer)
             .expect("a valid scene")
     }

@@ -1,19 +1,14 @@
-use crate::coverage::Coverage;
 use crate::picture::{Frame, Probing};
-use crate::prepare::{self, VisibleGroups, World};
+use crate::prepare;
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
 use crate::scene::{Method, Scene};
-use crate::trace::{Batch, Kernel, Tracer};
-use fearless_simd::Level;
 use glam::Vec2;
 
 /// The largest side of squares in a crowd of mirrors and glass, whose images are narrow.
 const CROWD_SQUARE: usize = 4;
 
 pub(crate) struct FramePlan {
-    pub isa: Level,
-    pub kernel: Kernel,
     /// The effective quality for this scene.
     pub quality: Quality,
     /// In pixels.
@@ -30,13 +25,7 @@ pub(crate) struct FramePlan {
 }
 
 impl FramePlan {
-    pub fn new(
-        isa: Level,
-        kernel: Kernel,
-        scene: &Scene,
-        quality: &Quality,
-        frame: &Frame<'_>,
-    ) -> Self {
+    pub fn new(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Self {
         let size = [frame.width, frame.height];
         let method = &scene.method;
         let finished = if *method == Method::PLAIN {
@@ -71,8 +60,6 @@ impl FramePlan {
             ..*quality
         };
         Self {
-            isa,
-            kernel,
             quality,
             size,
             finished,
@@ -81,23 +68,5 @@ impl FramePlan {
             offset: frame.offset,
             probing: frame.probing,
         }
-    }
-}
-
-pub(crate) struct Context<'a, O> {
-    pub plan: &'a FramePlan,
-    pub world: World<'a>,
-    pub coverage: &'a Coverage,
-    pub observer: O,
-}
-
-impl<O> Context<'_, O> {
-    pub fn trace(&self, quality: &Quality, seen: VisibleGroups, batch: &mut Batch) {
-        let tracer = Tracer {
-            isa: self.plan.isa,
-            world: self.world,
-            quality,
-        };
-        (self.plan.kernel)(&tracer, seen, batch);
     }
 }

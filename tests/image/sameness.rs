@@ -27,7 +27,6 @@ fn threads_order_observers_and_probes_change_no_bit() {
     let (width, height) = (531, 70);
     let others = [2, 32].map(|side| of_side(side, Quality::DEFAULT));
     let mut threads = Backwards(Worker::several(2));
-    let mut backwards = Renderer::new(cpu::best().level);
     let mut probing = ThreadedRenderer::new(2);
     probing.set_probes(3000, 11);
     for scene in [show::field(100, 3.0), of_the_show(50.0)] {
@@ -43,8 +42,8 @@ fn threads_order_observers_and_probes_change_no_bit() {
                     assert_same(&more.pixels, more.counts, &format!("{threads} threads"));
                 }
                 let mut pixels = vec![1; width * height];
-                backwards.set_level(isa.level);
                 let frame = whole(width, &mut pixels);
+                let mut backwards = Renderer::new(isa.level);
                 let counts = backwards.render(&scene, &quality, frame, &mut threads);
                 assert_same(&pixels, counts.expect("a valid scene"), "backwards");
                 let record = Record::default();

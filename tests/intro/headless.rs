@@ -30,6 +30,38 @@ fn soundtrack_is_played() {
     assert!(heard[..bytes.len()] == bytes, "other bits");
 }
 
+#[test]
+fn processor_without_avx2_gets_one_line() {
+    needs!(&["qemu-x86_64-static"]);
+    for (options, code, line) in [
+        (
+            "--still 5 --size 64x48",
+            1,
+            "eightfold: this processor lacks AVX2; ",
+        ),
+        (
+            "--silent",
+            1,
+            "; build with: cargo build --release -p eightfold --features sse2\n",
+        ),
+        (
+            "--isa avx2",
+            2,
+            "eightfold: --isa is 'avx2'; must be NAME: ",
+        ),
+        ("--version", 0, ""),
+    ] {
+        let mut command = tool("qemu-x86_64-static");
+        command.args(["-cpu", "Nehalem"]).arg(intro());
+        command.args(options.split(' ')).env_remove("DISPLAY");
+        let output = run(&mut command).0;
+        let (_, errors) = texts(&output);
+        assert_eq!(output.status.code(), Some(code), "{options}: {errors}");
+        assert!(errors.contains(line), "{options}: {errors}");
+        assert_eq!(errors.lines().count(), usize::from(code > 0), "{errors}");
+    }
+}
+
 /// The PulseAudio plugin accepts more samples at once than hardware.
 #[test]
 #[ignore = "a sound server is started"]

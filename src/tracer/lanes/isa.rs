@@ -9,6 +9,9 @@ pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand where the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
+    /// Returns this instruction set if the level has it.
+    fn of(level: Level) -> Option<Self>;
+
     /// Moves the lanes in `mask` to the first places, in order. The default is small, but slow.
     #[inline(always)]
     fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
@@ -31,24 +34,24 @@ cfg_select! {
         pub(crate) type Baseline = fearless_simd::Sse2;
 
         #[inline(always)]
-        fn baseline_of(isa: Level) -> Option<Baseline> {
-            isa.as_sse2()
+        fn baseline_of(level: Level) -> Option<Baseline> {
+            level.as_sse2()
         }
     }
     all(target_arch = "aarch64", target_feature = "neon") => {
         pub(crate) type Baseline = fearless_simd::Neon;
 
         #[inline(always)]
-        fn baseline_of(isa: Level) -> Option<Baseline> {
-            isa.as_neon()
+        fn baseline_of(level: Level) -> Option<Baseline> {
+            level.as_neon()
         }
     }
     all(target_arch = "wasm32", target_feature = "simd128") => {
         pub(crate) type Baseline = fearless_simd::WasmSimd128;
 
         #[inline(always)]
-        fn baseline_of(isa: Level) -> Option<Baseline> {
-            isa.as_wasm_simd128()
+        fn baseline_of(level: Level) -> Option<Baseline> {
+            level.as_wasm_simd128()
         }
     }
     _ => {
@@ -64,31 +67,6 @@ cfg_select! {
 #[inline(always)]
 pub(crate) fn baseline() -> Baseline {
     baseline_of(Level::baseline()).expect("the baseline level has its instruction set")
-}
-
-cfg_select! {
-    target_arch = "x86_64" => {
-        #[inline(always)]
-        pub(crate) fn avx2(isa: Level) -> Option<fearless_simd::Avx2> {
-            isa.as_avx2()
-        }
-
-        #[inline(always)]
-        pub(crate) fn avx512(isa: Level) -> Option<fearless_simd::Avx512> {
-            isa.as_avx512()
-        }
-    }
-    _ => {
-        #[inline(always)]
-        pub(crate) fn avx2(_: Level) -> Option<Baseline> {
-            None
-        }
-
-        #[inline(always)]
-        pub(crate) fn avx512(_: Level) -> Option<Baseline> {
-            None
-        }
-    }
 }
 
 #[cfg(test)]
@@ -107,6 +85,11 @@ pub(crate) fn isas() -> impl Iterator<Item = Level> {
 
 impl Isa for Baseline {
     const FUSES_MUL_ADD: bool = cfg!(target_arch = "aarch64");
+
+    #[inline(always)]
+    fn of(level: Level) -> Option<Self> {
+        baseline_of(level)
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -117,6 +100,11 @@ mod x86_64 {
 
     impl Isa for Avx2 {
         const FUSES_MUL_ADD: bool = true;
+
+        #[inline(always)]
+        fn of(level: Level) -> Option<Self> {
+            level.as_avx2()
+        }
 
         #[inline(always)]
         fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
@@ -147,6 +135,11 @@ mod x86_64 {
 
     impl Isa for fearless_simd::Avx512 {
         const FUSES_MUL_ADD: bool = true;
+
+        #[inline(always)]
+        fn of(level: Level) -> Option<Self> {
+            level.as_avx512()
+        }
 
         #[inline(always)]
         fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {

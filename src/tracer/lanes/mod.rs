@@ -9,20 +9,8 @@ mod isa;
 mod pow;
 mod vec3x;
 
-/// Evaluates an expression with AVX2, or with the baseline if the CPU lacks AVX2.
-///
-/// Only rays use AVX-512, see [`trace_wide`](crate::trace::trace_wide): eight pixels, the row of a square, fit an AVX2 register,
-/// and wider rows cost the intro 1,335 packed bytes without a gain.
+/// Evaluates an expression with the instructions of a set.
 macro_rules! by_isa {
-    ($isa:expr, $simd:ident => $expression:expr) => {
-        match crate::lanes::avx2($isa) {
-            Some($simd) => crate::lanes::by_isa!($simd: $expression),
-            None => {
-                let $simd = crate::lanes::baseline();
-                crate::lanes::by_isa!($simd: $expression)
-            }
-        }
-    };
     ($simd:ident: $expression:expr) => {
         fearless_simd::Simd::vectorize(
             $simd,
@@ -36,7 +24,7 @@ pub(crate) use by_isa;
 pub(crate) use fearless_simd::prelude::*;
 #[cfg(test)]
 pub(crate) use isa::isas;
-pub(crate) use isa::{Baseline, Isa, avx2, avx512, baseline};
+pub(crate) use isa::{Baseline, Isa, baseline};
 pub(crate) use pow::{log2, pow};
 pub(crate) use vec3x::Vec3x;
 

@@ -20,6 +20,7 @@
 //! threads gives the same bits, and even areas keep theirs. A filled square of 8 has no edges inside: only rough cells and the
 //! pixels on their borders are searched.
 
+use super::Context;
 use super::worker::{Interval, STRETCH, Worker};
 use crate::MAX_WIDTH;
 use crate::coverage::rectangle;
@@ -27,7 +28,7 @@ use crate::grid::{SCRATCH, each};
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::picture::{Band, CELL, CELL_ROWS, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
-use crate::plan::{Context, FramePlan};
+use crate::plan::FramePlan;
 use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};

@@ -5,7 +5,7 @@ use crate::lanes::*;
 use crate::picture::Band;
 use crate::prepare::Dither;
 use crate::trace::Sample;
-use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
+use fearless_simd::{i16x16, u8x32, u16x16, u32x8, u64x4};
 
 /// The colours of four adjacent pixels, a word per channel, in 256ths of an output step.
 type Four<S> = u16x16<S>;
@@ -24,8 +24,9 @@ pub(super) struct Run<'a> {
     pub dither: &'a Dither,
 }
 
-pub(super) fn fill(isa: Level, band: &mut Band<'_>, run: &Run<'_>) {
-    by_isa!(isa, simd => match run.level {
+#[inline(always)]
+pub(super) fn fill<S: Simd>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
+    by_isa!(simd: match run.level {
         1 => fill_by::<_, 1>(simd, band, run),
         2 => fill_by::<_, 2>(simd, band, run),
         _ => fill_by::<_, 3>(simd, band, run),

@@ -42,7 +42,9 @@
 //! tolerances are the better trade.
 
 pub(crate) mod antialias;
+mod context;
 mod fill;
+mod kernels;
 pub(crate) mod probe;
 mod tile;
 mod verdict;
@@ -51,5 +53,7 @@ mod worker;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use context::Context;
+pub(crate) use kernels::Kernels;
 pub(crate) use tile::draw;
 pub use worker::Worker;

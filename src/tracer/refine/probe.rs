@@ -3,11 +3,12 @@
 //! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of [`antialias`](super::antialias):
 //! probes of an exhaustive frame find no error.
 
+use super::Context;
 use super::Worker;
 use super::antialias::{add_middle, bisect, is_edge, mix_pixel};
 use crate::counts::Counts;
 use crate::picture::{Band, Probing};
-use crate::plan::{Context, FramePlan};
+use crate::plan::FramePlan;
 use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Batch, PARTS};

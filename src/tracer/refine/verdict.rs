@@ -5,7 +5,6 @@ use crate::grid::GridRow;
 use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
-use fearless_simd::Level;
 
 /// The largest difference of channels at a square's corners, in 128ths of an output step. It has 16 bits per channel, like a [`Sample`],
 /// and ignores the rest of a sample's word.
@@ -74,14 +73,15 @@ impl Verdict {
 }
 
 /// Judges the squares whose bits are set, from the rows of points above and below.
-pub(super) fn judge(
-    isa: Level,
+#[inline(always)]
+pub(super) fn judge<S: Simd>(
+    simd: S,
     limits: [Limit; 2],
     squares: &Bits,
     above: GridRow<'_>,
     below: GridRow<'_>,
 ) -> Verdict {
-    by_isa!(isa, simd => judge_by(simd, limits, squares, above, below))
+    by_isa!(simd: judge_by(simd, limits, squares, above, below))
 }
 
 #[inline(always)]

@@ -5,11 +5,11 @@ use crate::coverage::Coverage;
 use crate::observe::Observer;
 use crate::overlay::Overlay;
 use crate::picture::{Band, Frame, Rough};
-use crate::plan::{Context, FramePlan};
+use crate::plan::FramePlan;
 use crate::prepare::Prepared;
 use crate::refine::antialias::Seams;
 use crate::refine::probe::probe;
-use crate::refine::{Worker, draw};
+use crate::refine::{Context, Kernels, Worker, draw};
 use crate::scene::Scene;
 
 /// The memory that threads share while they render a frame, of [`Memory::BYTES`] bytes.
@@ -48,16 +48,18 @@ impl Memory {
     /// Not generic, so it is compiled in this crate, once.
     pub(super) fn render(
         &mut self,
+        kernels: Kernels,
         plan: &FramePlan,
         scene: &Scene,
         frame: Frame<'_>,
         threads: &mut dyn Threads,
     ) -> Counts {
-        self.render_observed(plan, scene, frame, threads, ())
+        self.render_observed(kernels, plan, scene, frame, threads, ())
     }
 
     pub(super) fn render_observed<O: Observer>(
         &mut self,
+        kernels: Kernels,
         plan: &FramePlan,
         scene: &Scene,
         mut frame: Frame<'_>,
@@ -69,6 +71,7 @@ impl Memory {
         self.coverage.set(world, plan.size, plan.offset);
         let context = &Context {
             plan,
+            kernels,
             world,
             coverage: &self.coverage,
             observer,

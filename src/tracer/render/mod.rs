@@ -22,11 +22,13 @@ use crate::observe::Observer;
 use crate::picture::Frame;
 use crate::plan::FramePlan;
 use crate::quality::Quality;
+use crate::refine::Kernels;
 use crate::scene::Scene;
-use crate::trace::{Kernel, trace_narrow, trace_wide};
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::borrow::BorrowMut;
 use fearless_simd::Level;
+#[cfg(target_arch = "x86_64")]
+use fearless_simd::x86::Avx2;
 
 impl Frame<'_> {
     fn validate(&self) -> Result<(), Error> {
@@ -74,8 +76,7 @@ impl Frame<'_> {
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
 pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature = "std"))] M> {
-    isa: Level,
-    kernel: Kernel,
+    kernels: Kernels,
     memory: M,
 }
 
@@ -100,27 +101,24 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// Returns a renderer for an instruction set with the caller's memory.
     #[must_use]
     pub fn with_memory(level: Level, memory: M) -> Self {
-        Self {
-            isa: level,
-            kernel: trace_wide,
-            memory,
-        }
+        let kernels = Kernels::widest(level);
+        Self { kernels, memory }
     }
 
     /// Returns a renderer that uses AVX2 at most. The linker then leaves the AVX-512 kernel, of 16 kB, out of a program that makes
     /// no other renderer.
     #[must_use]
     pub fn narrow(level: Level, memory: M) -> Self {
-        Self {
-            isa: level,
-            kernel: trace_narrow,
-            memory,
-        }
+        let kernels = Kernels::narrow(level);
+        Self { kernels, memory }
     }
 
-    /// Sets the instruction set of later frames.
-    pub fn set_level(&mut self, level: Level) {
-        self.isa = level;
+    /// Returns a renderer by AVX2. The linker then leaves all other kernels out of a program that makes no other renderer.
+    #[cfg(target_arch = "x86_64")]
+    #[must_use]
+    pub fn avx2(simd: Avx2, memory: M) -> Self {
+        let kernels = Kernels::avx2(simd);
+        Self { kernels, memory }
     }
 
     /// Renders a frame, and returns its work.
@@ -153,9 +151,9 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         observer: O,
     ) -> Result<Counts, Error> {
         validate(scene, quality, &frame)?;
-        let plan = self.plan(scene, quality, &frame);
+        let plan = plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        Ok(memory.render_observed(&plan, scene, frame, threads, observer))
+        Ok(memory.render_observed(self.kernels, &plan, scene, frame, threads, observer))
     }
 
     /// Renders a frame without checking the scene. An invalid one gives some picture, in bounded time, see
@@ -171,16 +169,16 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         frame: Frame<'_>,
         threads: &mut dyn Threads,
     ) -> Counts {
-        let plan = self.plan(scene, quality, &frame);
+        let plan = plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        memory.render(&plan, scene, frame, threads)
+        memory.render(self.kernels, &plan, scene, frame, threads)
     }
+}
 
-    fn plan(&self, scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
-        let is_valid = frame.validate().is_ok() && quality.is_drawable();
-        assert!(is_valid, "size or quality out of range");
-        FramePlan::new(self.isa, self.kernel, scene, quality, frame)
-    }
+fn plan(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
+    let is_valid = frame.validate().is_ok() && quality.is_drawable();
+    assert!(is_valid, "size or quality out of range");
+    FramePlan::new(scene, quality, frame)
 }
 
 fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), Error> {

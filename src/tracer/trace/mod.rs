@@ -44,7 +44,6 @@ use crate::prepare::{Film, GroupSet, VisibleGroups, World};
 use crate::quality::Quality;
 use accumulator::Accumulator;
 use candidates::{Candidates, Occluders};
-use fearless_simd::Level;
 use queue::Queue;
 use stack::RayStack;
 use surface::SurfaceRows;
@@ -87,38 +86,17 @@ impl Batch {
 }
 
 #[derive(Clone, Copy)]
-pub(crate) struct Tracer<'a, I> {
-    /// A [`Level`], or the kernel's instruction set.
-    pub isa: I,
+pub(crate) struct Tracer<'a, S> {
+    pub isa: S,
     pub world: World<'a>,
     pub quality: &'a Quality,
 }
 
 /// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `seen`.
-pub(crate) type Kernel = fn(&Tracer<'_, Level>, VisibleGroups, &mut Batch);
-
-/// See [`Renderer::narrow`](crate::Renderer::narrow).
-pub(crate) fn trace_wide(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
-    match avx512(tracer.isa) {
-        Some(isa) => by_isa!(isa: trace_packets(tracer.by(isa), seen, batch)),
-        None => trace_narrow(tracer, seen, batch),
-    }
-}
-
-pub(crate) fn trace_narrow(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
-    by_isa!(tracer.isa, isa => trace_packets(tracer.by(isa), seen, batch));
-}
-
-impl<'a> Tracer<'a, Level> {
-    #[inline(always)]
-    fn by<S: Isa>(&self, isa: S) -> Tracer<'a, S> {
-        let &Self { world, quality, .. } = self;
-        Tracer {
-            isa,
-            world,
-            quality,
-        }
-    }
+#[inline(always)]
+pub(crate) fn trace<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut Batch) {
+    let isa = tracer.isa;
+    by_isa!(isa: trace_packets(tracer, seen, batch));
 }
 
 #[inline(always)]

@@ -1,6 +1,7 @@
 //! Filled squares against interpolation in real numbers.
 
-use super::super::fill::{Run, fill};
+use super::super::Kernels;
+use super::super::fill::Run;
 use super::{channels, sample};
 use crate::grid::Bits;
 use crate::lanes::isas;
@@ -24,12 +25,12 @@ proptest! {
         if is_flat {
             flat.set(0);
         }
-        for isa in isas() {
+        for kernels in isas().map(Kernels::narrow) {
             const UNDRAWN: u32 = u32::MAX;
             let mut pixels = [UNDRAWN; 50 * 45];
             let mut band = Band { pixels: &mut pixels, stride: width, width, ..Band::none() };
             let filled = Bits::first(1);
-            fill(isa, &mut band, &Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND });
+            kernels.fill(&mut band, &Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND });
             for (i, &pixel) in pixels.iter().enumerate() {
                 let (i, j) = (i % width, i / width);
                 let is_in = (x..x + side).contains(&i) && (y..y + side).contains(&j);

@@ -1,4 +1,5 @@
-use super::super::verdict::{Verdict, growth, judge, limits};
+use super::super::Kernels;
+use super::super::verdict::{Verdict, growth, limits};
 use super::{sample, span, two_rows};
 use crate::grid::Bits;
 use crate::lanes::isas;
@@ -38,10 +39,10 @@ proptest! {
         let count = columns.len() - 1;
         let mut squares = Bits([squares; _]);
         squares = squares & Bits::first(count);
-        for isa in isas() {
+        for (isa, kernels) in isas().map(|isa| (isa, Kernels::narrow(isa))) {
             let limits = limits(&quality, growth(1 << level, 0.0));
             let (above, below) = (pyramid.row(level, 0), pyramid.row(level, 1));
-            let all = judge(isa, limits, &squares, above, below);
+            let all = kernels.judge(limits, &squares, above, below);
             let Verdict { agreeing, flat, filled, patterned } = all;
             for x in 0..count {
                 let ([a, c], [b, d]) = (columns[x], columns[x + 1]);

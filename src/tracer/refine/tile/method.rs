@@ -5,7 +5,7 @@
 use super::Tile;
 use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
-use crate::plan::Context;
+use crate::refine::Context;
 
 /// A pixel on the upper or left side of a filled square; the other sides are its neighbours'.
 const SIDE: u8 = 1;

@@ -9,10 +9,10 @@ use crate::coverage::{Rect, Squares, rectangle};
 use crate::grid::{Area, Bits, Pyramid};
 use crate::observe::{Fill, Observer, Split};
 use crate::picture::{Band, CELL, TILE_HEIGHT, TILE_WIDTH};
-use crate::plan::Context;
 use crate::prepare::VisibleGroups;
-use crate::refine::fill::{Run, fill};
-use crate::refine::verdict::{Verdict, growth, judge, limits};
+use crate::refine::Context;
+use crate::refine::fill::Run;
+use crate::refine::verdict::{Verdict, growth, limits};
 use crate::refine::worker::Worker;
 use crate::scene::camera::pixels;
 use crate::trace::{BATCH, Sample};
@@ -146,7 +146,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     /// Returns the squares that the verdict splits. Not inlined, like [`Tile::split_row`]: that saves 175 packed bytes.
     #[inline(never)]
     fn fill_row(&mut self, level: usize, y: usize) -> Bits {
-        let Context { plan, .. } = self.context;
+        let Context { plan, kernels, .. } = self.context;
         let side = 1 << level;
         let marks = &mut self.worker.marks;
         let is_coarse = plan.coarse >= side;
@@ -160,7 +160,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let pyramid = &self.worker.pyramid;
             let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
             let limits = limits(&plan.quality, self.growth(level));
-            judge(plan.isa, limits, &squares, above, below)
+            kernels.judge(limits, &squares, above, below)
         };
         let patterned = self.fill_patterned(level, y, &mut verdict);
         self.fill_squares(level, y, &verdict);
@@ -204,7 +204,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             flat: verdict.flat,
             dither: &self.context.world.film.dither,
         };
-        fill(self.context.plan.isa, self.band, &run);
+        self.context.kernels.fill(self.band, &run);
     }
 
     #[inline(never)]

@@ -4,7 +4,7 @@ use super::Tile;
 use crate::counts::Counts;
 use crate::grid::{Bits, Pyramid, WORDS};
 use crate::observe::Observer;
-use crate::plan::Context;
+use crate::refine::Context;
 use crate::refine::verdict::Limit;
 use crate::refine::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::trace::BATCH;

@@ -23,6 +23,7 @@ use crate::prepare::{GroupSet, Prepared, World};
 use crate::quality::Quality;
 use crate::scene::{List, Material, Scene, Sphere};
 use core::array;
+#[cfg(target_arch = "x86_64")]
 use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
@@ -53,12 +54,13 @@ trait Kernels {
 
 /// Calls a property with each instruction set and its name.
 fn on_every_instruction_set(property: impl Fn(&dyn Kernels, &str)) {
-    let level = Level::new();
     property(&By(baseline()), "baseline");
-    if let Some(simd) = avx2(level) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = Level::new().as_avx2() {
         property(&By(simd), "avx2");
     }
-    if let Some(simd) = avx512(level) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = Level::new().as_avx512() {
         property(&By(simd), "avx512");
     }
 }

@@ -1,0 +1,98 @@
+use super::fill::{self, Run};
+use super::verdict::{self, Limit, Verdict};
+use crate::grid::{Bits, GridRow};
+use crate::lanes::{Baseline, Isa};
+use crate::picture::Band;
+use crate::prepare::{VisibleGroups, World};
+use crate::quality::Quality;
+use crate::trace::{self, Batch, Tracer};
+use fearless_simd::Level;
+#[cfg(target_arch = "x86_64")]
+use fearless_simd::{Avx2, Avx512};
+
+/// The functions that are compiled once per instruction set. A program that makes `Kernels` of AVX2 only links no others.
+#[derive(Clone, Copy)]
+pub(crate) struct Kernels {
+    level: Level,
+    trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
+    judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
+    fill: fn(Level, &mut Band<'_>, &Run<'_>),
+}
+
+impl Kernels {
+    /// Returns the fastest kernels. Only rays use AVX-512: eight pixels, the row of a square, fit an AVX2 register.
+    pub fn widest(level: Level) -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if level.as_avx512().is_some() {
+            return Self::of::<Avx512, Avx2>(level);
+        }
+        Self::narrow(level)
+    }
+
+    /// Returns the fastest kernels up to AVX2.
+    pub fn narrow(level: Level) -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = level.as_avx2() {
+            return Self::avx2(simd);
+        }
+        Self::of::<Baseline, Baseline>(level)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    pub fn avx2(simd: Avx2) -> Self {
+        Self::of::<Avx2, Avx2>(Level::Avx2(simd))
+    }
+
+    /// Returns kernels for rays by `R` and for squares by `S`, which the level has.
+    fn of<R: Isa, S: Isa>(level: Level) -> Self {
+        Self {
+            level,
+            trace: |level, world, quality, seen, batch| {
+                let isa = in_level::<R>(level);
+                let tracer = Tracer {
+                    isa,
+                    world,
+                    quality,
+                };
+                trace::trace(tracer, seen, batch);
+            },
+            judge: |level, limits, squares, above, below| {
+                verdict::judge(in_level::<S>(level), limits, squares, above, below)
+            },
+            fill: |level, band, run| fill::fill(in_level::<S>(level), band, run),
+        }
+    }
+
+    /// See [`trace::trace`].
+    pub fn trace(
+        &self,
+        world: World<'_>,
+        quality: &Quality,
+        seen: VisibleGroups,
+        batch: &mut Batch,
+    ) {
+        (self.trace)(self.level, world, quality, seen, batch);
+    }
+
+    /// See [`verdict::judge`].
+    pub(super) fn judge(
+        &self,
+        limits: [Limit; 2],
+        squares: &Bits,
+        above: GridRow<'_>,
+        below: GridRow<'_>,
+    ) -> Verdict {
+        (self.judge)(self.level, limits, squares, above, below)
+    }
+
+    /// See [`fill::fill`].
+    pub(super) fn fill(&self, band: &mut Band<'_>, run: &Run<'_>) {
+        (self.fill)(self.level, band, run);
+    }
+}
+
+#[inline(always)]
+fn in_level<S: Isa>(level: Level) -> S {
+    // `expect` would add 900 packed bytes for its message.
+    S::of(level).unwrap()
+}
