@@ -1,13 +1,13 @@
 use super::{Oracle, Traced, pixel, pixel_like};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::{Film, Scene};
 use rayon::prelude::*;
 
 /// All pixels of a picture, and a border of one pixel.
 pub struct Frame {
     pub width: usize,
     pub height: usize,
-    dither: f32,
+    pub film: Film,
     /// Row by row, `width + 2` points each.
     points: Vec<Traced>,
 }
@@ -23,7 +23,7 @@ impl Frame {
         Self {
             width,
             height,
-            dither: scene.film.dither,
+            film: scene.film,
             points: points.collect(),
         }
     }
@@ -38,13 +38,13 @@ impl Frame {
     }
 
     pub fn picture(&self) -> Vec<u32> {
-        self.map_pixels(|x, y| pixel(self.at(x, y).colour, self.dither, x, y))
+        self.map_pixels(|x, y| pixel(self.at(x, y).colour, self.film.dither, x, y))
     }
 
     pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {
         self.map_pixels(|x, y| {
             let drawn = drawn[y * self.width + x];
-            pixel_like(drawn, self.at(x, y).colour, self.dither, x, y)
+            pixel_like(drawn, self.at(x, y).colour, self.film.dither, x, y)
         })
     }
 

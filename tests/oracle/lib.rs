@@ -130,6 +130,9 @@ impl<'a> Oracle<'a> {
         let vignette = f64::from(film.vignette) * (across * across + down * down);
         let shoulder = f64::from(film.shoulder);
         let roll_off = |c: f64| {
+            if film.filmic {
+                return (c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)).sqrt();
+            }
             if c <= shoulder {
                 return c;
             }

@@ -9,6 +9,10 @@ use glam::{Vec2, vec2};
 /// Colours are in output steps of 1/255; positions in pixels.
 pub(crate) struct Film {
     pub is_plain: bool,
+    is_filmic: bool,
+    /// The factor on light in fixed-point sums: filmic pictures sum four times as much light, in steps four
+    /// times as large.
+    pub sum_unit: f32,
     shoulder: f32,
     room: f32,
     vignette: f32,
@@ -36,6 +40,8 @@ const LEAST_ROOM: f32 = 1e-3;
 impl Film {
     pub const ZERO: Self = Self {
         is_plain: false,
+        is_filmic: false,
+        sum_unit: 0.0,
         shoulder: 0.0,
         room: 0.0,
         vignette: 0.0,
@@ -48,6 +54,8 @@ impl Film {
         let (width, height) = (pixels(width), pixels(height));
         Self {
             is_plain: *film == scene::Film::PLAIN,
+            is_filmic: film.filmic,
+            sum_unit: if film.filmic { 0.25 } else { 1.0 },
             shoulder: 255.0 * film.shoulder,
             room: (255.0 * (1.0 - film.shoulder)).max(LEAST_ROOM),
             vignette: film.vignette,
@@ -86,6 +94,12 @@ impl Film {
         for (light, dimming) in light.iter_mut().zip(dimming) {
             *light /= dimming;
         }
+        if self.is_filmic {
+            for light in light {
+                *light = filmic(*light);
+            }
+            return;
+        }
         let [a, b, c, d] = *light;
         let most = a.max(b).max(c.max(d));
         if most.simd_gt(self.shoulder).any_true() {
@@ -95,6 +109,14 @@ impl Film {
             }
         }
     }
+}
+
+/// Applies the curve of [`scene::Film::filmic`] to light in output steps.
+#[inline(always)]
+fn filmic(light: f32x4<Baseline>) -> f32x4<Baseline> {
+    let c = light.max(splat(light.token(), 0.0)) * (1.0 / 255.0);
+    let curve = c * (c * 2.51 + 0.03) / (c * (c * 2.43 + 0.59) + 0.14);
+    curve.sqrt() * 255.0
 }
 
 /// Returns Bayer's ordered dither over a share of a step.

@@ -8,8 +8,12 @@ use crate::range_error::{Checked, RangeError};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Film {
+    /// Whether light becomes colour by a filmic curve and a gamma of 2, so that bright things turn white as on film: `c` becomes the
+    /// root of `c (2.51 c + 0.03) / (c (2.43 c + 0.59) + 0.14)` (Narkowicz, "ACES filmic tone mapping curve", 2015). A ray then
+    /// contributes 8 at most, which is white. The scene's colours are linear: the square of a displayed colour is about right.
+    pub filmic: bool,
     /// The start of the roll-off of highlights, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`
-    /// with `x = c - s`, a smooth curve below 1. A ray contributes 2 at most. 1 clips highlights.
+    /// with `x = c - s`, a smooth curve below 1. A ray contributes 2 at most. 1 clips highlights. A filmic picture has no shoulder.
     pub shoulder: f32,
     /// The darkening towards the corners, 0 to 1: the factor on light is `1 / (1 + vignette r^2)` at r half heights from the
     /// picture's middle.
@@ -32,6 +36,7 @@ impl Default for Film {
 impl Film {
     /// No change, except clipping at 1.
     pub const PLAIN: Self = Self {
+        filmic: false,
         shoulder: 1.0,
         vignette: 0.0,
         dither: 0.0,

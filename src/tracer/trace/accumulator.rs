@@ -3,7 +3,7 @@ use super::rays::Rays;
 use super::sample::{FIXED_POINT, STEP_BITS, Sum};
 use super::{Sample, sample};
 use crate::lanes::*;
-use crate::prepare::Film;
+use crate::prepare::{Film, World};
 use fearless_simd::{f32x4, i32x4};
 use glam::Vec3A;
 
@@ -52,11 +52,11 @@ impl Accumulator {
         share.is_sign_negative()
     }
 
-    pub fn layers(&self, i: usize) -> Layers {
+    pub fn layers(&self, i: usize, film: &Film) -> Layers {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
         let untextured = Vec3A::new(blue, green, red);
-        let [a, b, c] = (steps(&self.sums[i]) - untextured * share.abs()).to_array();
+        let [a, b, c] = (steps(&self.sums[i], film.sum_unit) - untextured * share.abs()).to_array();
         [a, b, c, 0.0, blue, green, red, 0.0]
     }
 
@@ -88,16 +88,16 @@ impl Accumulator {
         rays: &Rays<S>,
         first: Option<usize>,
         contribution: &Contribution<S>,
-        has_patterns: bool,
+        world: World<'_>,
     ) {
         let points = first.map(packet::<S>);
         let sums = match points.clone() {
             Some(points) => &mut self.sums[points],
             None => &mut self.terms[..lanes::<S>()],
         };
-        contribution.store(simd, sums.as_flattened_mut());
+        contribution.store(simd, world.film.sum_unit, sums.as_flattened_mut());
         match points {
-            Some(points) if has_patterns => {
+            Some(points) if world.has_patterns => {
                 contribution.store_layers(self.patterned[points].as_flattened_mut());
             }
             Some(_) => {}
@@ -131,15 +131,15 @@ impl Accumulator {
     }
 }
 
-fn steps(sum: &Sum) -> Vec3A {
+fn steps(sum: &Sum, unit: f32) -> Vec3A {
     let [blue, green, red, _] = sum.map(|sum| sum as f32);
-    Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32)
+    Vec3A::new(blue, green, red) * (1.0 / (unit * (1 << STEP_BITS) as f32))
 }
 
 fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2]) -> [Sum; 4] {
     let mut four = sums.map(|sum| {
         let light: f32x4<Baseline> = i32x4::simd_from(simd, sum).to_float();
-        light * (1.0 / (1 << STEP_BITS) as f32)
+        light * (1.0 / (film.sum_unit * (1 << STEP_BITS) as f32))
     });
     film.expose(simd, &mut four, at);
     four.map(|colour| {
@@ -148,7 +148,7 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution: twice full brightness. The sum over the 255 nodes of the deepest ray tree then does
+/// The upper limit of a ray's contribution by [`Film::sum_unit`]: twice full brightness. The sum over the 255 nodes of the deepest ray tree then does
 /// not overflow. The excess over 1 is invisible.
 const BRIGHTEST: f32 = 2.0;
 
@@ -162,9 +162,12 @@ pub(super) struct Contribution<S: Isa> {
 
 impl<S: Isa> Contribution<S> {
     #[inline(always)]
-    pub fn store(&self, simd: S, sums: &mut [i32]) {
-        let Vec3x { x, y, z } = self.colour;
-        let (blue, green, red) = (fixed(simd, z), fixed(simd, y), fixed(simd, x));
+    /// `unit` is [`Film::sum_unit`].
+    pub fn store(&self, simd: S, unit: f32, sums: &mut [i32]) {
+        let [blue, green, red] = [self.colour.z, self.colour.y, self.colour.x].map(
+            #[inline(always)]
+            |channel| fixed(simd, channel, unit),
+        );
         store_transposed([blue, green, red, self.key.bitcast()], sums);
     }
 
@@ -176,11 +179,10 @@ impl<S: Isa> Contribution<S> {
 }
 
 #[inline(always)]
-fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
-    let c = clamp::<S>(c, splat(simd, 0.0), splat(simd, BRIGHTEST));
+fn fixed<S: Isa>(simd: S, c: F<S>, unit: f32) -> I<S> {
     // Add one half, since the conversion truncates.
-    c.mul_add(splat(simd, FIXED_POINT), splat(simd, 0.5))
-        .to_int()
+    let sum = c.mul_add(splat(simd, FIXED_POINT * unit), splat(simd, 0.5));
+    clamp::<S>(sum, splat(simd, 0.0), splat(simd, BRIGHTEST * FIXED_POINT)).to_int()
 }
 
 #[inline(always)]

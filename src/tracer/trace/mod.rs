@@ -134,9 +134,7 @@ fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut
         }
         let contribution = shade::shade(tracer, &rays, &hit, active, batch);
         let first = is_primary.then_some(next);
-        let has_patterns = world.has_patterns;
-        let results = &mut batch.results;
-        results.add(simd, &rays, first, &contribution, has_patterns);
+        batch.results.add(simd, &rays, first, &contribution, world);
         next += lanes::<S>() * usize::from(is_primary);
     }
     batch.counts.points += batch.points.len() as u64;

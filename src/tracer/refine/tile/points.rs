@@ -169,7 +169,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             }
             if has_patterns && batch.results.is_fine(i) {
                 sample = sample.patterned();
-                pyramid.layers[target] = batch.results.layers(i);
+                pyramid.layers[target] = batch.results.layers(i, &world.film);
             }
             pyramid.put(target, sample, key);
         }

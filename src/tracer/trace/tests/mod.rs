@@ -288,7 +288,7 @@ impl<S: Isa> Kernels for By<S> {
             contribution
         });
         let mut sums = [[0; 4]; MAX_LANES];
-        contribution.store(simd, &mut sums.as_flattened_mut()[..4 * lanes::<S>()]);
+        contribution.store(simd, 1.0, &mut sums.as_flattened_mut()[..4 * lanes::<S>()]);
         each::<S, _>(|i| Shaded {
             t: hit.t.as_slice()[i],
             object: hit.object.as_slice()[i],
