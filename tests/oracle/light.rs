@@ -2,7 +2,7 @@
 
 use super::geometry::Ray;
 use super::{Object, Oracle};
-use eightfold_tracer::scene::{Light, Sphere};
+use eightfold_tracer::scene::{Block, Light, Shape, Sphere};
 use glam::DVec3;
 
 /// Returns the factor on a light's lengths: parallel lights are far away.
@@ -48,7 +48,10 @@ impl Oracle<'_> {
         for object in occluders.map(|body| body.object) {
             match object {
                 Object::Block(i) if light.diameter > 0.0 => {
-                    share *= self.scene.blocks[i].material.tint.as_dvec3();
+                    let block = &self.scene.blocks[i];
+                    if contains(block, ray.o + distance * l) {
+                        share *= block.material.tint.as_dvec3();
+                    }
                 }
                 Object::Sphere(_) if light.diameter > 0.0 => {}
                 Object::Light(_) => {}
@@ -58,9 +61,16 @@ impl Oracle<'_> {
         if light.diameter == 0.0 {
             return share;
         }
-        for s in self.scene.spheres.iter() {
-            let passing = penumbra(s, ray.o, to_light, light);
-            let tint = s.material.tint.as_dvec3();
+        let spheres = self.scene.spheres.iter();
+        let passing = spheres.map(|s| (penumbra(s, ray.o, to_light, light), s.material.tint));
+        let blocks = self.scene.blocks.iter();
+        let blocks = blocks.filter(|block| !contains(block, ray.o + distance * l));
+        let around = blocks.map(|block| {
+            let passing = block_penumbra(block, ray.o, to_light, light);
+            (passing, block.material.tint)
+        });
+        for (passing, tint) in passing.chain(around) {
+            let tint = tint.as_dvec3();
             share *= tint + passing * (DVec3::ONE - tint);
         }
         share
@@ -79,17 +89,84 @@ fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64
     let a = to_centre.dot(to_light.l).clamp(0.0, to_light.distance);
     let off = (to_centre - a * to_light.l).length() + error - radius;
     let size = reach(light) * f64::from(light.diameter);
-    let b = a * size / to_light.distance;
     let centre_to_light = to_centre - to_light.distance * to_light.l;
     let is_dome =
         to_centre.length() <= radius + error && centre_to_light.length() + 0.5 * size <= radius;
     if is_dome {
         return 1.0;
     }
+    soft_edge(off, a, to_light, light)
+}
+
+/// Returns the share of an area light that passes an occluder at a distance `a` and `off` its side.
+fn soft_edge(off: f64, a: f64, to_light: &ToLight, light: &Light) -> f64 {
+    let width = f64::from(light.diameter);
+    let size = reach(light) * width;
+    let most = if light.parallel { 4.0 * width } else { width };
+    let b = (a * size / to_light.distance).min(most);
     if b == 0.0 {
         return f64::from(u8::from(off > 0.0));
     }
     smooth(off / b + 0.5)
+}
+
+fn contains(block: &Block, p: DVec3) -> bool {
+    let own = block.axes.as_dmat3().transpose() * (p - block.centre.as_dvec3());
+    own.abs().cmple(block.half.as_dvec3()).all()
+}
+
+/// Returns the share of an area light that a block does not block, by the formula of the library's `approach`.
+fn block_penumbra(block: &Block, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
+    let axes = block.axes.as_dmat3().transpose();
+    let (o, d) = (axes * (p - block.centre.as_dvec3()), axes * to_light.l);
+    let half = block.half.as_dvec3();
+    let error = 2e-6 * (block.centre.as_dvec3().abs().max_element() + half.max_element());
+    let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut enter = |o: f64, d: f64, half: f64| {
+        let (middle, half) = (-o / (d + 1e-12), (half / (d + 1e-12)).abs());
+        (near, far) = (near.max(middle - half), far.min(middle + half));
+    };
+    enter(o.y, d.y, half.y);
+    if block.shape == Shape::Box {
+        enter(o.x, d.x, half.x);
+        enter(o.z, d.z, half.z);
+    } else {
+        let (o, d) = (o.with_y(0.0), d.with_y(0.0) + 1e-12);
+        let middle = -o.dot(d) / d.length_squared();
+        let chord2 = half.x * half.x - (o + middle * d).length_squared();
+        let chord = (chord2.max(0.0) / d.length_squared()).sqrt();
+        (near, far) = (near.max(middle - chord), far.min(middle + chord));
+    }
+    let middle = (0.5 * (near + far)).clamp(0.0, to_light.distance);
+    let (out, _) = outside(block, half, o + middle * d);
+    let a = (middle - d.dot(out)).clamp(0.0, to_light.distance);
+    let (_, off) = outside(block, half, o + a * d);
+    soft_edge(off + error, a, to_light, light)
+}
+
+/// Returns the vector to a point, along a block's axes, from the block's nearest point, and its signed length.
+fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
+    let core = match block.shape {
+        Shape::Box => DVec3::ZERO,
+        Shape::Cylinder => p.with_y(0.0).clamp_length_max(half.x),
+        Shape::Capsule => DVec3::Y * p.y.clamp(half.x - half.y, half.y - half.x),
+    };
+    match block.shape {
+        Shape::Box => {
+            let out = p - p.clamp(-half, half);
+            (out, out.length() + (p.abs() - half).max_element().min(0.0))
+        }
+        Shape::Cylinder => {
+            let out = p - core.with_y(p.y.clamp(-half.y, half.y));
+            let deepest = (p.with_y(0.0).length() - half.x).max(p.y.abs() - half.y);
+            (out, out.length() + deepest.min(0.0))
+        }
+        Shape::Capsule => {
+            let from_core = p - core;
+            let off = from_core.length() - half.x;
+            (from_core.normalize_or_zero() * off.max(0.0), off)
+        }
+    }
 }
 
 fn smooth(tau: f64) -> f64 {

@@ -5,8 +5,8 @@ use super::surface::bounded;
 use super::tree::{BvhNode, MAX_NODES};
 use crate::maths::{cos, sqrt};
 use crate::rounding::{BOUND, COSINE, hit_error};
-use crate::scene::{Light, Spot};
-use glam::{Vec3, Vec3A};
+use crate::scene::{Block, Light, Spot};
+use glam::{Mat3A, Vec3, Vec3A};
 
 pub(crate) struct PreparedLight {
     /// See [`Light::shadow_position`].
@@ -114,13 +114,16 @@ impl PreparedLight {
         // Below 0, a sphere's shadow would extend beyond its bound's.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {
-            let radius = if !node.is_block {
-                node.radius + 0.5 * self.max_penumbra
-            } else {
-                node.radius
-            };
-            cone.set(self.position - node.centre, self.diameter, radius, node);
+            let penumbra = 0.5 * self.max_penumbra;
+            cone.set(self.position - node.centre, self.diameter, penumbra, node);
         }
+    }
+
+    /// Returns whether a block casts a penumbra: the light has a diameter and its centre is outside.
+    #[inline(always)]
+    pub fn is_soft_around(&self, block: &Block) -> bool {
+        let own = Mat3A::from(block.axes).transpose() * (self.position - Vec3A::from(block.centre));
+        self.diameter > 0.0 && own.abs().cmpgt(block.half.into()).any()
     }
 }
 
@@ -140,8 +143,9 @@ impl ShadowCone {
         radius: 0.0,
     };
 
-    /// Prepares the shadow of a node; `radius` includes the penumbra.
-    fn set(&mut self, to_light: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
+    /// Prepares the shadow of a node. `penumbra` is the largest width of the penumbra outside it.
+    fn set(&mut self, to_light: Vec3A, diameter: f32, penumbra: f32, node: &BvhNode) {
+        let radius = node.radius + penumbra;
         let distance2 = to_light.length_squared();
         // The rounding error of the sphere's centre and of the vector to the light.
         let error = hit_error(to_light, 0.0);
@@ -153,7 +157,7 @@ impl ShadowCone {
         let room = node.radius - 0.5 * diameter;
         self.around_light = !node.is_block && room > 0.0 && distance2 < room * room;
         let from = sqrt(distance2) * (1.0 - BOUND) - wide;
-        let sine = sqrt(node.thin2) / from.max(0.0) + COSINE;
+        let sine = (sqrt(node.thin2) + penumbra) / from.max(0.0) + COSINE;
         let side = node.axis.cross(to_light);
         *self = Self {
             axis: to_light.normalize_or(Vec3A::Y).into(),

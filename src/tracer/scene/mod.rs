@@ -382,7 +382,7 @@ pub struct Light {
     /// Whether the rays are nearly parallel: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and the light is
     /// invisible.
     pub parallel: bool,
-    /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, spheres cast penumbrae, and an object's `tint` colours its shadow.
+    /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, solids cast penumbrae, and an object's `tint` colours its shadow.
     /// At 0 shadows are hard and black.
     pub diameter: f32,
     /// The radius of the glow, 0 to [`MAX_LENGTH`]. A ray through the position sees the light's colour, a ray at this distance half

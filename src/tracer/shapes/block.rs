@@ -6,10 +6,10 @@ use crate::scene::{Block, Shape};
 use glam::{Mat3, Vec3A};
 
 /// Added to directions along a block's axes, to avoid divisions by 0.
-const TINY: f32 = 1e-12;
+pub(super) const TINY: f32 = 1e-12;
 
 #[inline(always)]
-fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
+pub(super) fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {
         x: v.dot(Vec3x::splat(simd, axes.x_axis)),
         y: v.dot(Vec3x::splat(simd, axes.y_axis)),

@@ -6,6 +6,7 @@ mod capsule;
 mod cuboid;
 mod cylinder;
 pub(crate) mod plane;
+pub(crate) mod solid_distance;
 pub(crate) mod sphere;
 
 use crate::lanes::*;

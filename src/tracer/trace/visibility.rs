@@ -7,8 +7,8 @@ use super::shadow::ShadowRays;
 use crate::counts::Counts;
 use crate::lanes::*;
 use crate::prepare::{Object, PreparedLight, SpotCone, World};
-use crate::scene::Sphere;
-use crate::shapes::{block, sphere};
+use crate::scene::{Block, Sphere};
+use crate::shapes::{block, solid_distance, sphere};
 use glam::Vec3A;
 
 pub(super) struct ArrivingLight<S: Isa> {
@@ -88,6 +88,12 @@ fn transmittance<S: Isa>(
     for &candidate in solids.iter() {
         let (object, material) = world.object(candidate.object);
         let covered = match object {
+            Object::Block(block) if light.is_soft_around(block) => {
+                let [outward, inward] = departing(simd, rays.departure, candidate.object);
+                let covered = block_covers(simd, light, block, rays);
+                let covered = inward.select(splat(simd, 1.0), covered);
+                outward.select(zero, covered)
+            }
             Object::Block(block) => {
                 let [outward, inward] = departing(simd, rays.departure, candidate.object);
                 let t = block::distance(simd, block, &rays.o, &rays.d, inward).0;
@@ -123,14 +129,36 @@ fn sphere_covers<S: Isa>(
     rays: &ShadowRays<S>,
 ) -> F<S> {
     let (a, depth) = sphere::deepest(simd, sphere, rays.o, rays.d, rays.distance);
+    penumbra(simd, light, rays, a, depth)
+}
+
+/// Returns the share of a light that a block covers, as [`sphere_covers`] does.
+#[inline(always)]
+fn block_covers<S: Isa>(
+    simd: S,
+    light: &PreparedLight,
+    block: &Block,
+    rays: &ShadowRays<S>,
+) -> F<S> {
+    let (off, a) = solid_distance::approach(simd, block, &rays.o, &rays.d, rays.distance);
+    penumbra(simd, light, rays, a, -off)
+}
+
+/// Returns the covered share of a light if rays pass an occluder at the depth `depth`, at the distance `a`.
+#[inline(always)]
+fn penumbra<S: Isa>(
+    simd: S,
+    light: &PreparedLight,
+    rays: &ShadowRays<S>,
+    a: F<S>,
+    depth: F<S>,
+) -> F<S> {
     let b = at_most::<S>(
         a * light.diameter / rays.distance,
         splat(simd, light.max_penumbra),
     );
-    soft_edge(
-        simd,
-        depth / at_least::<S>(b, splat(simd, f32::MIN_POSITIVE)) + 0.5,
-    )
+    let b = at_least::<S>(b, splat(simd, f32::MIN_POSITIVE));
+    soft_edge(simd, depth / b + 0.5)
 }
 
 #[inline(always)]

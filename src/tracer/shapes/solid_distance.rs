@@ -1,0 +1,86 @@
+//! Signed distances of points from blocks, and where rays come nearest to them.
+
+use super::block::along;
+use super::{cuboid, cylinder};
+use crate::lanes::*;
+use crate::scene::{Block, Shape};
+use glam::Vec3A;
+
+/// Returns how far rays are outside a block where they come nearest to it, negative inside, and the distances along the rays, 0 to
+/// `limit`.
+///
+/// The place is approximate: the middle of the ray's interval between the block's faces, moved once to the place nearest to the
+/// block's point there. For rays that miss the block along a face, that interval may be far away.
+#[inline(always)]
+pub(crate) fn approach<S: Isa>(
+    simd: S,
+    block: &Block,
+    o: &Vec3x<S>,
+    d: &Vec3x<S>,
+    limit: F<S>,
+) -> (F<S>, F<S>) {
+    let zero = splat(simd, 0.0);
+    let o = along(simd, &block.axes, &(*o - Vec3x::splat(simd, block.centre)));
+    let d = along(simd, &block.axes, d) + Vec3x::splat(simd, Vec3A::splat(super::block::TINY));
+    let span = match block.shape {
+        Shape::Box => cuboid::span(simd, block.half, &o, &d),
+        Shape::Cylinder | Shape::Capsule => cylinder::span(simd, block.half, &o, &d),
+    };
+    let middle = clamp::<S>((span.near + span.far) * 0.5, zero, limit);
+    let at_middle = outside(simd, block, &o.add_scaled(d, middle));
+    let moved = middle - d.dot(at_middle.out);
+    let t = clamp::<S>(moved, zero, limit);
+    (outside(simd, block, &o.add_scaled(d, t)).distance, t)
+}
+
+struct Outside<S: Isa> {
+    /// From the nearest point of the block, along its axes; 0 inside.
+    out: Vec3x<S>,
+    /// Negative inside.
+    distance: F<S>,
+}
+
+#[inline(always)]
+fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S> {
+    let zero = splat(simd, 0.0);
+    let beyond = |c: F<S>, half: f32| c - clamp::<S>(c, splat(simd, -half), splat(simd, half));
+    let half = block.half;
+    let y = p.y.abs() - half.y;
+    match block.shape {
+        Shape::Box => {
+            let out = Vec3x {
+                x: beyond(p.x, half.x),
+                y: beyond(p.y, half.y),
+                z: beyond(p.z, half.z),
+            };
+            let deepest = (p.x.abs() - half.x).max(y.max(p.z.abs() - half.z));
+            Outside {
+                out,
+                distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero),
+            }
+        }
+        Shape::Cylinder | Shape::Capsule => {
+            let is_capsule = block.shape == Shape::Capsule;
+            let end = if is_capsule { half.y - half.x } else { half.y };
+            let upright = beyond(p.y, end);
+            // From the axis, or a capsule's core.
+            let core = if is_capsule { upright } else { zero };
+            let length = at_least::<S>(
+                (p.x * p.x + p.z * p.z + core * core).sqrt(),
+                splat(simd, f32::MIN_POSITIVE),
+            );
+            let over = length - half.x;
+            let share = at_least::<S>(over, zero) / length;
+            let out = Vec3x {
+                x: p.x * share,
+                y: if is_capsule { upright * share } else { upright },
+                z: p.z * share,
+            };
+            let deepest = if is_capsule { over } else { over.max(y) };
+            Outside {
+                out,
+                distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero),
+            }
+        }
+    }
+}
