@@ -102,7 +102,8 @@ impl Oracle<'_> {
         let object = nearest.map_or(Object::Background, |(body, _)| body.object);
         let t = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
         let glow = self.glow(ray, t);
-        let cut = |light: DVec3| light.min(DVec3::splat(2.0 / f64::from(weight)));
+        let brightest = if self.scene.film.filmic { 8.0 } else { 2.0 };
+        let cut = |light: DVec3| light.min(DVec3::splat(brightest / f64::from(weight)));
         let Some(hit) = nearest.and_then(|(body, met)| self.hit(ray, body, met)) else {
             self.note(object, &[], weight, path, traced);
             let light = match object {
