@@ -293,7 +293,8 @@ fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
 /// Returns the point of tangency of a line through the origin and a circle about (a, b), on the side of `sign`.
 fn tangent_point(a: f32, b: f32, radius: f32, sign: f32) -> [f32; 2] {
     // As shares of the distance to the centre, along and across.
-    let along = 1.0 - radius * radius / (a * a + b * b);
-    let apart = sqrt(along - along * along);
+    let share = radius * radius / (a * a + b * b);
+    let along = 1.0 - share;
+    let apart = sqrt(along * share);
     [a * along + b * apart * sign, b * along - a * apart * sign]
 }

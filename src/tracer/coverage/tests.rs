@@ -42,26 +42,34 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// Draws scenes of a sphere and a block above a floor, a light above both, near or far, and a camera anywhere above the floor.
-fn scene() -> impl Strategy<Value = Scene> {
+/// Draws scenes of a sphere and a block above a floor, a light above both, near or far, and a camera anywhere above the floor, or a
+/// telescope. Their distances are multiplied by up to `light` and `telescope` powers of 10.
+fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
         vector(4.0, 0.0..3.0),
         (vector(4.0, 1.0..3.0), 0.01_f32..1.0),
         block(),
         (vector(6.0, 4.5..9.0), 1.0_f32..8.0),
+        [
+            prop_oneof![Just(0.0), 0.0..=light],
+            prop_oneof![Just(0.0), 0.0..=telescope],
+        ],
     )
         .prop_map(
-            |(eye, look_at, (centre, radius), block, (light, far))| Scene {
-                camera: Camera::new(eye, look_at, 1.0),
-                spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
-                blocks: List::of(&[block]),
-                planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, Material::BLACK)]),
-                lights: List::of(&[Light {
-                    position: light * Vec3::new(far, 1.0, far),
-                    ..Light::DARK
-                }]),
-                ..Scene::default()
+            |(eye, look_at, (centre, radius), block, (light, far), decades)| {
+                let [by_light, by_eye] = decades.map(|decades| libm::powf(10.0, decades));
+                Scene {
+                    camera: Camera::new(eye * by_eye, look_at, 1.0 / by_eye),
+                    spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
+                    blocks: List::of(&[block]),
+                    planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, Material::BLACK)]),
+                    lights: List::of(&[Light {
+                        position: light * Vec3::new(far, 1.0, far) * by_light,
+                        ..Light::DARK
+                    }]),
+                    ..Scene::default()
+                }
             },
         )
 }
@@ -132,7 +140,7 @@ fn seen(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
 proptest! {
     #[test]
     fn outlines_contain_objects_and_shadows(
-        scene in scene(),
+        scene in scene(6.0, 3.0),
         points in prop::collection::vec((-1.0..1.0, -1.0..1.0, -1.0..1.0), 64),
     ) {
         let bounds = Bounds::of(&scene);
@@ -162,7 +170,7 @@ fn small_shadows_have_small_bounds() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let (mut met, mut tried) = (0, 0);
     for _ in 0..200 {
-        let mut scene = scene()
+        let mut scene = scene(0.0, 0.0)
             .new_tree(&mut runner)
             .expect("it has no filter")
             .current();
