@@ -74,7 +74,7 @@ impl Frame<'_> {
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
 pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature = "std"))] M> {
-    isa: Level,
+    pub(crate) isa: Level,
     kernel: Kernel,
     memory: M,
 }
