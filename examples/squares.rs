@@ -1,11 +1,11 @@
 //! Writes a frame with outlines around its filled squares as PNG:
 //!
-//!     cargo run --release -p eightfold-examples --bin squares squares.png
+//!     cargo run --release -p eightfold-examples --bin squares target/squares.png
 
 use eightfold::show;
 use eightfold_tracer::observe::{Fill, Observer};
 use eightfold_tracer::{Counts, Frame, Quality, Renderer, ScopedThreads};
-use std::{env, error::Error, fs::File, sync::Mutex};
+use std::{env, error::Error, fs, path::PathBuf, sync::Mutex};
 
 // Multiples of 8, so that squares end inside the picture.
 const WIDTH: usize = 640;
@@ -60,7 +60,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let rgb = |pixel: &u32| [16, 8, 0].map(|shift| (pixel >> shift) as u8);
     let bytes: Vec<u8> = pixels.iter().flat_map(rgb).collect();
-    let file = File::create(env::args().nth(1).unwrap_or("squares.png".into()))?;
+    let path = env::args_os().nth(1).unwrap_or("target/squares.png".into());
+    let path = PathBuf::from(path);
+    fs::create_dir_all(path.parent().unwrap_or(&path))?;
+    let file = fs::File::create(path)?;
     let mut encoder = png::Encoder::new(file, WIDTH as u32, HEIGHT as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.write_header()?.write_image_data(&bytes)?;

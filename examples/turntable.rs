@@ -1,9 +1,11 @@
-//! Draws a turntable into PNG files: `cargo run --release -p eightfold-examples --bin turntable`
+//! Draws a turntable as PNG files into a folder:
+//!
+//!     cargo run --release -p eightfold-examples --bin turntable target/turntable
 
 use eightfold_tracer::glam::{Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Light, Material, Pattern, Plane, Scene, Shape, Sphere};
 use eightfold_tracer::{Frame, Governor, Renderer, ScopedThreads};
-use std::{error::Error, f32::consts::TAU, fs::File, time};
+use std::{env, error::Error, f32::consts::TAU, fs, path::PathBuf, time};
 
 fn scene(turns: f32) -> Scene {
     let (mut scene, axes) = (Scene::default(), Mat3::from_rotation_y(turns * TAU));
@@ -28,12 +30,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut renderer, mut threads) = (Renderer::detect(), ScopedThreads::new());
     let mut governor = Governor::new(time::Duration::from_secs(1) / 60);
     let mut pixels = vec![0; 640 * 360];
+    let folder = env::args_os().nth(1).unwrap_or("target/turntable".into());
+    fs::create_dir_all(&folder)?;
     for number in 0..36_u8 {
         let (start, scene) = (time::Instant::now(), scene(f32::from(number) / 36.0));
         let frame = Frame::new(640, 360, &mut pixels);
         renderer.render(&scene, governor.quality(), frame, &mut threads)?;
         governor.frame(start.elapsed());
-        let file = File::create(format!("turntable-{number:02}.png"))?;
+        let file = PathBuf::from(&folder).join(format!("turntable-{number:02}.png"));
+        let file = fs::File::create(file)?;
         let mut encoder = png::Encoder::new(file, 640, 360);
         encoder.set_color(png::ColorType::Rgb);
         let channels = |pixel: &u32| pixel.to_be_bytes().into_iter().skip(1);

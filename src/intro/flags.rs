@@ -43,7 +43,7 @@ const FLAGS: &[Flag] = &[
     flag(Switch::Seconds, "--seconds", "S", "seconds to play, above 0, at most 1000000000 (116; endless with --loop)"),
     flag(Switch::Loop, "--loop", "", "repeat the show until Esc or --seconds"),
     flag(Switch::Fps, "--fps", "N", "target frame rate, 1 to 1000 (60)"),
-    flag(Switch::Psnr, "--psnr", "DB", "target PSNR against exhaustive, 1 to 99 dB; --fps and --quality have priority"),
+    flag(Switch::Psnr, "--psnr", "DB", "target PSNR against exhaustive, 1 to 99 dB; conflicts with --fps and --quality"),
     flag(Switch::Quality, "--quality", "NAME", "quality (adaptive; --still: default):"),
     flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
     flag(Switch::Uncapped, "--uncapped", "", "draw without pauses; without --quality or --psnr, at quality default"),

@@ -45,8 +45,8 @@ pub struct Options {
     pub is_looping: bool,
     /// 1 to [`MAX_FPS`].
     pub fps: u64,
-    pub has_fps: bool,
-    /// In dB to exhaustive frames, 1 to [`MAX_PSNR`]; a given frame rate takes precedence.
+    has_fps: bool,
+    /// In dB to exhaustive frames, 1 to [`MAX_PSNR`].
     pub psnr: Option<u64>,
     /// The fixed quality's index in [`qualities::NAMED`], if one is named.
     pub quality: Option<usize>,
@@ -61,7 +61,7 @@ pub enum Misuse {
     UnknownFlag(&'static [u8]),
     NoValue(&'static Flag),
     BadValue(&'static Flag, &'static [u8]),
-    TwoQualities,
+    Conflict(&'static str),
 }
 
 impl Misuse {
@@ -78,7 +78,7 @@ impl Misuse {
                 errors.text(flag.name).text(" is '").printable(given);
                 flag.write_range(errors.text("'"));
             }
-            Misuse::TwoQualities => _ = errors.text("--quality conflicts with another quality"),
+            Misuse::Conflict(flags) => _ = errors.text(flags),
         }
         errors.text("\n").flush();
     }
@@ -122,6 +122,11 @@ impl Options {
                 break;
             }
         }
+        if options.psnr.is_some() && (options.has_fps || options.quality.is_some()) {
+            return Err(Misuse::Conflict(
+                "--psnr conflicts with --fps and --quality",
+            ));
+        }
         Ok(options)
     }
 
@@ -159,7 +164,9 @@ impl Options {
 
     fn keep_to(&mut self, quality: usize) -> Result<(), Misuse> {
         match self.quality {
-            Some(other) if other != quality => Err(Misuse::TwoQualities),
+            Some(other) if other != quality => {
+                Err(Misuse::Conflict("--quality conflicts with another quality"))
+            }
             _ => {
                 self.quality = Some(quality);
                 Ok(())

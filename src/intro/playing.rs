@@ -89,8 +89,7 @@ impl Playing<'_> {
     /// Plays until the show ends or the viewer ends it. Returns the exit code.
     fn on(&mut self, target: &mut dyn RenderTarget) -> i32 {
         let options = self.options;
-        let by_accuracy = options.psnr.filter(|_| !options.has_fps);
-        let is_default = options.is_uncapped && by_accuracy.is_none();
+        let is_default = options.is_uncapped && options.psnr.is_none();
         let kept = options.quality.or(is_default.then_some(qualities::DEFAULT));
         let length = options.length.unwrap_or(if options.is_looping {
             u64::MAX
@@ -98,7 +97,7 @@ impl Playing<'_> {
             SHOW_NANOSECONDS
         });
         let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
-        let mut by_accuracy = by_accuracy.map(|psnr| AccuracyGovernor::new(psnr as f32));
+        let mut by_accuracy = options.psnr.map(|psnr| AccuracyGovernor::new(psnr as f32));
         let clock = self.player.clock();
         let mut due = 0;
         let mut has_hud = options.has_hud;

@@ -76,7 +76,7 @@ impl Tally {
         output.hundredths(hundredths(self.time)).text(" s: ");
         output.tenths(mean).text(" fps, worst second ");
         output.tenths(worst).text(" fps");
-        self.report_accuracy(output, mean, options);
+        self.report_accuracy(output, options);
         output.text(", ").decimal(self.size.0 as u64);
         output.text("x").decimal(self.size.1 as u64);
         output.text(", threads ").decimal(renderer.threads() as u64);
@@ -90,24 +90,17 @@ impl Tally {
         output.text("\n");
     }
 
-    /// Writes the accuracy with its 95 % interval, and missed goals. `rate` is in tenths of a frame per second.
-    fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) {
+    /// Writes the accuracy with its 95 % interval, and a missed goal.
+    fn report_accuracy(&self, output: &mut Writer, options: &Options) {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
             output.text(", ").tenths(psnr);
             output.text(" ± ").tenths(margin).text(" dB to exhaustive");
         }
-        let Options { fps, has_fps, .. } = *options;
-        // The rate may be 1 % short.
-        let is_slow = has_fps && rate * 10 < fps * 99;
-        match options.psnr {
-            Some(asked) if is_slow || psnr.saturating_add(margin) < 10 * asked => {
-                output.text(", short of ").decimal(asked).text(" dB");
-                if has_fps {
-                    output.text(" at ").decimal(fps).text(" fps");
-                }
-            }
-            _ => {}
+        if let Some(asked) = options.psnr
+            && psnr.saturating_add(margin) < 10 * asked
+        {
+            output.text(", short of ").decimal(asked).text(" dB");
         }
     }
 }

@@ -41,6 +41,7 @@ const COMPARED: u64 = 8;
 /// }
 /// assert_ne!(governor.quality(), &Quality::LADDER[0]);
 /// ```
+#[derive(Debug)]
 pub struct Governor {
     /// Times are in nanoseconds.
     budget: u64,
@@ -150,6 +151,7 @@ const RETRY_GAIN: f32 = 0.5;
 ///
 /// A difference of 6 dB causes a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the
 /// finest preset, the accuracy is up to 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
+#[derive(Debug)]
 pub struct AccuracyGovernor {
     target: f32,
     preset: usize,

@@ -87,13 +87,14 @@
 //! breaking version of `glam` or `fearless_simd` ([`Level`]) makes a breaking version of this crate.
 #![no_std]
 #![forbid(unsafe_code)]
-#![warn(missing_docs)]
+#![warn(missing_docs, missing_debug_implementations)]
 
 #[cfg(feature = "std")]
 extern crate std;
 
 mod counts;
 mod coverage;
+mod debug;
 pub mod font;
 mod governor;
 mod grid;

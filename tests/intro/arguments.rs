@@ -35,6 +35,11 @@ fn bad_argument_is_named_in_one_line() {
             &["--exhaustive", "--quality=fast"],
             "--quality conflicts with another quality",
         ),
+        (&["--psnr=45", "--fps=60"], "--psnr conflicts with --fps "),
+        (
+            &["--quality=fast", "--psnr=45"],
+            " with --fps and --quality",
+        ),
         (&["--isa", "neon"], "--isa is 'neon'; must be NAME: "),
         (&["--still", &length], "--still is '116'; must be S: "),
         (&["--loop", "--fps", "1", "--size", "1x"], "; must be WxH: "),

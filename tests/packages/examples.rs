@@ -9,11 +9,16 @@ fn example(name: &str) -> Command {
     Command::new(BUILD.program(name).expect("there is one"))
 }
 
-/// Runs an example in a folder. Returns the folder and the output.
-fn output(name: &str) -> (TempDir, String) {
+/// Runs an example in a folder. Returns the folder and the output. All files are inside `target`, which git ignores.
+fn output(name: &str, arguments: &[&str]) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a folder");
-    let (output, text) = run(example(name).current_dir(&folder));
+    let (output, text) = run(example(name).args(arguments).current_dir(&folder));
     assert!(output.status.success(), "{}", texts(&output).1);
+    let written = fs::read_dir(&folder).expect("a folder");
+    let names: Vec<_> = written
+        .map(|entry| entry.expect("an entry").file_name())
+        .collect();
+    assert_eq!(names, ["target"]);
     (folder, text)
 }
 
@@ -26,8 +31,13 @@ fn pixels(folder: &TempDir, name: &str) -> Vec<u32> {
 #[test]
 #[ignore = "examples are compiled"]
 fn turntable_turns_objects_under_a_blue_sky() {
-    let (folder, _) = output("turntable");
-    let [first, last] = ["turntable-00.png", "turntable-35.png"].map(|name| pixels(&folder, name));
+    let (other, _) = output("turntable", &["target/a/b"]);
+    let (folder, _) = output("turntable", &[]);
+    let [first, last] = [0, 35].map(|number| {
+        let name = format!("turntable-{number:02}.png");
+        pixels(&other, &format!("target/a/b/{name}"));
+        pixels(&folder, &format!("target/turntable/{name}"))
+    });
     let [_, red, _, blue] = first[20 * 640 + 320].to_be_bytes();
     assert!(blue > red + 20, "the sky");
     let changed = first
@@ -38,14 +48,23 @@ fn turntable_turns_objects_under_a_blue_sky() {
     assert!((1000..100_000).contains(&count), "{count} pixels changed");
 }
 
+/// The page that the README's command writes.
+#[test]
+fn folder_of_the_page_is_ignored_by_git() {
+    let mut git = Command::new("git");
+    git.current_dir(env!("CARGO_MANIFEST_DIR"));
+    let (ignored, _) = run(git.args(["check-ignore", "site"]));
+    assert!(ignored.status.success(), "{ignored:?}");
+}
+
 #[test]
 #[ignore = "examples are compiled"]
 fn squares_marks_less_than_half_of_the_picture() {
-    let (folder, text) = output("squares");
+    let (folder, text) = output("squares", &[]);
     let count = text.trim_end_matches(" squares\n").parse::<usize>();
     let count = count.expect("a number");
     assert!((3600..20_000).contains(&count), "{count} squares");
-    let pixels = pixels(&folder, "squares.png");
+    let pixels = pixels(&folder, "target/squares.png");
     let at = |[x, y]: [usize; 2]| pixels[y * 640 + x];
     let is_line = |place| at(place) > at([1, 1]);
     assert!([[8, 1], [1, 8], [8, 8], [16, 3]].into_iter().all(is_line));

@@ -13,7 +13,7 @@ use fearless_simd::{Avx2, Avx512};
 /// The functions that are compiled once per instruction set. A program that makes `Kernels` of AVX2 only links no others.
 #[derive(Clone, Copy)]
 pub(crate) struct Kernels {
-    level: Level,
+    pub level: Level,
     trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
     judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
     fill: fn(Level, &mut Band<'_>, &Run<'_>),

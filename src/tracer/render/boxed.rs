@@ -4,6 +4,7 @@ use std::boxed::Box;
 use std::vec;
 
 /// A [`Memory`] on the heap, initialised in place: no part of it is ever on the stack, even in unoptimised programs.
+#[derive(Debug)]
 pub struct BoxedMemory(Box<[Memory]>);
 
 impl BoxedMemory {

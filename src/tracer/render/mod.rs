@@ -76,7 +76,7 @@ impl Frame<'_> {
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
 pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature = "std"))] M> {
-    kernels: Kernels,
+    pub(crate) kernels: Kernels,
     memory: M,
 }
 

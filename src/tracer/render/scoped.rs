@@ -10,6 +10,7 @@ use std::vec::Vec;
 ///
 /// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate
 /// forbids; implement [`Threads`] for one.
+#[derive(Debug)]
 pub struct ScopedThreads {
     workers: Vec<Worker>,
 }

@@ -29,13 +29,16 @@ impl Default for Camera {
 /// is not normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
+    /// The direction of the upper left pixel's centre.
     pub corner: Vec3,
+    /// The step to the next column.
     pub dx: Vec3,
+    /// The step to the next row.
     pub dy: Vec3,
 }
 
 impl Raster {
-    pub const ZERO: Self = Self {
+    pub(crate) const ZERO: Self = Self {
         corner: Vec3::ZERO,
         dx: Vec3::ZERO,
         dy: Vec3::ZERO,

@@ -15,7 +15,7 @@ mod validate;
 mod waves;
 
 pub use block::Block;
-pub use camera::Camera;
+pub use camera::{Camera, Raster};
 pub use film::Film;
 pub use list::{CapacityError, List};
 pub use method::Method;
