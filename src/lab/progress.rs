@@ -15,34 +15,42 @@ pub struct Progress {
 }
 
 pub fn bar(steps: usize) -> Progress {
-    let is_terminal = stderr().is_terminal();
-    let target = if is_terminal {
-        ProgressDrawTarget::stderr()
-    } else {
-        ProgressDrawTarget::hidden()
-    };
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} to go");
-    let bar = ProgressBar::with_draw_target(Some(steps as u64), target);
-    let start = Instant::now();
-    Progress {
-        bar: bar.with_style(style.expect("the template is right")),
-        start,
-        line: (!is_terminal).then(|| start.into()),
-    }
+    Progress::new(steps, stderr().is_terminal(), Instant::now())
 }
 
 impl Progress {
+    pub fn new(steps: usize, is_terminal: bool, start: Instant) -> Self {
+        let target = if is_terminal {
+            ProgressDrawTarget::stderr()
+        } else {
+            ProgressDrawTarget::hidden()
+        };
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} to go");
+        let bar = ProgressBar::with_draw_target(Some(steps as u64), target);
+        Self {
+            bar: bar.with_style(style.expect("the template is right")),
+            start,
+            line: (!is_terminal).then(|| start.into()),
+        }
+    }
+
     pub fn inc(&self, steps: u64) {
         self.bar.inc(steps);
-        let Some(Ok(mut last)) = self.line.as_ref().map(Mutex::lock) else {
-            return;
-        };
-        if last.elapsed() >= LINE_EVERY {
-            *last = Instant::now();
-            let share = self.bar.position() as f64 / self.bar.length().unwrap_or(1) as f64;
-            let left = self.start.elapsed().as_secs_f64() * (1.0 / share - 1.0);
-            eprintln!("{:.0} %, {left:.0} s to go", 1e2 * share);
+        if let Some(line) = self.due(Instant::now()) {
+            eprintln!("{line}");
         }
+    }
+
+    /// Returns a line if the last one is long ago.
+    pub fn due(&self, now: Instant) -> Option<String> {
+        let mut last = self.line.as_ref()?.lock().ok()?;
+        if now - *last < LINE_EVERY {
+            return None;
+        }
+        *last = now;
+        let share = self.bar.position() as f64 / self.bar.length()? as f64;
+        let left = (now - self.start).as_secs_f64() * (1.0 / share - 1.0);
+        Some(format!("{:.0} %, {left:.0} s to go", 1e2 * share))
     }
 
     pub fn finish_and_clear(&self) {

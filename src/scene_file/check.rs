@@ -3,7 +3,7 @@
 //! A field's extremes are at keys and at the extremes of splines. Rules for several fields, or for the length of a vector, can be
 //! broken for a moment between them: there the scene is sampled, and a search finds the closest approaches.
 
-use super::moving::{Moving, place_material};
+use super::moving::Moving;
 use super::node::{Kind, Mistake, Node, steps};
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Scene, Shape};
@@ -69,45 +69,31 @@ impl Moving {
         let mut names = steps(path);
         let [list, name] = [(); 2].map(|()| names.next().unwrap_or_default());
         let is_number = |node: &Node| matches!(node.kind, Kind::Number(_));
-        let has_items = |node: &Node| node.kind == Kind::List && !node.parts.iter().all(is_number);
-        let new = |name: &str, kind| Node::new(name.to_owned(), 0, kind);
-        let (mut tree, mut alias) = (Node::default(), [String::new(), String::new()]);
-        let materials = self.tree.get("materials");
-        let item = self.tree.get(list).and_then(|node| node.get(name));
-        match item {
-            Some(item) if list == "materials" => {
-                let word = ron::to_string(name).unwrap_or_default();
-                let sphere =
-                    format!("(spheres: [(centre: (0, 0, 0), radius: 1, material: {word})])");
-                tree = Node::read(&sphere).unwrap_or_default();
-                let mut table = new(list, Kind::Struct);
-                table.parts.push(item.clone());
-                tree.parts.push(table);
-                alias = [
-                    "spheres[0].material".to_owned(),
-                    format!("materials[{word}]"),
-                ];
-            }
-            Some(item) if self.tree.get(list).is_some_and(has_items) => {
-                let mut items = new(list, Kind::List);
-                items.parts.push(item.clone());
-                // The whole file has been checked at its start: the material is there.
-                let _ = place_material(&mut items.parts[0], materials.unwrap_or(&Node::default()));
-                tree.parts.push(items);
-                alias = [format!("{list}[0]"), format!("{list}[{name}]")];
-            }
-            _ => {
-                tree = self.tree.clone();
-                tree.parts
-                    .retain(|node| !has_items(node) && node.name != "materials");
-            }
+        let has_items = |node: &Node| {
+            node.name == "materials" || node.kind == Kind::List && !node.parts.iter().all(is_number)
+        };
+        let mut part = Self {
+            tree: self.tree.clone(),
+            ..Self::default()
+        };
+        let fields = &mut part.tree.parts;
+        if !self.tree.get(list).is_some_and(has_items) {
+            fields.retain(|node| !has_items(node));
+            return part;
         }
-        let motions = Vec::new();
-        Self {
-            tree,
-            motions,
-            alias,
+        fields.retain(|node| node.name == list || node.name == "materials");
+        let items = fields.iter_mut().filter(|node| node.name == list);
+        items.for_each(|items| items.parts.retain(|item| item.name == name));
+        part.alias = [format!("{list}[0]"), format!("{list}[{name}]")];
+        if list == "materials" {
+            let sphere = format!("(spheres: [(centre: (0, 0, 0), radius: 1, material: {name:?})])");
+            fields.extend(Node::read(&sphere).unwrap_or_default().parts);
+            part.alias = [
+                "spheres[0].material".to_owned(),
+                format!("{list}[{name:?}]"),
+            ];
         }
+        part
     }
 
     fn check_alone(&self, length: f32) -> Result<(), Mistake> {
@@ -178,10 +164,10 @@ impl Moving {
         }
     }
 
-    /// Refuses a direction that turns back within a ten thousandth of a window in seconds, and so passes 0 up to rounding. `size` is
+    /// Refuses a direction that turns back within a hundred thousandth of a window in seconds, and so passes 0 up to rounding. `size` is
     /// its length at the window's ends.
     fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
-        let step = (1e-4 * window).max(4.0 * time.abs() * f32::EPSILON);
+        let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
         let direction = |time| {
             let scene = self.valid(time)?;
             Ok(directions(&scene).nth(i).unwrap_or_default())

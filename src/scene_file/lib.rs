@@ -87,7 +87,7 @@ impl SceneFile {
         let moving = Moving {
             tree,
             motions,
-            alias: Default::default(),
+            ..Moving::default()
         };
         moving.check(length)?;
         let (name, text) = (name.to_owned(), text.to_owned());
@@ -101,7 +101,7 @@ impl SceneFile {
 
     pub fn at(&self, time: f32) -> Scene {
         let scene = self.moving.scene(time);
-        scene.expect("a file that is valid at its keys is a scene at all times")
+        scene.expect("a file that was read is a scene at all times")
     }
 
     /// Checks the scene at a time that may be before the start or after the end.

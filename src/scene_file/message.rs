@@ -93,7 +93,12 @@ pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {
     let at = text.len() - after_space(&text[offset(text, at)..]).len();
     let rest = &text[at..];
     let is_digit = |letter: char| letter.is_ascii_digit();
-    if let Some(whole) = text[..at].strip_suffix(',')
+    let lacks_name = matches!(
+        error.code,
+        E::ExpectedIdentifier | E::InvalidIdentifier(_) | E::SuggestRawIdentifier(_)
+    );
+    if lacks_name
+        && let Some(whole) = text[..at].strip_suffix(',')
         && whole.ends_with(is_digit)
         && rest.starts_with(is_digit)
     {
@@ -123,10 +128,10 @@ pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {
         }
         E::Eof | E::UnclosedLineComment => return incomplete,
         _ if is_over => return incomplete,
-        E::ExpectedIdentifier | E::InvalidIdentifier(_) | E::SuggestRawIdentifier(_) => "a name",
+        _ if lacks_name => "a name",
         E::ExpectedComma => "a comma",
         E::ExpectedMapColon => "a colon",
-        E::ExpectedFloat | E::ExpectedInteger => "a number",
+        E::ExpectedFloat => "a number",
         E::InvalidEscape(_) => "text with known escapes",
         _ => {
             let expected = expected.split(" but found").next().unwrap_or_default();

@@ -178,6 +178,17 @@ impl Motion {
         times
     }
 
+    /// Returns a motion that stays at the start.
+    pub fn frozen(&self) -> Self {
+        let (at, numbers) = self.at(0.0);
+        let time = 0.0;
+        Self {
+            of: self.of.clone(),
+            keys: vec![Key { at, time, numbers }],
+            ..*self
+        }
+    }
+
     /// Returns the last key's time.
     pub fn end(&self) -> f32 {
         self.keys.last().map_or(0.0, |key| key.time)

@@ -7,7 +7,7 @@ use eightfold_tracer::glam::{EulerRot, Mat3};
 use eightfold_tracer::scene::Scene;
 use serde::Deserialize;
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moving {
     /// The contents of a file without the length and the motions.
     pub tree: Node,
@@ -35,50 +35,42 @@ impl Moving {
         let text = error.to_string();
         let path = text.split(" is ").next().unwrap_or_default();
         let [from, to] = &self.alias;
-        let path = path
-            .strip_prefix(from.as_str())
-            .map_or(path.to_owned(), |rest| to.clone() + rest);
-        let RangeError {
-            object,
-            found,
-            range,
-            ..
-        } = error;
+        let path = path.strip_prefix(from.as_str());
+        let path = path.map_or(String::new(), |rest| to.clone() + rest);
         let is_set = |motion: &&Motion| steps(&motion.of).zip(steps(&path)).all(|(a, b)| a == b);
-        let is_named = |motion: &&Motion| {
-            steps(&motion.of)
-                .last()
-                .is_some_and(|name| range.contains(name))
+        let is_cause = |motion: &&Motion| {
+            let mut other = self.clone();
+            let motions = other.motions.iter_mut();
+            motions
+                .filter(|it| it.index == motion.index)
+                .for_each(|it| *it = motion.frozen());
+            other
+                .scene(time)
+                .is_ok_and(|scene| scene.validate().is_ok())
         };
-        let is_near = |motion: &&Motion| motion.of.starts_with(object);
-        let motions = || self.motions.iter();
+        let set = || self.motions.iter().filter(is_set);
+        let motion = set().find(is_cause).or(set().next());
+        let is_direct = motion.is_some();
+        let others = || self.motions.iter().filter(|_| time != 0.0);
+        let motion = motion.or(others().find(is_cause)).or(others().next());
+        let Some(motion) = motion else {
+            return Mistake::new(self.tree.nearest(&path).at, text);
+        };
+        let (at, numbers) = motion.at(time);
+        let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();
+        let (i, range) = (motion.index, error.range);
+        let (value, rule) = match (is_direct, &numbers[..]) {
+            (true, _) => (format!("{path} to {}", error.found), String::new()),
+            (_, [number]) => (format!("{} to {number}", motion.of), path + " "),
+            _ => (
+                format!("{} to [{}]", motion.of, numbers.join(", ")),
+                path + " ",
+            ),
+        };
         let millisecond = (time * 1e3).round() / 1e3;
-        if let Some(motion) = motions().find(is_set) {
-            let i = motion.index;
-            let message =
-                format!("motions[{i}] sets {path} to {found} at {millisecond} s; must be {range}");
-            return Mistake::new(motion.at(time).0, message);
-        }
-        let other = motions()
-            .find(is_named)
-            .or(motions().find(is_near))
-            .or(motions().next());
-        match other {
-            Some(motion) if time != 0.0 => {
-                let (at, numbers) = motion.at(time);
-                let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();
-                let numbers = match &numbers[..] {
-                    [number] => number.clone(),
-                    numbers => format!("[{}]", numbers.join(", ")),
-                };
-                let Motion { index, of, .. } = motion;
-                let message = format!(
-                    "motions[{index}] sets {of} to {numbers} at {millisecond} s; {path} must be {range}"
-                );
-                Mistake::new(at, message)
-            }
-            _ => Mistake::new(self.tree.nearest(&path).at, text),
-        }
+        let message =
+            format!("motions[{i}] sets {value} at {millisecond} s; {rule}must be {range}");
+        Mistake::new(at, message)
     }
 
     /// Returns the tree at a time, with materials in place of their names.
@@ -98,7 +90,14 @@ impl Moving {
         for list in ["spheres", "planes", "blocks"] {
             let objects = tree.get_mut(list).map(|list| &mut list.parts);
             for object in objects.into_iter().flatten() {
-                place_material(object, &materials)?;
+                if let Some(material) = object.get_mut("material")
+                    && let Kind::Word(_) = material.kind
+                {
+                    let name = String::deserialize(&*material)?;
+                    let message = format!("material is {name:?}; must be in materials");
+                    let mistake = Mistake::new(material.at, message);
+                    material.copy(materials.get(&name).ok_or(mistake)?);
+                }
                 if list == "blocks" {
                     turn(object)?;
                 }
@@ -106,19 +105,6 @@ impl Moving {
         }
         Ok(tree)
     }
-}
-
-/// Replaces the name of an object's material.
-pub fn place_material(object: &mut Node, materials: &Node) -> Result<(), Mistake> {
-    if let Some(material) = object.get_mut("material")
-        && let Kind::Word(_) = material.kind
-    {
-        let name = String::deserialize(&*material)?;
-        let message = format!("material is {name:?}; must be in materials");
-        let mistake = Mistake::new(material.at, message);
-        material.copy(materials.get(&name).ok_or(mistake)?);
-    }
-    Ok(())
 }
 
 /// Rotates the axes of a block by its `turn`: radians about its z axis first, then x, then y.

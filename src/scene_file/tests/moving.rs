@@ -53,7 +53,9 @@ fn motion_beyond_range_is_refused_at_its_key() {
     let mut wrong = String::new();
     for row in REFUSED.trim().lines() {
         let (motions, says) = row.split_once(" | ").expect("two columns");
-        let fault = read(motions).map(|_| "no fault").map_or_else(|fault| fault, str::to_owned);
+        let fault = read(motions)
+            .map(|_| "no fault")
+            .map_or_else(|fault| fault, str::to_owned);
         if !fault.starts_with("a.ron:9:") || !fault.contains(says) {
             wrong += &format!("{motions}: {fault}\n");
         }

@@ -119,7 +119,7 @@ const EXPLAINED: &str = r##"
 (haze: 1, /* open | 1:11: comment is open; must end with */
 (haze: 1 // half\nexposure: 2) | 2:1: text is 'exposure:'; must be a comma
 (haze: 1.5.5) | 1:8: text is '1.5.5)'; must be a number
-(\e[31mhaze: 3) | 1:2: text is '\u{1b}[31mhaze:'; must be a name
+(camera: (), \e[31mhaze: 3) | 1:14: text is '\u{1b}[31mhaze:'; must be a name
 (spheres: DEEP) | 1:74: brackets are nested too deep; must be at most 64
 (materials: {a: (kd: LONG)}) | must be a number
 (materials: {haze: 1,\n  length: 3}) | 1:13: materials is {haze: 1, length: 3}; must be a table

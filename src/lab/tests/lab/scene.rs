@@ -102,19 +102,74 @@ fn mistake_has_line_and_column() {
     }
 }
 
+/// The radius is negative between its keys.
+const MOVING: &str = r#"Scene(
+    length: 4.0,
+    spheres: [(centre: (0, 0, 0), radius: 1, material: (kd: 1))],
+    motions: [(of: "spheres[0].radius", between: Spline, keys: [(0, 0.1), (1, 0.1), (2, 5)])],
+)"#;
+
+/// Black at times, and less at others: both together after 9.9 s.
+const LATE: &str = r#"Scene(
+    length: 1.0,
+    motions: [
+        (of: "background", between: Hold, repeat: true, keys: [(0, (1, 1, 1)), (0.9, (0, 0, 0)), (1, (0, 0, 0))]),
+        (of: "sky", between: Hold, repeat: true, keys: [(0, (-1, 0, 0)), (0.1, (0, 0, 0)), (1.1, (0, 0, 0))]),
+    ],
+)"#;
+
+#[test]
+fn time_after_the_end_is_checked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("late.ron").display().to_string();
+    fs::write(&file, LATE).expect("it can be written");
+    for command in ["render", "figures", "truth"] {
+        let line = format!("{command} --size 8x8 --out - --scene {file} --time");
+        assert!(lab(&format!("{line} 1.5")).status.success());
+        let message = format!("{file}:5:57: motions[1] sets sky to [-1, 0, 0] at 9.95 s; must be");
+        assert_one_line(&lab(&format!("{line} 9.95")), 2, &[&message]);
+    }
+}
+
 #[test]
 fn every_command_reports_mistake_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
-    let [bad, text, none, pipe, device] =
-        ["bad.ron", "text.ron", "none.ron", "pipe.ron", "device.ron"].map(file);
+    let [bad, moving, text, none, pipe, device] = [
+        "bad.ron",
+        "moving.ron",
+        "text.ron",
+        "none.ron",
+        "pipe.ron",
+        "device.ron",
+    ]
+    .map(file);
     fs::write(&bad, "Scene(\n    haze: -1.0,\n)\n").expect("it can be written");
-    for command in ["bench", "trade", "figures", "view", "render --out -"] {
-        let output = lab(&format!("{command} --scene {bad}"));
-        let line = format!("{bad}:2:11: haze is -1; must be 0 to 1000\n");
-        assert_eq!(String::from_utf8_lossy(&output.stderr), line, "{command}");
-        assert_eq!(output.status.code(), Some(2), "{command}");
+    fs::write(&moving, MOVING).expect("it can be written");
+    let out = folder.path().join("none").display().to_string();
+    for command in [
+        "bench",
+        "trade",
+        "figures",
+        "view",
+        "missed",
+        "render --out -",
+        "truth --out -",
+        "capture --png OUT",
+        "capture --sheet -",
+    ] {
+        for (name, says) in [
+            (&bad, "2:11: haze is -1; must be 0 to 1000"),
+            (
+                &moving,
+                "4:65: motions[0] sets spheres[0].radius to -0.2629",
+            ),
+        ] {
+            let output = lab(&format!("{} --scene {name}", command.replace("OUT", &out)));
+            assert_one_line(&output, 2, &[&format!("{name}:{says}")]);
+        }
     }
+    assert!(!Path::new(&out).exists());
     fs::write(&text, b"Scene() // \xe9").expect("it can be written");
     let made = Command::new("mkfifo").arg(&pipe).status();
     assert!(made.expect("mkfifo runs").success());
@@ -122,8 +177,13 @@ fn every_command_reports_mistake_in_one_line() {
     // Without a writer, reading the pipe would block.
     let writer = pipe.clone();
     std::thread::spawn(move || fs::write(writer, ""));
+    let output = lab(&format!("bench --scene {text}"));
+    assert_one_line(
+        &output,
+        2,
+        &[&format!("{text}:1:12: byte is 0xe9; must be UTF-8")],
+    );
     for (file, why) in [
-        (&text, "not UTF-8"),
         (&none, "No such file"),
         (&pipe, "not a regular file"),
         (&device, "not a regular file"),
