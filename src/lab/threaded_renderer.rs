@@ -31,7 +31,11 @@ impl ThreadedRenderer {
     /// `threads` includes the caller's.
     pub fn new(threads: usize) -> Self {
         let pool = Pool::new(threads);
-        assert_eq!(pool.threads(), threads, "the system starts no more threads");
+        let started = pool.threads();
+        assert!(
+            started == threads,
+            "{started} threads start; must be {threads}"
+        );
         Self {
             memory: BoxedMemory::new(),
             threads: PoolThreads {
