@@ -30,6 +30,7 @@ const COLUMNS: usize = 2;
 const FLIP_SHOWN: f32 = 0.25;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
+    arguments.frame.scene.check(arguments.frame.time)?;
     output::check(&arguments.out)?;
     let sheet = sheet(arguments.frame.size, COLUMNS, &figures(arguments))?;
     output::write(&arguments.out, &sheet)

@@ -30,8 +30,8 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     let FrameArguments { scene, time, size } = arguments.frame;
+    scene.check(time)?;
     let scene = scene.at(time);
-    scene.validate()?;
     let mut pixels = vec![0; size.area()];
     let mut quality = arguments.quality.quality;
     quality.antialias &= !arguments.jagged;

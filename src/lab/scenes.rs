@@ -17,7 +17,7 @@ pub fn text(path: &Path) -> Result<String, String> {
         Ok(there) if !there.is_file() => return Err(error("not a regular file")),
         _ => fs::read(path).map_err(|why| error(&why.to_string()))?,
     };
-    String::from_utf8(bytes).map_err(|_| error("not UTF-8"))
+    SceneFile::decode(&path.display().to_string(), bytes)
 }
 
 pub fn names() -> String {
@@ -48,6 +48,14 @@ impl SceneName {
                 show::at(time.clamp(0.0, show::LENGTH), &mut scene);
                 scene
             }
+        }
+    }
+
+    /// Checks a file's scene at a time that may be outside its length.
+    pub fn check(self, time: f32) -> Result<(), Exit> {
+        match self {
+            Self::File(file) => file.check(time).map_err(Exit::bad_input),
+            _ => Ok(()),
         }
     }
 

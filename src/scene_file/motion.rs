@@ -13,6 +13,9 @@ pub struct Motion {
     between: Between,
     #[serde(default)]
     repeat: bool,
+    /// The place in the file's list.
+    #[serde(skip)]
+    pub index: usize,
     /// At least one, in the order of their times.
     #[serde(skip)]
     pub keys: Vec<Key>,
@@ -39,6 +42,11 @@ pub struct Key {
     numbers: Vec<f32>,
 }
 
+/// The largest time of a key, in seconds. Differences of larger ones would lose whole seconds, or overflow.
+const MAX_TIME: f32 = 1e6;
+/// The most repetitions that are checked: motions with different periods meet in ever new ways.
+const MAX_CYCLES: u16 = 500;
+
 /// Returns the numbers of a scalar, a vector or a matrix.
 fn numbers(node: &Node) -> Result<Vec<f32>, Mistake> {
     if node.kind == Kind::List {
@@ -49,9 +57,10 @@ fn numbers(node: &Node) -> Result<Vec<f32>, Mistake> {
 }
 
 impl Motion {
-    pub fn read(mut node: Node) -> Result<Self, Mistake> {
+    pub fn read((index, mut node): (usize, Node)) -> Result<Self, Mistake> {
         let keys = node.take("keys");
         let mut motion = Self::deserialize(&node)?;
+        motion.index = index;
         for key in keys.iter().flat_map(|keys| &keys.parts) {
             let [time, value] = &key.parts[..] else {
                 let message = format!("key length is {}; must be 2: time, value", key.parts.len());
@@ -63,12 +72,19 @@ impl Motion {
                 Some(last) => (last.time, last.numbers.len()),
                 None => (f32::NEG_INFINITY, numbers.len()),
             };
-            if !time.is_finite() {
-                return Err(Mistake::new(at, format!("time is {time}; must be finite")));
+            if !(-MAX_TIME..=MAX_TIME).contains(&time) {
+                let message = format!("time is {time}; must be -1e6 to 1e6");
+                return Err(Mistake::new(at, message));
             }
             if time <= before {
                 let message = format!("time is {time}; must be above {before}");
                 return Err(Mistake::new(at, message));
+            }
+            if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
+                return Err(Mistake::new(
+                    at,
+                    format!("value is {number}; must be finite"),
+                ));
             }
             if numbers.len() != count {
                 let message = format!("value length is {}; must be {count}", numbers.len());
@@ -86,34 +102,101 @@ impl Motion {
     pub fn at(&self, time: f32) -> (usize, Vec<f32>) {
         let (keys, last) = (&self.keys, self.keys.len() - 1);
         let time = match self.repeat {
-            true => time.rem_euclid(keys[last].time),
+            true => time.rem_euclid(self.end()),
             false => time,
         };
         let next = keys.partition_point(|key| key.time <= time);
         let (i, next) = (next.saturating_sub(1), next.min(last));
         let (start, end) = (&keys[i], &keys[next]);
-        let (before, after) = (&keys[i.saturating_sub(1)], &keys[last.min(next + 1)]);
-        let length = end.time - start.time;
-        let s = (time - start.time) / length;
+        let s = (time - start.time) / (end.time - start.time);
         let number = |n: usize| {
-            let [a, b, c, d] = [before, start, end, after].map(|key| key.numbers[n]);
+            let (b, c) = (start.numbers[n], end.numbers[n]);
+            // Rounding must not leave the range of the keys.
+            let inside = |value: f32| value.max(b.min(c)).min(b.max(c));
             match self.between {
                 // Constant outside the keys.
                 _ if i == next => b,
                 Between::Hold => b,
-                Between::Linear => b + (c - b) * s,
-                Between::Smooth => b + (c - b) * (s * s * (3.0 - 2.0 * s)),
+                Between::Linear => inside(b + (c - b) * s),
+                Between::Smooth => inside(b + (c - b) * (s * s * (3.0 - 2.0 * s))),
                 Between::Spline => {
-                    let leaving = (c - a) * (length / (end.time - before.time));
-                    let coming = (d - b) * (length / (after.time - start.time));
+                    let [leaving, coming] = self.slopes(i, n);
                     let (s2, s3) = (s * s, s * s * s);
-                    b * (2.0 * s3 - 3.0 * s2 + 1.0)
+                    let value = b * (2.0 * s3 - 3.0 * s2 + 1.0)
                         + c * (3.0 * s2 - 2.0 * s3)
                         + leaving * (s3 - 2.0 * s2 + s)
-                        + coming * (s3 - s2)
+                        + coming * (s3 - s2);
+                    match self.extremes(i, n).next() {
+                        Some(_) => value,
+                        None => inside(value),
+                    }
                 }
             }
         };
         (start.at, (0..start.numbers.len()).map(number).collect())
+    }
+
+    /// Returns the slopes of a spline after the key `i` and before the next one, times the seconds between them.
+    fn slopes(&self, i: usize, n: usize) -> [f32; 2] {
+        let last = self.keys.len() - 1;
+        let places = [i.saturating_sub(1), i, i + 1, last.min(i + 2)];
+        let [before, start, end, after] = places.map(|i| self.keys[i].time);
+        let [a, b, c, d] = places.map(|i| self.keys[i].numbers[n]);
+        let length = end - start;
+        [
+            (c - a) * (length / (end - before)),
+            (d - b) * (length / (after - start)),
+        ]
+    }
+
+    /// Returns the extremes of a spline between the key `i` and the next one, 0 to 1: the roots of its derivative.
+    fn extremes(&self, i: usize, n: usize) -> impl Iterator<Item = f32> {
+        let [b, c] = [i, i + 1].map(|i| f64::from(self.keys[i].numbers[n]));
+        let [leaving, coming] = self.slopes(i, n).map(f64::from);
+        let square = 6.0 * (b - c) + 3.0 * (leaving + coming);
+        let linear = -6.0 * (b - c) - 4.0 * leaving - 2.0 * coming;
+        let root = (linear * linear - 4.0 * square * leaving).sqrt();
+        let q = -0.5 * (linear + root.copysign(linear));
+        let roots = [q / square, leaving / q].map(|s| s as f32);
+        roots.into_iter().filter(|&s| 0.0 < s && s < 1.0)
+    }
+
+    /// Returns the times of keys and extremes, with repetitions up to a time.
+    pub fn times(&self, until: f32) -> Vec<f32> {
+        let mut times: Vec<f32> = self.keys.iter().map(|key| key.time).collect();
+        let period = times[times.len() - 1];
+        if self.between == Between::Spline {
+            for (i, pair) in self.keys.windows(2).enumerate() {
+                let (start, length) = (pair[0].time, pair[1].time - pair[0].time);
+                for n in 0..pair[0].numbers.len() {
+                    times.extend(self.extremes(i, n).map(|s| start + s * length));
+                }
+            }
+        }
+        if self.repeat && period > 0.0 {
+            times.retain(|&time| time >= 0.0);
+            let once = times.clone();
+            let starts = (1..MAX_CYCLES).map(|cycle| f32::from(cycle) * period);
+            for start in starts.take_while(|&start| start < until) {
+                times.extend(once.iter().map(|time| start + time));
+            }
+        }
+        times
+    }
+
+    /// Returns a motion that stays at the start.
+    pub fn frozen(&self) -> Self {
+        let (at, numbers) = self.at(0.0);
+        let time = 0.0;
+        Self {
+            of: self.of.clone(),
+            keys: vec![Key { at, time, numbers }],
+            ..*self
+        }
+    }
+
+    /// Returns the last key's time.
+    pub fn end(&self) -> f32 {
+        self.keys.last().map_or(0.0, |key| key.time)
     }
 }

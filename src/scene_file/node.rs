@@ -1,10 +1,12 @@
 //! The contents of a scene file as a tree with the places of values.
 
+use super::message::quoted;
 use ron::error::SpannedError;
 use ron::value::RawValue;
 use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
 use serde::de::{self, Deserializer, Error as _, IntoDeserializer};
 use serde::de::{Expected, MapAccess, SeqAccess, Unexpected, Visitor};
+use std::cmp::Reverse;
 use std::fmt;
 
 /// Follows the name of an unknown field.
@@ -13,7 +15,7 @@ pub const UNKNOWN: &str = " is unknown";
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Node {
     /// The name of the field or entry, or the index of the item.
-    name: String,
+    pub name: String,
     /// The value's offset in the text.
     pub at: usize,
     pub kind: Kind,
@@ -99,7 +101,7 @@ impl Node {
 }
 
 /// Returns the names and indices of a path.
-fn steps(path: &str) -> impl Iterator<Item = &str> {
+pub fn steps(path: &str) -> impl Iterator<Item = &str> {
     let steps = path.split(['.', '[']);
     steps.map(|step| step.trim_end_matches(']').trim_matches('"'))
 }
@@ -204,6 +206,7 @@ fn plain(expected: &dyn Expected) -> String {
         .replace("f32 values", "numbers")
         .replace("f32", "a number");
     let text = text.replace("a boolean", "true or false");
+    let text = text.replace("a map", "a table");
     text.replace("elements in sequence", "items")
         .replace("sequence", "list")
 }
@@ -218,6 +221,7 @@ impl de::Error for Mistake {
         let found = match found {
             Unexpected::Float(number) => number.to_string(),
             Unexpected::Seq => "a list".to_owned(),
+            Unexpected::Other(text) => quoted(text),
             other => other.to_string(),
         };
         Self::custom(format_args!(" is {found}; must be {}", plain(expected)))
@@ -229,22 +233,26 @@ impl de::Error for Mistake {
     }
 
     fn unknown_variant(name: &str, known: &'static [&'static str]) -> Self {
-        let known = known.join(", ");
+        let (name, known) = (quoted(name), known.join(", "));
         Self::custom(format_args!(" is {name}; must be one of {known}"))
     }
 
     fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
         // Fields of files only.
-        let own = match known {
-            ["camera", ..] => ", length, materials, motions",
-            ["of", ..] => ", keys",
-            ["shape", ..] => ", turn",
-            _ => "",
+        let own: &[&str] = match known {
+            ["camera", ..] => &["length", "materials", "motions"],
+            ["of", ..] => &["keys"],
+            ["shape", ..] => &["turn"],
+            _ => &[],
         };
+        let mut known: Vec<&str> = known.iter().chain(own).copied().collect();
+        // The most alike first: the end of a long list is cut.
+        known.sort_by_key(|known| {
+            let letters = known.chars().zip(name.chars());
+            Reverse(letters.take_while(|(a, b)| a == b).count())
+        });
         let known = known.join(", ");
-        Self::custom(format_args!(
-            ".{name}{UNKNOWN}; must be one of {known}{own}"
-        ))
+        Self::custom(format_args!(".{name}{UNKNOWN}; must be one of {known}"))
     }
 
     fn missing_field(name: &'static str) -> Self {

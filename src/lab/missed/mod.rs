@@ -47,9 +47,6 @@ struct Group {
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     let groups = groups(arguments);
-    for scene in groups.iter().flat_map(|group| &group.scenes) {
-        scene.validate()?;
-    }
     let mut counter = EffectCounter::new(arguments::processors(), arguments.size);
     let bar = progress::bar(groups.iter().map(|group| group.scenes.len()).sum());
     let mut columns = Vec::new();

@@ -39,8 +39,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<()> {
     let FrameArguments { scene, time, size } = arguments.frame;
     let samples = arguments.samples;
+    scene.check(time)?;
     let scene = transported(scene.without_overlay(time));
-    scene.validate()?;
     output::check(&arguments.out)?;
     let truth = draw(&scene, size, samples, arguments.seed);
     let pixels: Vec<u32> = truth.iter().map(Estimate::pixel).collect();

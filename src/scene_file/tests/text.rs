@@ -67,14 +67,16 @@ fn scene_is_read_as_it_was_written() {
 
 #[test]
 fn mutated_text_gives_a_line_and_a_column() {
-    const PIECES: &str = " ( ) ] { \" , : /* - 1e40 NaN é None";
-    let pieces: Vec<&str> = PIECES.split(' ').collect();
+    const PIECES: &str = " ( ) ] { \" , : /* // - 0,5 -2 9 1e40 NaN é None Some(() r# #![ \x1b[31m \u{202e} \u{7f} \r\n\t";
+    let (long, deep) = ("long".repeat(99), "[".repeat(200));
+    let mut pieces: Vec<&str> = PIECES.split(' ').collect();
+    pieces.extend([long.as_str(), &deep, "\n", "\r", " "]);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes");
     let mut refused = 0;
     for name in ["motion.ron", "blocks.ron", "lights.ron"] {
         let example = fs::read_to_string(folder.join(name)).expect("an example");
         let mut random = Random::new(2008);
-        for case in 0..150 {
+        for case in 0..300 {
             let mut text: Vec<char> = example.chars().collect();
             for _ in 0..=random.below(3) {
                 let at = random.below(text.len());
@@ -82,18 +84,83 @@ fn mutated_text_gives_a_line_and_a_column() {
                 text.splice(at..end, pieces[random.below(pieces.len())].chars());
             }
             let text: String = text.into_iter().collect();
-            let Err(fault) = SceneFile::parse("a.ron", &text) else {
-                continue;
+            let fault = match SceneFile::parse("a.ron", &text) {
+                Err(fault) => fault,
+                Ok(file) => {
+                    let time = file.length * random.unit() as f32;
+                    assert_eq!(file.check(time), Ok(()), "{name}, case {case}: {text}");
+                    continue;
+                }
             };
             let (line, column) = place(&fault).expect(&fault);
             let line = text.split('\n').nth(line - 1).expect(&fault);
             let is_there = (1..=line.chars().count() + 1).contains(&column);
+            let is_printable = !fault.contains(|letter: char| {
+                letter.is_control() || letter == '\u{202e}' || letter == '\u{feff}'
+            });
             assert!(
-                is_there && !fault.contains('\n'),
-                "{name}, case {case}: {fault}"
+                is_there && is_printable && fault.chars().count() <= 200,
+                "{name}, case {case}: {fault:?}"
             );
             refused += 1;
         }
     }
-    assert!(refused > 220, "{refused}");
+    assert!(refused > 500, "{refused}");
+}
+
+/// Text | place and message.
+const EXPLAINED: &str = r##"
+()\nf | 2:1: text is 'f'; must be the end of the file
+() // end\n\n  { x | 3:3: text is '{'; must be the end of the file
+(haze: 0,5) | 1:8: number is 0,5; must be 0.5
+(camera: (field_of_view: -0,75, up: (0, 1, 0))) | 1:26: number is -0,75; must be -0.75
+(haze: 1 | 1:9: file is incomplete
+(haze: 1, // no end | 1:20: file is incomplete
+(haze: 1, /* open | 1:11: comment is open; must end with */
+(haze: 1 // half\nexposure: 2) | 2:1: text is 'exposure:'; must be a comma
+(haze: 1.5.5) | 1:8: text is '1.5.5)'; must be a number
+(camera: (), \e[31mhaze: 3) | 1:14: text is '\u{1b}[31mhaze:'; must be a name
+(spheres: DEEP) | 1:74: brackets are nested too deep; must be at most 64
+(materials: {"a": (kd: LONG)}) | must be a number
+(materials: {haze: 1,\n  length: 3}) | 1:13: materials is {haze: 1, length: 3}; must be a table
+3 | 1:1: text is '3'; must be a scene
+(motions: 3) | 1:11: motions must be a list
+(motions: [(of: "", keys: [(0, 1)])]) | 1:28: path is ""; must lead to a value of the scene
+(motions: [(of: "materials", keys: [(0, 1)])]) | path is "materials"; must lead to a value of the scene
+"##;
+
+#[test]
+fn mistake_is_explained_at_its_place() {
+    let (deep, long) = ("[".repeat(3000), "A B ".repeat(300));
+    for row in EXPLAINED.trim().lines() {
+        let (text, says) = row.split_once(" | ").expect("two columns");
+        let text = text.replace("\\n", "\n").replace("\\e", "\x1b");
+        let text = text
+            .replace("DEEP", &deep)
+            .replace("LONG", &format!("{long:?}"));
+        let fault = SceneFile::parse("a.ron", &text).expect_err(says);
+        assert!(fault.contains(says), "{fault}");
+        assert!(place(&fault).is_some() && fault.len() <= 200, "{fault}");
+    }
+}
+
+#[test]
+fn long_or_odd_name_is_escaped_and_cut() {
+    let name = format!("{}\x1b[31m/\n{}.ron", "folder/".repeat(30), "x".repeat(30));
+    let fault = SceneFile::parse(&name, &"x ".repeat(200)).expect_err("not a scene");
+    let end = format!("\\u{{1b}}[31m/ {}.ron:1:3: text is 'x'", "x".repeat(30));
+    assert!(fault.starts_with("...") && fault.contains(&end), "{fault}");
+    assert!(fault.chars().count() <= 200, "{fault}");
+}
+
+#[test]
+fn byte_outside_utf_8_has_line_and_column() {
+    let fault = SceneFile::decode("a.ron", b"()\n// caf\xe9".to_vec());
+    let fault = fault.expect_err("not UTF-8");
+    assert_eq!(fault, "a.ron:2:7: byte is 0xe9; must be UTF-8");
+    let text = "(haze: 1) // \u{e9}".to_owned();
+    assert_eq!(
+        SceneFile::decode("a.ron", text.clone().into_bytes()),
+        Ok(text)
+    );
 }

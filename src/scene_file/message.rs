@@ -1,0 +1,167 @@
+//! Messages of one short line.
+
+use ron::Error as E;
+use ron::error::{Position, SpannedError};
+
+/// The most letters of a message with its place, of the name of its file, and of a word or a quotation in a longer message.
+const MAX_MESSAGE: usize = 200;
+const MAX_NAME: usize = 100;
+const MAX_WORD: usize = 60;
+
+/// The nesting that `ron` reads; each level takes two of its 128.
+const MAX_NESTING: usize = 64;
+
+/// Returns a message as one line of printable letters, at most 200. Cuts long words and quotations first, then the end.
+#[must_use]
+pub fn one_line(message: &str) -> String {
+    shortened(message, MAX_MESSAGE)
+}
+
+/// Returns a message after its place in a file.
+pub fn located(name: &str, text: &str, at: usize, message: &str) -> String {
+    let before = &text[..at];
+    let line = before.rsplit('\n').next().unwrap_or(before);
+    let (lines, column) = (before.matches('\n').count(), line.chars().count());
+    let mut name = visible(name);
+    if let Some(cut) = name.chars().count().checked_sub(MAX_NAME) {
+        name = format!("...{}", name.chars().skip(cut).collect::<String>());
+    }
+    let place = format!("{name}:{}:{}: ", lines + 1, column + 1);
+    let most = MAX_MESSAGE - place.chars().count();
+    place + &shortened(message, most)
+}
+
+/// Replaces white space by spaces, and escapes control characters and invisible marks, which could rearrange a terminal's text.
+fn visible(text: &str) -> String {
+    let mut line = String::new();
+    for letter in text.chars() {
+        match letter {
+            _ if letter.is_whitespace() => line.push(' '),
+            '\u{200b}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}'
+            | '\u{feff}' => {
+                line.extend(letter.escape_unicode());
+            }
+            _ if letter.is_control() => line.extend(letter.escape_unicode()),
+            _ => line.push(letter),
+        }
+    }
+    line
+}
+
+fn shortened(message: &str, most: usize) -> String {
+    let line = visible(message.trim());
+    if line.chars().count() <= most {
+        return line;
+    }
+    let parts = line.split('"').enumerate().map(|(i, part)| match i % 2 {
+        0 => {
+            let words = part.split(' ').map(|word| cut(word, MAX_WORD));
+            words.collect::<Vec<_>>().join(" ")
+        }
+        _ => cut(part, MAX_WORD),
+    });
+    cut(&parts.collect::<Vec<_>>().join("\""), most - 5)
+}
+
+/// Cuts a text after `most` letters, except for the last two punctuation marks.
+fn cut(text: &str, most: usize) -> String {
+    let Some((end, _)) = text.char_indices().nth(most) else {
+        return text.to_owned();
+    };
+    let signs = text[end..].rsplit(char::is_alphanumeric).next();
+    let signs: String = signs.unwrap_or_default().chars().take(2).collect();
+    format!("{}...{signs}", &text[..end])
+}
+
+/// Returns the start of a text that a message quotes.
+pub fn quoted(text: &str) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    match text.char_indices().nth(MAX_WORD) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text,
+    }
+}
+
+/// Returns the offset and the message of a mistake in the syntax.
+pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {
+    let at = match error.code {
+        E::TrailingCharacters => error.span.end,
+        _ => error.span.start,
+    };
+    let at = text.len() - after_space(&text[offset(text, at)..]).len();
+    let rest = &text[at..];
+    let is_digit = |letter: char| letter.is_ascii_digit();
+    let lacks_name = matches!(
+        error.code,
+        E::ExpectedIdentifier | E::InvalidIdentifier(_) | E::SuggestRawIdentifier(_)
+    );
+    if lacks_name
+        && let Some(whole) = text[..at].strip_suffix(',')
+        && whole.ends_with(is_digit)
+        && rest.starts_with(is_digit)
+    {
+        let start = whole
+            .trim_end_matches(|letter| is_digit(letter) || letter == '-')
+            .len();
+        let (whole, part) = (
+            &whole[start..],
+            rest.split(|letter| !is_digit(letter)).next(),
+        );
+        let part = part.unwrap_or_default();
+        let message = format!("number is {whole},{part}; must be {whole}.{part}");
+        return (start, message);
+    }
+    let incomplete = (text.len(), "file is incomplete".to_owned());
+    let is_over = after_space(&text[offset(text, error.span.end)..]).is_empty();
+    let is_other = matches!(error.code, E::InvalidValueForType { .. });
+    let expected = error.code.to_string();
+    let expected = match error.code {
+        E::TrailingCharacters => "the end of the file",
+        E::UnclosedBlockComment => {
+            let at = text[..at].rfind("/*").unwrap_or(at);
+            return (at, "comment is open; must end with */".to_owned());
+        }
+        E::ExceededRecursionLimit => {
+            let message = format!("brackets are nested too deep; must be at most {MAX_NESTING}");
+            return (at, message);
+        }
+        E::Eof | E::UnclosedLineComment => return incomplete,
+        _ if is_over && !is_other => return incomplete,
+        _ if lacks_name => "a name",
+        E::ExpectedComma => "a comma",
+        E::ExpectedMapColon => "a colon",
+        E::ExpectedFloat => "a number",
+        E::InvalidEscape(_) => "text with known escapes",
+        _ => {
+            let expected = expected.split(" but found").next().unwrap_or_default();
+            expected.strip_prefix("Expected ").unwrap_or("a value")
+        }
+    };
+    let found = rest.split_whitespace().next().unwrap_or_default();
+    (at, format!("text is '{found}'; must be {expected}"))
+}
+
+fn offset(text: &str, Position { line, col }: Position) -> usize {
+    let lines = text.split_inclusive('\n');
+    let before: usize = lines.take(line - 1).map(str::len).sum();
+    let letters = text[before..].char_indices().nth(col - 1);
+    letters.map_or(text.len(), |(at, _)| before + at)
+}
+
+/// Skips white space and comments.
+fn after_space(mut text: &str) -> &str {
+    loop {
+        text = text.trim_start();
+        let end = match text.get(..2) {
+            Some("//") => "\n",
+            Some("/*") => "*/",
+            _ => return text,
+        };
+        let Some((_, rest)) = text.split_once(end) else {
+            return text;
+        };
+        text = rest;
+    }
+}

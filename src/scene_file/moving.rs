@@ -1,0 +1,132 @@
+//! A scene that changes with time.
+
+use super::motion::Motion;
+use super::node::{Kind, Mistake, Node, steps};
+use eightfold_tracer::RangeError;
+use eightfold_tracer::glam::{EulerRot, Mat3};
+use eightfold_tracer::scene::Scene;
+use serde::Deserialize;
+
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Moving {
+    /// The contents of a file without the length and the motions.
+    pub tree: Node,
+    pub motions: Vec<Motion>,
+    /// A path in the scene, and the file's path of this value, if the tree is a part of a file.
+    pub alias: [String; 2],
+}
+
+impl Moving {
+    pub fn scene(&self, time: f32) -> Result<Scene, Mistake> {
+        Scene::deserialize(&self.tree_at(time)?)
+    }
+
+    /// Returns the scene if it is valid.
+    pub fn valid(&self, time: f32) -> Result<Scene, Mistake> {
+        let scene = self.scene(time)?;
+        match scene.validate() {
+            Ok(()) => Ok(scene),
+            Err(error) => Err(self.mistake(time, &error)),
+        }
+    }
+
+    /// Blames a motion, or at the start the value in the file if no motion sets it.
+    pub fn mistake(&self, time: f32, error: &RangeError) -> Mistake {
+        let text = error.to_string();
+        let path = text.split(" is ").next().unwrap_or_default();
+        let [from, to] = &self.alias;
+        let path = path.strip_prefix(from.as_str());
+        let path = path.map_or(String::new(), |rest| to.clone() + rest);
+        let is_set = |motion: &&Motion| steps(&motion.of).zip(steps(&path)).all(|(a, b)| a == b);
+        let is_cause = |motion: &&Motion| {
+            let mut other = self.clone();
+            let motions = other.motions.iter_mut();
+            motions
+                .filter(|it| it.index == motion.index)
+                .for_each(|it| *it = motion.frozen());
+            other
+                .scene(time)
+                .is_ok_and(|scene| scene.validate().is_ok())
+        };
+        let set = || self.motions.iter().filter(is_set);
+        let motion = set().find(is_cause).or(set().next());
+        let is_direct = motion.is_some();
+        let others = || self.motions.iter().filter(|_| time != 0.0);
+        let motion = motion.or(others().find(is_cause)).or(others().next());
+        let Some(motion) = motion else {
+            let at = |tree: Node| Mistake::new(tree.nearest(&path).at, text);
+            return self.tree_at(time).map_or_else(|mistake| mistake, at);
+        };
+        let (at, numbers) = motion.at(time);
+        let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();
+        let (i, range) = (motion.index, error.range);
+        let (value, rule) = match (is_direct, &numbers[..]) {
+            (true, _) => (format!("{path} to {}", error.found), String::new()),
+            (_, [number]) => (format!("{} to {number}", motion.of), path + " "),
+            _ => (
+                format!("{} to [{}]", motion.of, numbers.join(", ")),
+                path + " ",
+            ),
+        };
+        let millisecond = (time * 1e3).round() / 1e3;
+        let message =
+            format!("motions[{i}] sets {value} at {millisecond} s; {rule}must be {range}");
+        Mistake::new(at, message)
+    }
+
+    /// Returns the tree at a time, with materials in place of their names.
+    fn tree_at(&self, time: f32) -> Result<Node, Mistake> {
+        let mut tree = self.tree.clone();
+        for motion in &self.motions {
+            let of = &motion.of;
+            let message = format!("path is {of:?}; must lead to a value of the scene");
+            let (at, numbers) = motion.at(time);
+            let is_outside =
+                ["", "length", "motions"].contains(&steps(of).next().unwrap_or_default());
+            let place = Some(&mut tree).filter(|_| !is_outside && of != "materials");
+            let place = place.and_then(|tree| tree.place(of, at));
+            place.ok_or(Mistake::new(at, message))?.set(&numbers);
+        }
+        let materials = tree.take("materials").unwrap_or_default();
+        for list in ["spheres", "planes", "blocks"] {
+            let objects = tree.get_mut(list).map(|list| &mut list.parts);
+            for object in objects.into_iter().flatten() {
+                if let Some(material) = object.get_mut("material")
+                    && let Kind::Word(_) = material.kind
+                {
+                    let name = String::deserialize(&*material)?;
+                    let message = format!("material is {name:?}; must be in materials");
+                    let mistake = Mistake::new(material.at, message);
+                    material.copy(materials.get(&name).ok_or(mistake)?);
+                }
+                if list == "blocks" {
+                    turn(object)?;
+                }
+            }
+        }
+        Ok(tree)
+    }
+}
+
+/// Rotates the axes of a block by its `turn`: radians about its z axis first, then x, then y.
+fn turn(block: &mut Node) -> Result<(), Mistake> {
+    if let Some(axes) = block.get_mut("axes")
+        && axes.parts.len() == 3
+    {
+        // A file has a list per axis, serde one for all.
+        let numbers = axes.parts.iter().flat_map(|axis| axis.parts.clone());
+        axes.parts = numbers.collect();
+    }
+    if let Some(turn) = block.take("turn") {
+        let [x, y, z] = <[f32; 3]>::deserialize(&turn)?;
+        let mut axes = Mat3::from_euler(EulerRot::YXZ, y, x, z);
+        // A product with the identity loses the signs of zeros.
+        if let Some(before) = block.get("axes") {
+            axes = Mat3::deserialize(before)? * axes;
+        }
+        if let Some(place) = block.place("axes", turn.at) {
+            place.set(&axes.to_cols_array());
+        }
+    }
+    Ok(())
+}
