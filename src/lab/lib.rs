@@ -18,6 +18,7 @@ pub mod plot;
 pub mod progress;
 pub mod render;
 pub mod report;
+pub mod resources;
 pub mod row;
 pub mod scenes;
 pub mod seen;

@@ -1,6 +1,7 @@
 use clap::error::{ContextKind, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use eightfold_lab::arguments::{BAD_INPUT, Exit};
+use eightfold_lab::resources::{self, Heap, complain};
 use eightfold_lab::{bench, capture, figures, missed, render, report, size, trade, truth, view};
 use std::error::Error;
 use std::process::ExitCode;
@@ -30,7 +31,11 @@ enum Command {
     View(view::Arguments),
 }
 
+#[global_allocator]
+static HEAP: Heap = Heap;
+
 fn main() -> ExitCode {
+    resources::start();
     let lab = match Lab::try_parse() {
         Ok(lab) => lab,
         Err(error) => return explain(&error),
@@ -50,7 +55,7 @@ fn main() -> ExitCode {
     let Err(error) = done else {
         return ExitCode::SUCCESS;
     };
-    eprintln!("{error:#}");
+    complain(&format!("{error:#}"));
     error
         .downcast_ref::<Exit>()
         .map_or(ExitCode::FAILURE, |exit| exit.code.into())
@@ -58,16 +63,22 @@ fn main() -> ExitCode {
 
 fn explain(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        error.exit();
+        return match error.print() {
+            Ok(()) => u8::try_from(error.exit_code()).unwrap_or(BAD_INPUT).into(),
+            Err(why) => {
+                complain(&format!("standard output: cannot write: {why}"));
+                ExitCode::FAILURE
+            }
+        };
     }
     let mistake = error.source().and_then(|source| source.downcast_ref());
     if let Some(Exit { message, code }) = mistake {
-        eprintln!("{message}");
+        complain(message);
         return (*code).into();
     }
     let text = message(error).unwrap_or_else(|| error.to_string());
     let words: Vec<&str> = text.split_whitespace().collect();
-    eprintln!("{}", words.join(" "));
+    complain(&words.join(" "));
     BAD_INPUT.into()
 }
 

@@ -1,6 +1,6 @@
 //! Writes files, which appear whole or not at all.
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
 use serde::Serialize;
 use std::fs::{self, File, Permissions};
 use std::io::{self, Write};
@@ -50,9 +50,12 @@ pub fn part(name: &Path) -> Result<NamedTempFile> {
     builder.prefix(".lab-").suffix(&suffix);
     builder.permissions(Permissions::from_mode(0o666));
     let part = builder.tempfile_in(folder.unwrap_or(Path::new(".")));
-    // Omit the temporary name from the message.
-    let part = part.map_err(|error| io::Error::from(error.kind()));
-    part.with_context(|| cannot("write", name))
+    part.map_err(|error| {
+        // Omit the temporary name from the message.
+        let why = error.to_string();
+        let why = why.split(" at path ").next().unwrap_or_default();
+        anyhow!("{}: {why}", cannot("write", name))
+    })
 }
 
 pub fn persist(part: NamedTempFile, name: &Path) -> Result<()> {

@@ -30,7 +30,11 @@ impl ThreadedRenderer {
     /// `threads` includes the caller's.
     pub fn new(threads: usize) -> Self {
         let pool = Pool::new(threads);
-        assert_eq!(pool.threads(), threads, "the system starts no more threads");
+        let started = pool.threads();
+        assert!(
+            started == threads,
+            "number of started threads is {started}; must be {threads}"
+        );
         Self {
             renderer: Renderer::new(Level::baseline()),
             threads: PoolThreads {

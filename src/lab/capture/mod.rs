@@ -26,7 +26,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FOLDER")]
     png: Option<PathBuf>,
     /// Animation (.webp) or video with the show's sound (.mp4, .mkv), by ffmpeg
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = video::file)]
     video: Option<PathBuf>,
     /// PNG contact sheet of evenly spaced frames with their times, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]

@@ -1,14 +1,16 @@
 use super::recorder::Recorder;
+use crate::arguments::{Exit, Size};
 use crate::interrupt;
 use crate::{output, wav};
 use anyhow::{Context, Result, ensure};
 use std::fs;
 use std::io::{Read, Seek, Write};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-const INPUT: &str = "-v error -nostdin -y -f rawvideo -pixel_format 0rgb";
+/// Without `-xerror` ffmpeg reports success if a full disk truncates the end of a file.
+const INPUT: &str = "-v error -xerror -nostdin -y -f rawvideo -pixel_format 0rgb";
 /// All players support 4:2:0; without a colour space they would guess one. Rate factor 16 has no visible loss.
 const H264: &str = "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -crf 16 -pix_fmt yuv420p -colorspace bt709 \
                     -color_primaries bt709 -color_trc bt709 -color_range tv -movflags +faststart";
@@ -16,8 +18,21 @@ const H264: &str = "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -
 const AAC: &str = "-map 0:v -map 1:a -c:a aac -b:a 192k";
 const WEBP: &str = "-c:v libwebp_anim -quality 70 -loop 0";
 
+pub fn file(name: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
+    let end = path.extension().unwrap_or_default();
+    let is_known = ["mp4", "mkv", "webp"].iter().any(|known| end == *known);
+    let path = is_known.then_some(path);
+    path.ok_or_else(|| "must be a .mp4, .mkv or .webp file".to_owned())
+}
+
 pub fn write(recorder: &mut Recorder<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
     let kind = name.extension().unwrap_or_default();
+    let Size { width, height } = recorder.size;
+    if kind != "webp" && !(width.is_multiple_of(2) && height.is_multiple_of(2)) {
+        let message = format!("--size is {width}x{height}; must be even in .mp4 and .mkv files");
+        return Err(Exit::bad_input(message).into());
+    }
     let out = output::part(name)?;
     let mut ffmpeg = Command::new("ffmpeg");
     let (size, rate) = (
@@ -56,13 +71,24 @@ pub fn write(recorder: &mut Recorder<'_>, frames: Range<usize>, name: &Path) -> 
     }
     let status = ffmpeg.wait().context("ffmpeg's exit code is unknown")?;
     interrupt::check("the video is missing")?;
-    // ffmpeg reports success even if a full disk truncates the file.
     let mut text = String::new();
     errors.rewind()?;
     errors.read_to_string(&mut text)?;
-    let last = text.lines().last().unwrap_or("unknown error");
-    let error = format!("{}: ffmpeg cannot write: {last}", name.display());
-    ensure!(status.success() && text.is_empty(), error);
+    let is_empty = fs::metadata(out.path()).is_ok_and(|file| file.len() == 0);
+    let cause = cause(&text).replace(&out.path().display().to_string(), "the file");
+    let error = format!("{}: ffmpeg cannot write: {cause}", name.display());
+    ensure!(status.success(), error);
     sent.context("ffmpeg ended early")?;
+    ensure!(!is_empty, error);
     output::persist(out, name)
+}
+
+/// Returns ffmpeg's first line, which the others follow from, without the address of its part.
+fn cause(text: &str) -> &str {
+    let line = text.lines().find(|line| !line.trim().is_empty());
+    let line = line.unwrap_or("cause is unknown");
+    match line.split_once("] ") {
+        Some((part, rest)) if part.starts_with('[') => rest,
+        _ => line,
+    }
 }

@@ -25,6 +25,10 @@ view --quality 9 | --quality is '9'; must be one of exhaustive, thesis,
 capture | --png or --video or --sheet or --audio is missing
 capture --png x --video y.mp4 | --png conflicts with --video
 capture --png x --frames 5 | --png conflicts with --frames
+capture --video show.gif | --video is 'show.gif'; must be a .mp4, .mkv or .webp file
+capture --video show | --video is 'show'; must be a .mp4, .mkv or .webp file
+capture --video show.webm | --video is 'show.webm'; must be a .mp4, .mkv or .webp file
+capture --video /no/show.mp4 --size 333x250 | --size is 333x250; must be even in .mp4 and .mkv files
 capture --sheet - --fps 1001 | --fps is '1001'; must be 1 to 1000
 capture --sheet - --from 5 --to 5 | --from is 5; must be below 5
 capture --sheet - --from 6960 | --from is 6960; must be below 6960
@@ -40,6 +44,8 @@ fn bad_input_fails_in_one_line() {
         let (line, message) = row.split_once(" | ").expect("two columns");
         assert_one_line(&lab(line), 2, &[message]);
     }
+    let output = lab("render --out \x1b[31mred.jpg");
+    assert_one_line(&output, 2, &["--out is '\\u{1b}[31mred.jpg'; must be"]);
     let qualities = format!("exhaustive, thesis, {}", Quality::NAMES.join(", "));
     let output = lab(&format!("render --out - --quality {}", "x".repeat(99)));
     let message = format!(
@@ -59,7 +65,8 @@ fn unwritable_file_fails_at_once() {
         ("truth --out FILE/truth.png", "FILE/truth.png"),
         ("render --out FOLDER", "FOLDER"),
         ("render --out FOLDER/no/x.png", "FOLDER/no/x.png"),
-        ("render --out FOLDER/LONG", "FOLDER/LONG"),
+        ("capture --video FOLDER/no/x.mp4", "FOLDER/no/x.mp4"),
+        ("render --out FOLDER/LONG", "..."),
         ("bench --frames 100000 --json FILE/x", "FILE/x"),
         ("bench --frames 100000 --json FOLDER", "FOLDER"),
         ("trade --out FILE", "FILE"),
@@ -73,7 +80,11 @@ fn unwritable_file_fails_at_once() {
                 .replace("FOLDER", folder_name)
                 .replace("LONG", &"x".repeat(300))
         });
-        assert_one_line(&lab(&line), 1, &[&format!("{name}: cannot ")]);
+        let output = lab(&line);
+        assert_one_line(&output, 1, &[&format!("{name}: cannot ")]);
+        if line.contains("/no/") {
+            assert_one_line(&output, 1, &["cannot write: No such file or directory"]);
+        }
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }

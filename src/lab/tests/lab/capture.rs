@@ -1,4 +1,4 @@
-use super::{assert_one_line, command, interrupted, lab, printed, signal};
+use super::{assert_one_line, command, interrupted, lab, printed, signal, signalled, stderr};
 use eightfold::show;
 use eightfold::sound::RATE;
 use eightfold_lab::error::{Difference, worst_channel};
@@ -232,7 +232,10 @@ fn failing_ffmpeg_is_reported_in_one_line() {
     let video = folder.path().join("show.mp4");
     for (script, words) in [
         ("", ["ffmpeg cannot be started", "apt-get install ffmpeg"]),
-        ("echo 'no codec' >&2; exit 3", ["show.mp4", "no codec"]),
+        (
+            "echo '[mp4 @ 0x5f] no codec' >&2; echo later >&2; exit 3",
+            ["show.mp4: ffmpeg", "write: no codec"],
+        ),
         ("exit 0", ["ffmpeg", "ended early"]),
         ("/bin/cat > /dev/null; echo full >&2", ["show.mp4", "full"]),
     ] {
@@ -244,6 +247,40 @@ fn failing_ffmpeg_is_reported_in_one_line() {
         assert_one_line(&output, 1, &words);
         assert!(files(folder.path()).is_empty());
     }
+}
+
+#[test]
+fn warning_of_ffmpeg_keeps_video() {
+    let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let video = folder.path().join("show.mkv");
+    let script = "for last; do :; done; /bin/cat > \"$last\"; echo warning >&2";
+    write_ffmpeg(programs.path(), script);
+    let mut command = command(&line(&format!("--video {} --to 3", video.display())));
+    let output = command.env("PATH", programs.path()).output().unwrap();
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert_eq!(fs::read(&video).unwrap().len(), 3 * 4 * 48 * 32);
+}
+
+/// As when a terminal closes, whose shell sends the signal, too.
+#[cfg(target_os = "linux")]
+#[test]
+fn hang_up_leaves_no_file_unless_ignored() {
+    let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    write_ffmpeg(programs.path(), "exec /bin/cat > /dev/null");
+    let line = line(&format!("--video {}/show.mp4", folder.path().display()));
+    let output = signalled(command(&line).env("PATH", programs.path()), "HUP", 1);
+    assert_one_line(&output, 130, &["interrupted"]);
+    assert!(files(folder.path()).is_empty());
+    let ignoring = "trap '' HUP; \"$0\" \"$@\" & kill -s HUP $!; wait $!";
+    let mut sh = std::process::Command::new("sh");
+    let sh = sh.args(["-c", ignoring, env!("CARGO_BIN_EXE_lab")]);
+    let frames = format!(
+        "capture --scene model --size 8x8 --to 9 --png {}",
+        folder.path().display()
+    );
+    let (output, _) = run(sh.args(frames.split(' ')));
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert_eq!(files(folder.path()).len(), 9);
 }
 
 #[cfg(target_os = "linux")]

@@ -5,6 +5,7 @@ mod figures;
 mod ladder;
 mod missed;
 mod report;
+mod resources;
 mod scene;
 mod seen;
 mod size;
@@ -65,6 +66,8 @@ fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = stderr(output);
     assert_eq!(output.status.code(), Some(code), "{text}");
     assert_eq!(text.trim_end().lines().count(), 1, "{text}");
+    assert!(text.chars().count() <= 201, "{text}");
+    assert!(!text.trim_end().contains(char::is_control), "{text:?}");
     assert!(!text.contains(".lab-"), "{text}");
     for word in words {
         assert!(text.contains(word), "no {word} in: {text}");
@@ -80,9 +83,14 @@ fn signal(process: &str, name: &str) -> bool {
     status.unwrap().success()
 }
 
-/// Interrupts the command as soon as it handles the signal.
 #[cfg(target_os = "linux")]
 fn interrupted(command: &mut Command) -> Output {
+    signalled(command, "INT", 2)
+}
+
+/// Sends a signal as soon as the command handles it.
+#[cfg(target_os = "linux")]
+fn signalled(command: &mut Command, name: &str, number: u32) -> Output {
     let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
     let child = command.spawn().expect("the lab starts");
     let status = format!("/proc/{}/status", child.id());
@@ -91,9 +99,9 @@ fn interrupted(command: &mut Command) -> Output {
         let (_, caught) = status.split_once("SigCgt:").expect("a set of signals");
         let caught = caught.split_whitespace().next().expect("a number");
         let caught = u64::from_str_radix(caught, 16).expect("hexadecimal digits");
-        (caught >> 1 & 1 != 0).then_some(())
+        (caught >> (number - 1) & 1 != 0).then_some(())
     });
-    assert!(signal(&child.id().to_string(), "INT"));
+    assert!(signal(&child.id().to_string(), name));
     child.wait_with_output().unwrap()
 }
 

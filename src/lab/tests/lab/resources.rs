@@ -1,0 +1,73 @@
+use super::{assert_one_line, command, stderr};
+use eightfold_lab::progress::Progress;
+use std::fs::File;
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+
+/// Runs the lab under a shell's limit.
+fn limited(limit: &str, line: &str) -> Output {
+    let script = format!("ulimit {limit}; exec \"$0\" {line}");
+    let mut bash = Command::new("bash");
+    let bash = bash.args(["-c", &script, env!("CARGO_BIN_EXE_lab")]);
+    bash.env("RUST_BACKTRACE", "1").output().expect("bash runs")
+}
+
+#[test]
+fn full_device_fails_help() {
+    let full = File::create("/dev/full").expect("a device");
+    let output = command("--help").stdout(full).output().expect("it starts");
+    assert_one_line(
+        &output,
+        1,
+        &["standard output: cannot write: No space left"],
+    );
+}
+
+#[test]
+fn small_stack_fails_in_one_line() {
+    let output = limited("-s 96", "render --out -");
+    assert_one_line(
+        &output,
+        1,
+        &["stack limit in kB is 96; must be 1024 or more"],
+    );
+}
+
+#[test]
+fn refused_threads_fail_in_one_line() {
+    // The stack of a thread has 8 MiB.
+    let output = limited(
+        "-s 8192 -v 1000000",
+        "render --size 8x8 --threads 256 --out -",
+    );
+    assert_one_line(&output, 1, &["number of started threads is "]);
+}
+
+#[test]
+fn missing_memory_fails_in_one_line() {
+    let mut failed = 0;
+    for kilobytes in (60_000..240_000).step_by(20_000) {
+        let line = "render --size 3840x2160 --threads 1 --out -";
+        let output = limited(&format!("-v {kilobytes}"), line);
+        if !output.status.success() {
+            failed += 1;
+            assert_one_line(&output, 1, &["memory"]);
+        }
+        assert!(!stderr(&output).contains("backtrace"));
+    }
+    assert!(failed > 0, "no limit is low enough");
+}
+
+#[test]
+fn progress_without_terminal_has_line_every_ten_seconds() {
+    let start = Instant::now();
+    let progress = Progress::new(10, false, start);
+    progress.inc(5);
+    let after = |seconds| progress.due(start + Duration::from_secs(seconds));
+    let lines = [9, 10, 11, 20].map(after);
+    let line = |left: &str| Some(format!("50 %, {left} s to go"));
+    assert_eq!(lines, [None, line("10"), None, line("20")]);
+    let progress = Progress::new(10, true, start);
+    progress.inc(5);
+    assert_eq!(progress.due(start + Duration::from_secs(99)), None);
+}
