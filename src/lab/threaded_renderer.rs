@@ -34,7 +34,7 @@ impl ThreadedRenderer {
         let started = pool.threads();
         assert!(
             started == threads,
-            "{started} threads start; must be {threads}"
+            "number of started threads is {started}; must be {threads}"
         );
         Self {
             memory: BoxedMemory::new(),

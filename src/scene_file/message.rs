@@ -115,6 +115,7 @@ pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {
     }
     let incomplete = (text.len(), "file is incomplete".to_owned());
     let is_over = after_space(&text[offset(text, error.span.end)..]).is_empty();
+    let is_other = matches!(error.code, E::InvalidValueForType { .. });
     let expected = error.code.to_string();
     let expected = match error.code {
         E::TrailingCharacters => "the end of the file",
@@ -127,7 +128,7 @@ pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {
             return (at, message);
         }
         E::Eof | E::UnclosedLineComment => return incomplete,
-        _ if is_over => return incomplete,
+        _ if is_over && !is_other => return incomplete,
         _ if lacks_name => "a name",
         E::ExpectedComma => "a comma",
         E::ExpectedMapColon => "a colon",

@@ -44,7 +44,7 @@ pub struct Key {
 
 /// The largest time of a key, in seconds. Differences of larger ones would lose whole seconds, or overflow.
 const MAX_TIME: f32 = 1e6;
-/// The most repetitions whose times are returned.
+/// The most repetitions that are checked: motions with different periods meet in ever new ways.
 const MAX_CYCLES: u16 = 500;
 
 /// Returns the numbers of a scalar, a vector or a matrix.
@@ -79,6 +79,12 @@ impl Motion {
             if time <= before {
                 let message = format!("time is {time}; must be above {before}");
                 return Err(Mistake::new(at, message));
+            }
+            if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
+                return Err(Mistake::new(
+                    at,
+                    format!("value is {number}; must be finite"),
+                ));
             }
             if numbers.len() != count {
                 let message = format!("value length is {}; must be {count}", numbers.len());

@@ -54,7 +54,8 @@ impl Moving {
         let others = || self.motions.iter().filter(|_| time != 0.0);
         let motion = motion.or(others().find(is_cause)).or(others().next());
         let Some(motion) = motion else {
-            return Mistake::new(self.tree.nearest(&path).at, text);
+            let at = |tree: Node| Mistake::new(tree.nearest(&path).at, text);
+            return self.tree_at(time).map_or_else(|mistake| mistake, at);
         };
         let (at, numbers) = motion.at(time);
         let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();

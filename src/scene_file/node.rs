@@ -43,7 +43,7 @@ impl Node {
         node.map_err(|error| from.span_error(error))
     }
 
-    pub fn new(name: String, at: usize, kind: Kind) -> Self {
+    fn new(name: String, at: usize, kind: Kind) -> Self {
         let mut node = Self::default();
         (node.name, node.at, node.kind) = (name, at, kind);
         node
@@ -245,13 +245,12 @@ impl de::Error for Mistake {
             ["shape", ..] => &["turn"],
             _ => &[],
         };
-        let alike = |known: &&&str| {
+        let mut known: Vec<&str> = known.iter().chain(own).copied().collect();
+        // The most alike first: the end of a long list is cut.
+        known.sort_by_key(|known| {
             let letters = known.chars().zip(name.chars());
             Reverse(letters.take_while(|(a, b)| a == b).count())
-        };
-        // The end of a long list is cut.
-        let mut known: Vec<&str> = known.iter().chain(own).copied().collect();
-        known.sort_by_key(|name| alike(&name));
+        });
         let known = known.join(", ");
         Self::custom(format_args!(".{name}{UNKNOWN}; must be one of {known}"))
     }

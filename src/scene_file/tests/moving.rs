@@ -45,6 +45,8 @@ const REFUSED: &str = r#"
 (of: "lights[0].glow", keys: [(0, 3e38), (1, -3e38)]) | motions[0] sets lights[0].glow to -3000
 (of: "length", keys: [(0, 1), (1, 2)]) | 23: path is "length"; must lead to a value of the scene
 (of: "motions", keys: [(0, 1)]) | 24: path is "motions"; must lead to a value of the scene
+(of: "haze", keys: [(0, 1), (1, NaN), (2, 1)]) | 29: value is NaN; must be finite
+(of: "blocks[0].turn[0]", keys: [(0, 1), (1, inf)]) | 42: value is inf; must be finite
 (of: "haze", keys: [(0, 0), (1e9, 1)]) | 29: time is 1000000000; must be -1e6 to 1e6
 "#;
 

@@ -121,8 +121,9 @@ const EXPLAINED: &str = r##"
 (haze: 1.5.5) | 1:8: text is '1.5.5)'; must be a number
 (camera: (), \e[31mhaze: 3) | 1:14: text is '\u{1b}[31mhaze:'; must be a name
 (spheres: DEEP) | 1:74: brackets are nested too deep; must be at most 64
-(materials: {a: (kd: LONG)}) | must be a number
+(materials: {"a": (kd: LONG)}) | must be a number
 (materials: {haze: 1,\n  length: 3}) | 1:13: materials is {haze: 1, length: 3}; must be a table
+3 | 1:1: text is '3'; must be a scene
 (motions: 3) | 1:11: motions must be a list
 (motions: [(of: "", keys: [(0, 1)])]) | 1:28: path is ""; must lead to a value of the scene
 (motions: [(of: "materials", keys: [(0, 1)])]) | path is "materials"; must lead to a value of the scene

@@ -40,7 +40,7 @@ fn refused_threads_fail_in_one_line() {
         "-s 8192 -v 1000000",
         "render --size 8x8 --threads 256 --out -",
     );
-    assert_one_line(&output, 1, &[" threads start; must be 256"]);
+    assert_one_line(&output, 1, &["number of started threads is "]);
 }
 
 #[test]
