@@ -15,14 +15,14 @@ use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{Vec3, vec3};
 
 /// Asserts that at most 0.02 % of the pixels, or four, differ from the oracle's by more than 8/255, all on silhouettes, and the
-/// others by at most 0.01/255 on average, or 0.03/255 on film.
+/// others by at most 0.01/255 on average, or 0.05/255 on film.
 #[track_caller]
 fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     let expected = frame.picture_like(&drawn.pixels);
     let difference = Difference::between(&expected, &drawn.pixels);
     let mean = mean_of_right(&expected, &drawn.pixels);
     // The gamma of film enlarges the rounding errors of dark colours.
-    let most = if frame.film.filmic { 0.03 } else { 0.01 };
+    let most = if frame.film.filmic { 0.05 } else { 0.01 };
     assert!(mean <= most, "{what}: {mean}, {difference:?}");
     let most = (expected.len() / 5000).max(4);
     assert!(difference.over_8 <= most, "{what}: {difference:?}");

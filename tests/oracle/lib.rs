@@ -3,6 +3,7 @@
 //! It is scalar and recursive, in f64, with textbook formulas, and shares only the scene description with the library. The lab's path
 //! tracer uses its geometry and shading.
 
+mod ambient;
 pub mod error;
 pub mod frame;
 pub mod geometry;

@@ -145,7 +145,7 @@ fn block_penumbra(block: &Block, p: DVec3, to_light: &ToLight, light: &Light) ->
 }
 
 /// Returns the vector to a point, along a block's axes, from the block's nearest point, and its signed length.
-fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
+pub(super) fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
     let core = match block.shape {
         Shape::Box => DVec3::ZERO,
         Shape::Cylinder => p.with_y(0.0).clamp_length_max(half.x),

@@ -16,14 +16,14 @@ enum State {
 }
 
 pub struct Hit<'a> {
-    object: Object,
+    pub(super) object: Object,
     pub material: &'a Material,
     /// The ray from this point on, in the same direction.
     pub ray: Ray,
     pub t: f64,
     /// The normal towards the ray, of length 1.
     pub n: DVec3,
-    is_inside: bool,
+    pub(super) is_inside: bool,
     groove: DVec3,
     pub painted: DVec3,
 }
@@ -112,7 +112,7 @@ impl Oracle<'_> {
             };
             return cut(light + glow);
         };
-        let mut colour = self.scene.ambient.as_dvec3() * hit.painted;
+        let mut colour = self.ambient(&hit, weight, path) * hit.painted;
         let mut states = Vec::new();
         for light in self.scene.lights.iter() {
             let (state, light) = self.lit(light, &hit, traced);
@@ -212,7 +212,7 @@ impl Oracle<'_> {
     }
 }
 
-fn depth(path: u32) -> u32 {
+pub(super) fn depth(path: u32) -> u32 {
     path.ilog2()
 }
 

@@ -1,7 +1,7 @@
 use crate::{Random, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
-    Block, Camera, Caption, CopperBar, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SPHERES,
-    Material, Plane, Scene, Shape, Sphere, Waves,
+    Ambience, Block, Camera, Caption, CopperBar, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS,
+    MAX_SPHERES, Material, Plane, Scene, Shape, Sphere, Waves,
 };
 use glam::{Vec3, vec3};
 
@@ -146,6 +146,14 @@ fn add_air(scene: &mut Scene, random: &mut Random) {
             vignette: random.between(0.0, 0.5),
             dither: random.between(0.0, 1.0),
             tolerance: random.between(0.0, 1.0),
+        };
+    }
+    if random.below(2) == 0 {
+        scene.ambience = Ambience {
+            occlusion: random.between(0.1, 1.0),
+            reach: random.between(0.1, 3.0),
+            ground: random.colour(),
+            bounce: random.zero_or(0.1, 1.0),
         };
     }
     if random.below(2) == 0 {

@@ -1,11 +1,13 @@
 //! Computes the per-frame data of a scene.
 
+mod ambience;
 mod film;
 mod light;
 mod object;
 mod surface;
 mod tree;
 
+pub(crate) use ambience::{Ambience, Bounds, CAPACITY, Neighbour, Tap};
 #[cfg(test)]
 pub(crate) use film::ROUND;
 pub(crate) use film::{Dither, Film, Four};
@@ -55,6 +57,7 @@ pub(crate) struct Prepared {
     /// The width of a pixel at distance 1.
     pub pixel: f32,
     pub tree: Tree,
+    pub ambience: Ambience,
     pub solids: usize,
     lights: [PreparedLight; MAX_LIGHTS],
     pub light_count: usize,
@@ -79,6 +82,7 @@ impl Prepared {
             raster: Raster::ZERO,
             pixel: 0.0,
             tree: Tree::ZERO,
+            ambience: Ambience::ZERO,
             solids: 0,
             lights: [const { PreparedLight::ZERO }; MAX_LIGHTS],
             light_count: 0,
@@ -124,6 +128,7 @@ impl Prepared {
         self.light_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
+        self.ambience.set(scene, self.tree.solid_nodes());
         self.has_patterns = false;
         self.has_details = !scene.blocks.is_empty();
         for i in 0..=self.background() {

@@ -18,7 +18,7 @@ pub(crate) enum Parameter {
     InverseRadius = 3,
     /// 0 for visible lights and the background.
     IsLit = 4,
-    /// A colour: the reflected ambient light, or the colour of a visible light or the background.
+    /// A colour: the reflected ambient light (the share that is reflected, with ambience), or the colour of a visible light or the background.
     Emitted = 5,
     Diffuse = 8,
     /// A colour: the factor on a light's colour in its highlight.
@@ -61,7 +61,9 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
         Object::Background => scene.background,
         Object::Sphere(_) | Object::Block(_) | Object::Plane(_) => {
             set(Parameter::IsLit, &[1.0]);
-            material.colour * scene.ambient
+            // With ambience, the ambient light depends on the point.
+            let is_uniform = scene.ambience.occlusion == 0.0;
+            material.colour * if is_uniform { scene.ambient } else { Vec3::ONE }
         }
     };
     match object {

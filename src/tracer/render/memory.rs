@@ -26,7 +26,7 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// The size in bytes, at most 850,000, for pictures of any size.
+    /// The size in bytes, at most 1,000,000, for pictures of any size.
     pub const BYTES: usize = size_of::<Self>();
 
     /// Returns empty memory.
@@ -118,4 +118,4 @@ impl Default for Memory {
     }
 }
 
-const _: () = assert!(Memory::BYTES <= 850_000 && Memory::BYTES + 16 * Worker::BYTES < 8 << 20);
+const _: () = assert!(Memory::BYTES <= 1_000_000 && Memory::BYTES + 16 * Worker::BYTES < 8 << 20);

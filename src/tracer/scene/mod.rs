@@ -2,6 +2,7 @@
 //!
 //! Units are in [the crate's conventions](crate#conventions).
 
+mod ambience;
 mod block;
 pub(crate) mod camera;
 mod film;
@@ -14,6 +15,7 @@ mod serial;
 mod validate;
 mod waves;
 
+pub use ambience::Ambience;
 pub use block::Block;
 pub use camera::{Camera, Raster};
 pub use film::Film;
@@ -24,6 +26,7 @@ pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
+use crate::maths::{cos, smooth_step};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::PI;
 use glam::{Mat3, Vec3, Vec3A};
@@ -65,8 +68,10 @@ pub struct Scene {
     pub exposure: f32,
     /// The conversion of light to the picture's colours.
     pub film: Film,
-    /// The ambient light on all surfaces, 0 to 1e9 in each channel.
+    /// The ambient light on all surfaces, or from above, see [`Ambience`]; 0 to 1e9 in each channel.
     pub ambient: Vec3,
+    /// The occlusion of ambient light, and the ambient light from below.
+    pub ambience: Ambience,
     /// The overlay that explains the rendering method.
     pub method: Method,
     /// The spheres, in any order.
@@ -111,6 +116,7 @@ impl Scene {
             exposure: 1.0,
             film: Film::PLAIN,
             ambient: Vec3::ZERO,
+            ambience: Ambience::UNIFORM,
             method: Method::PLAIN,
             spheres: List::over(Sphere::new(Vec3::ZERO, 0.0, material)),
             planes: List::over(Plane::new(Vec3::ZERO, 0.0, 0.0, material)),
@@ -522,6 +528,13 @@ impl Spot {
             inner_angle: 0.75 * outer_angle,
             outer_angle,
         }
+    }
+
+    /// Returns the share of the light in a direction of length 1.
+    pub(crate) fn share(&self, d: Vec3A) -> f32 {
+        let inward = d.dot(self.aim.normalize().into());
+        let [outer, inner] = [self.outer_angle, self.inner_angle].map(cos);
+        smooth_step(((inward - outer) / (inner - outer)).clamp(0.0, 1.0))
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {

@@ -47,6 +47,7 @@ impl Scene {
         Checked::one("exposure").field("", self.exposure, Range(0.0, 11.0, "0 to 11"))?;
         self.film.check(Checked::one("film"))?;
         Checked::one("ambient").field("", self.ambient, LENGTH)?;
+        self.ambience.check(Checked::one("ambience"))?;
         self.method.check(Checked::one("method"))?;
         each("spheres", &self.spheres, Sphere::check)?;
         each("planes", &self.planes, Plane::check)?;

@@ -9,7 +9,7 @@ use glam::{Mat3, Vec3A};
 pub(super) const TINY: f32 = 1e-12;
 
 #[inline(always)]
-pub(super) fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
+pub(crate) fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {
         x: v.dot(Vec3x::splat(simd, axes.x_axis)),
         y: v.dot(Vec3x::splat(simd, axes.y_axis)),

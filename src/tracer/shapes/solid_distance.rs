@@ -33,25 +33,24 @@ pub(crate) fn approach<S: Isa>(
     (outside(simd, block, &o.add_scaled(d, t)).distance, t)
 }
 
-struct Outside<S: Isa> {
+pub(crate) struct Outside<S: Isa> {
     /// From the nearest point of the block, along its axes; 0 inside.
-    out: Vec3x<S>,
+    pub out: Vec3x<S>,
     /// Negative inside.
-    distance: F<S>,
+    pub distance: F<S>,
 }
 
 #[inline(always)]
-fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S> {
+pub(crate) fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S> {
     let zero = splat(simd, 0.0);
-    let beyond = |c: F<S>, half: f32| c - clamp::<S>(c, splat(simd, -half), splat(simd, half));
     let half = block.half;
     let y = p.y.abs() - half.y;
     match block.shape {
         Shape::Box => {
             let out = Vec3x {
-                x: beyond(p.x, half.x),
-                y: beyond(p.y, half.y),
-                z: beyond(p.z, half.z),
+                x: beyond(simd, p.x, half.x),
+                y: beyond(simd, p.y, half.y),
+                z: beyond(simd, p.z, half.z),
             };
             let deepest = (p.x.abs() - half.x).max(y.max(p.z.abs() - half.z));
             Outside {
@@ -62,7 +61,7 @@ fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S> {
         Shape::Cylinder | Shape::Capsule => {
             let is_capsule = block.shape == Shape::Capsule;
             let end = if is_capsule { half.y - half.x } else { half.y };
-            let upright = beyond(p.y, end);
+            let upright = beyond(simd, p.y, end);
             // From the axis, or a capsule's core.
             let core = if is_capsule { upright } else { zero };
             let length = at_least::<S>(
@@ -83,4 +82,10 @@ fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S> {
             }
         }
     }
+}
+
+/// Returns the coordinates from the nearest number between `-half` and `half`.
+#[inline(always)]
+fn beyond<S: Isa>(simd: S, c: F<S>, half: f32) -> F<S> {
+    c - clamp::<S>(c, splat(simd, -half), splat(simd, half))
 }

@@ -17,12 +17,13 @@ pub(super) struct Reflected<S: Isa> {
     pub specular: Vec3x<S>,
 }
 
-/// Returns the reflected light of all sources, and adds their states to the keys.
+/// Returns the reflected light of all sources and the `ambient` light, and adds their states to the keys.
 #[inline(always)]
 pub(super) fn gather<S: Isa>(
     tracer: Tracer<'_, S>,
     surface: &SurfaceLanes<'_, S>,
     point: &ShadingPoint<S>,
+    ambient: Vec3x<S>,
     keys: &mut Keys<S>,
     occluders: &mut Occluders,
     counts: &mut Counts,
@@ -49,7 +50,7 @@ pub(super) fn gather<S: Isa>(
         keys.push(lit, counted);
     }
     Reflected {
-        untextured: surface.emitted() + surface.vector(Parameter::Diffuse) * diffuse,
+        untextured: ambient + surface.vector(Parameter::Diffuse) * diffuse,
         specular: surface.vector(Parameter::Highlight) * specular,
     }
 }

@@ -9,12 +9,13 @@
 //! | nearest hits: planes and spheres, then candidate blocks | `intersect` |
 //! | points, normals, grooves, patterns and waves there | `surface`, `point`, `texture`, `waves` |
 //! | shadows, spotlights and penumbrae | `visibility`, `shadow` |
-//! | reflected light | `light` |
+//! | reflected light | `light`, `ambient` |
 //! | haze, glow and secondary rays | `shade`, `air` |
 //! | sums of the points | `accumulator` |
 
 mod accumulator;
 mod air;
+mod ambient;
 mod candidates;
 mod intersect;
 mod key;

@@ -1,5 +1,6 @@
 use super::accumulator::Contribution;
 use super::air::{self, AirLanes};
+use super::ambient;
 use super::intersect::Hit;
 use super::key::Keys;
 use super::light;
@@ -36,10 +37,17 @@ pub(super) fn shade<S: Isa>(
     let mut keys = Keys::new(simd, quality, active, rays);
     if shaded.any_true() {
         let point = &ShadingPoint::new(simd, world, rays, hit, &surface, shaded);
+        let ambient = if world.ambience.is_on {
+            let light = ambient::light(tracer, rays, point);
+            Vec3x::select(shaded, colour * light, colour)
+        } else {
+            colour
+        };
         let reflected = light::gather(
             tracer,
             &surface,
             point,
+            ambient,
             &mut keys,
             &mut batch.occluders,
             &mut batch.counts,
