@@ -185,7 +185,7 @@ impl Search<'_> {
 
     /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
     /// is inside the region. If all corners show the plane and one side of the region cuts the square, one of them is inside: a half-plane
-    /// that meets a square contains a corner. Shadows wait for [`Search::settle`], since another one may cover the square.
+    /// that meets a square contains a corner. If an object hides the other corners, one outside has to show the plane. Shadows wait for [`Search::settle`], since another one may cover the square.
     fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
         let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
         let cuts = region.sides.cuts(rect, region.margin);
@@ -197,7 +197,9 @@ impl Search<'_> {
             _ => region.corners(rect),
         };
         let covered = &mut self.covered[y % SQUARE_ROWS];
-        let is_open = shown & inside < self.enough;
+        // Where an object hides the other corners, the plane may show between the object and the outline.
+        let is_between = shown != ALL && shown & !inside == 0;
+        let is_open = is_between || shown & inside < self.enough;
         if inside == ALL {
             covered.wholly.set(x);
         } else if is_open && self.light.is_none() {

@@ -29,10 +29,11 @@
 //!
 //! # Best effort
 //!
-//! - Other shadows on planes: a capsule counts as the cylinder around it, a cylinder from above as a hexagonal prism, an area light as its
-//!   centre, and a spotlight also where it does not shine.
+//! - Other shadows on planes: a capsule's bound is the cylinder around it, a cylinder's from above a hexagonal prism, an area light counts
+//!   as its centre, and a spotlight also where it does not shine. A corner counts as dark inside the prism in the cylinder, or in the
+//!   capsule without its round ends.
 //! - Slits of light between two shadows from one light: a square stays open if each covers some of its corners. Slits flicker without
-//!   this rule.
+//!   this rule. It also stays open if a shadow covers some corners, and an object hides all others.
 //! - Images of cylinders and capsules, which count as prisms.
 //! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on
 //!   another face.

@@ -34,49 +34,45 @@ pub(super) enum Sides {
         /// See [`BoundingCone::unsure`](super::view).
         unsure: f32,
     },
-    /// The rays on the inner side of eight planes.
+    /// The rays on the inner side of eight planes around the object, and of eight planes inside it.
     Flat {
-        terms: [Terms; 2],
-        /// At a smaller depth, rays may miss the object.
-        unsure: f32,
+        outer: [Terms; 2],
+        inner: [Terms; 2],
     },
 }
 
 impl Sides {
-    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward for `corner`, see
+    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward for `corner`, see
     /// [`CORNER`](crate::rounding::CORNER). `to` is the block's centre.
     #[inline(never)]
     pub fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
         let half = Vec3A::from(block.half);
         let slack = corner * (to.abs() + half).element_sum() + hit_error(block.centre.into(), 0.0);
-        let silhouette = Silhouette::new(block.shape, inward * to, half + slack);
-        let has_none = silhouette.has_none;
-        let rays = rays.map(|ray| across(block.shape, inward * ray));
-        let mut unsure = 0.0_f32;
-        let terms = [1.0, -1.0].map(|sign| {
-            let [x, y] = silhouette.ends(sign);
-            let scale = Vec4::select(has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
-            // The root of 3 for the length of rays, the root of 2 for the scale's sum of two coordinates, and once more for a light's
-            // longer rays.
-            unsure = unsure.max(3.5 * slack * scale.abs().max_element());
-            let mut terms = rays.map(|[a, b]| {
-                // NaN inside a cylinder.
-                Vec4::select(has_none, Vec4::ZERO, (b * x - a * y) * scale)
-            });
-            terms[2] += Vec4::select(has_none, Vec4::ONE, Vec4::ZERO);
-            terms
-        });
-        Self::Flat { terms, unsure }
+        let (shape, centre) = (block.shape, inward * to);
+        let rays = rays.map(|ray| across(shape, inward * ray));
+        // A cylinder contains the prism of a hexagon inside its circle, a capsule the same without its round ends.
+        let ends = if shape == Shape::Capsule { half.x } else { 0.0 };
+        let inside = half - slack - Vec3A::Y * ends;
+        let inner = if inside.min_element() > 0.0 {
+            Silhouette::new(shape, centre, inside, SINE).terms(&rays)
+        } else {
+            [[Vec4::ZERO, Vec4::ZERO, Vec4::NEG_ONE]; 2]
+        };
+        Self::Flat {
+            outer: Silhouette::new(shape, centre, half + slack, 1.0).terms(&rays),
+            inner,
+        }
     }
 
     pub fn of_rectangle(rays: &[Vec3A; 3], eye: Vec3A, plane: &Plane) -> Self {
+        let terms = [
+            rays.map(|ray| plane::sides(plane, eye, ray)),
+            [Vec4::ZERO, Vec4::ZERO, Vec4::ONE],
+        ];
         Self::Flat {
-            terms: [
-                rays.map(|ray| plane::sides(plane, eye, ray)),
-                [Vec4::ZERO, Vec4::ZERO, Vec4::ONE],
-            ],
-            unsure: 0.0,
+            outer: terms,
+            inner: terms,
         }
     }
 
@@ -107,8 +103,8 @@ impl Sides {
                     }
                 }
             }
-            Self::Flat { terms, .. } => {
-                for terms in terms {
+            Self::Flat { outer, .. } => {
+                for terms in outer {
                     let terms = terms.map(|terms| terms.to_array());
                     for i in 0..4 {
                         let [right, down, terms] = terms.map(|terms| splat(simd, terms[i]));
@@ -122,12 +118,12 @@ impl Sides {
     /// Returns the number of sides that may cut a rectangle: 2 for a cone.
     #[inline(always)]
     pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
-        let Self::Flat { terms, .. } = self else {
+        let Self::Flat { inner, .. } = self else {
             return 2;
         };
         let middle = (rect.xy() + rect.zw()) * 0.5;
         let half = rect.zw() - middle;
-        let cuts = terms.map(|[right, down, terms]| {
+        let cuts = inner.map(|[right, down, terms]| {
             let least = right * middle.x - right.abs() * half.x
                 + (down * middle.y - down.abs() * half.y)
                 + terms;
@@ -150,9 +146,9 @@ impl Sides {
                 let [x, y, z, w] = at(terms);
                 w * (1.0 - unsure) - (x * x + y * y + z * z).sqrt()
             }
-            Self::Flat { terms, .. } => {
+            Self::Flat { inner, .. } => {
                 let [first, second] = [0, 1].map(|i| {
-                    let [x, y, z, w] = at(&terms[i]);
+                    let [x, y, z, w] = at(&inner[i]);
                     x.min(y).min(z.min(w))
                 });
                 first.min(second)
@@ -189,15 +185,11 @@ impl Region {
     /// Returns the region inside some sides. `rounding` is the applicable share of [`SIDE`].
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
         let rounding = SIDE * axes.reach * rounding;
-        let unsure = match sides {
-            Sides::Flat { unsure, .. } => unsure * axes.reach,
-            Sides::All | Sides::Round { .. } => 0.0,
-        };
         Self {
             bounds,
             sides,
             rounding,
-            margin: rounding + unsure,
+            margin: rounding,
         }
     }
 
@@ -231,12 +223,13 @@ struct Silhouette {
 }
 
 impl Silhouette {
-    /// Returns a block's silhouette from the origin. All vectors are along its own axes; its centre is at `centre`.
-    pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
+    /// Returns a block's silhouette from the origin. All vectors are along its own axes; its centre is at `centre`. Seen along its axis a
+    /// cylinder or capsule is a circle; across, it has the sides of a hexagon of the inner radius `hexagon` radii.
+    pub fn new(shape: Shape, centre: Vec3A, half: Vec3A, hexagon: f32) -> Self {
         let [a, b] = across(shape, centre);
         let [half_a, mut half_b] = across(shape, half);
         if shape != Shape::Box {
-            half_b = Vec4::splat(half.x);
+            half_b = Vec4::new(hexagon, 1.0, hexagon, hexagon) * half.x;
         }
         let is_beside = a.abs().cmpgt(half_a);
         Self {
@@ -248,6 +241,20 @@ impl Silhouette {
             is_beside,
             has_none: !(is_beside | b.abs().cmpgt(half_b)),
         }
+    }
+
+    /// Returns the depths of rays inside the planes through the silhouette edges.
+    fn terms(&self, rays: &[[Vec4; 2]; 3]) -> [Terms; 2] {
+        [1.0, -1.0].map(|sign| {
+            let [x, y] = self.ends(sign);
+            let scale = Vec4::select(self.has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
+            let mut terms = rays.map(|[a, b]| {
+                // NaN inside a cylinder.
+                Vec4::select(self.has_none, Vec4::ZERO, (b * x - a * y) * scale)
+            });
+            terms[2] += Vec4::select(self.has_none, Vec4::ONE, Vec4::ZERO);
+            terms
+        })
     }
 
     /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1.
@@ -265,7 +272,6 @@ impl Silhouette {
         let mut x = Vec4::select(is_left, a - half_a, a + half_a);
         match self.shape {
             Shape::Box => {}
-            // Seen along its axis a cylinder or capsule is a circle.
             Shape::Cylinder | Shape::Capsule => {
                 [x.y, y.y] = tangent_point(a.y, b.y, half_b.y, sign)
             }

@@ -122,6 +122,33 @@ impl Bounds {
     }
 }
 
+/// Returns the least distance of the segment between two points from a block's centre, where the surface is at 1.
+fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
+    let inward = block.axes.as_dmat3().transpose();
+    let half = block.half.as_dvec3();
+    let distance = |share: f64| {
+        let own = inward * (from + (to - from) * share - block.centre.as_dvec3());
+        let round = own.x.hypot(own.z) / half.x;
+        let beyond = (own.y.abs() - (half.y - half.x)).max(0.0) / half.x;
+        match block.shape {
+            Shape::Box => (own / half).abs().max_element(),
+            Shape::Cylinder => round.max(own.y.abs() / half.y),
+            Shape::Capsule => round.hypot(beyond),
+        }
+    };
+    // It is convex.
+    let [mut low, mut high] = [0.0, 1.0];
+    for _ in 0..100 {
+        let [left, right] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+        if distance(left) < distance(right) {
+            high = right;
+        } else {
+            low = left;
+        }
+    }
+    distance(low)
+}
+
 /// Returns the pixel that shows a point, if it is in the picture.
 fn seen(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
     let d = point - eye.as_dvec3();
@@ -163,6 +190,58 @@ proptest! {
             }
         }
     }
+}
+
+/// The hexagon inside a cylinder's end is off the circle by up to 1.087, where the silhouette ends between two of its corners.
+#[test]
+fn certain_points_are_in_shadow() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let points = vector(1.5, -1.5..1.5);
+    let mut draw = || points.new_tree(&mut runner).expect("no filter").current();
+    let points: Vec<_> = (0..200).map(|_| draw().as_dvec3()).collect();
+    let mut certain = 0;
+    for _ in 0..400 {
+        let tree = scene(3.0, 1.0).new_tree(&mut runner);
+        let scene = tree.expect("it has no filter").current();
+        let bounds = Bounds::of(&scene);
+        let (coverage, axes) = (&bounds.coverage, &bounds.coverage.axes);
+        let (eye, block) = (scene.camera.eye.as_dvec3(), &scene.blocks[0]);
+        let light = scene.lights[0].position.as_dvec3();
+        let mut outlines = coverage.outlines[..coverage.outlined].iter();
+        let number = outlines.position(
+            |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == 1),
+        );
+        let Some(number) = number else { continue };
+        let prepared = &bounds.prepared;
+        let region = coverage.region(
+            World {
+                scene: &scene,
+                prepared,
+            },
+            number,
+        );
+        for &at in &points {
+            let point = within(block, at);
+            let below = light + (point - light) * (light.y / (light.y - point.y));
+            let Some([x, y]) = seen(axes, scene.camera.eye, below) else {
+                continue;
+            };
+            let rect = axes.rect(rectangle(x, y, x + 1, y + 1));
+            if region.corners(rect) & 1 != 0 {
+                let [right, down, ahead] = axes.rows.map(|row| row.as_dvec3());
+                let d = right * f64::from(rect.x) + down * f64::from(rect.y) + ahead;
+                let off = nearest(block, eye - d * (eye.y / d.y), light);
+                let most = if block.shape == Shape::Box {
+                    1.0
+                } else {
+                    1.087
+                };
+                assert!(off < most + 1e-3, "{off} of {block:?}");
+                certain += 1;
+            }
+        }
+    }
+    assert!(certain > 4000, "{certain}");
 }
 
 #[test]
