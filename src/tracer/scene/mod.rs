@@ -67,6 +67,9 @@ pub struct Scene {
     pub film: Film,
     /// The ambient light on all surfaces, 0 to 1e9 in each channel.
     pub ambient: Vec3,
+    /// Whether rays beyond [`Quality::depth`](crate::Quality::depth) and
+    /// [`Quality::least_contribution`](crate::Quality::least_contribution) are black, as in the 2008 thesis.
+    pub black_beyond: bool,
     /// The overlay that explains the rendering method.
     pub method: Method,
     /// The spheres, in any order.
@@ -111,6 +114,7 @@ impl Scene {
             exposure: 1.0,
             film: Film::PLAIN,
             ambient: Vec3::ZERO,
+            black_beyond: false,
             method: Method::PLAIN,
             spheres: List::over(Sphere::new(Vec3::ZERO, 0.0, material)),
             planes: List::over(Plane::new(Vec3::ZERO, 0.0, 0.0, material)),
