@@ -54,6 +54,7 @@ impl Environment {
         scene.sky = self.sky;
         scene.ambient = self.ambient;
         scene.haze = self.haze;
+        scene.black_beyond = false;
         scene.film = self.film;
         scene.planes.clear();
         let half = self.floor_half;

@@ -16,6 +16,7 @@ pub fn model(time: f32, scene: &mut Scene) {
     scenes::model::ENVIRONMENT.apply(time / BEAT, scene);
     scene.camera = orbit(vec3(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
     scene.exposure = 1.0;
+    scene.black_beyond = true;
     scene.method = Method::default();
     scene.captions.clear();
 }

@@ -7,6 +7,7 @@ pub use crate::lanes::ROUND_TO_INTEGER;
 use crate::lanes::*;
 use core::f64::consts::TAU;
 use fearless_simd::f32x4;
+use glam::Vec3A;
 
 /// Returns the square root, correctly rounded.
 #[must_use]
@@ -70,6 +71,11 @@ pub fn round(x: f32) -> f32 {
 pub fn smooth_step(u: f32) -> f32 {
     let u = u.clamp(0.0, 1.0);
     u * u * (3.0 - 2.0 * u)
+}
+
+/// Normalises a vector: NaN or infinite for zero, where `Vec3A::normalize` panics with glam's feature `glam-assert`.
+pub(crate) fn unit(v: Vec3A) -> Vec3A {
+    v * v.length_recip()
 }
 
 #[cfg(test)]

@@ -35,9 +35,10 @@ pub struct Quality {
     pub state_depth: u32,
     /// The strength `ks (r.v)^h` above which a light's state is "lit with a highlight" instead of "lit", 0 to infinity.
     pub highlight: f32,
-    /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`].
+    /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`]. A ray beyond it returns the background in its direction or the
+    /// ambient light, the brighter in each channel, unless the scene is [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
     pub depth: u32,
-    /// The least weight of secondary rays, 0 to infinity.
+    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the same as rays beyond `depth`.
     pub least_contribution: f32,
     /// Whether edges are antialiased. The point half-way between two pixels at an edge is traced and mixed into both; up to three
     /// more points on each side find the edge by bisection.

@@ -6,6 +6,7 @@ use eightfold_window::cpu;
 mod accuracy;
 mod antialias;
 mod convex;
+mod depth;
 mod drawn;
 mod error_measures;
 mod errors;

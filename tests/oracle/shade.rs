@@ -121,8 +121,10 @@ impl Oracle<'_> {
         }
         self.note(object, &states, weight, path, traced);
         let transmittance = self.transmittance(t);
-        let own = cut(self.behind(ray.d).lerp(colour, transmittance) + glow);
-        own + transmittance * self.secondary(&hit, weight * transmittance as f32, path, traced)
+        let own = self.behind(ray.d).lerp(colour, transmittance) + glow;
+        let left = weight * transmittance as f32;
+        let [seen, untraced] = self.secondary(&hit, left, path, traced);
+        cut(own + transmittance * untraced) + transmittance * seen
     }
 
     /// Returns the integral of the glow around lights, in closed form.
@@ -151,22 +153,24 @@ impl Oracle<'_> {
         1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2))
     }
 
-    fn secondary(&self, hit: &Hit<'_>, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
-        let mut colour = DVec3::ZERO;
-        if depth(path) == self.quality.depth {
-            return colour;
-        }
+    /// Returns the light of secondary rays, and the light of the ones that are not traced.
+    fn secondary(&self, hit: &Hit<'_>, weight: f32, path: u32, traced: &mut Traced) -> [DVec3; 2] {
+        let [mut seen, mut untraced] = [DVec3::ZERO; 2];
         for (bounce, node) in hit.bounces().into_iter().zip(2 * path..) {
             let Some((d, share)) = bounce else {
                 continue;
             };
             let weight = weight * share;
-            if weight >= self.quality.least_contribution {
-                let seen = self.follow(hit.ray.turned(d), weight, node, traced);
-                colour += f64::from(share) * seen;
+            let is_traced = depth(path) < self.quality.depth;
+            if is_traced && weight >= self.quality.least_contribution {
+                let light = self.follow(hit.ray.turned(d), weight, node, traced);
+                seen += f64::from(share) * light;
+            } else if !self.scene.black_beyond {
+                let light = self.behind(d).max(self.scene.ambient.as_dvec3());
+                untraced += f64::from(share) * light;
             }
         }
-        colour
+        [seen, untraced]
     }
 
     fn lit(&self, light: &Light, hit: &Hit<'_>, traced: &mut Traced) -> (State, DVec3) {

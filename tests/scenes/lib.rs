@@ -12,6 +12,8 @@
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known`] | scenes that once failed |
 //!
+//! `assertions.rs` draws them with the assertions of glam enabled.
+//!
 //! A new kind is a function from a [`Random`] to a scene, of parts from [`materials`], [`lights`] and [`solids`].
 
 pub mod artists;

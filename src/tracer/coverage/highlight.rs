@@ -155,7 +155,8 @@ impl Coverage {
                     // If the centre is off the block, use the nearest surface point.
                     if let Object::Block(block) = object {
                         let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
-                        place.p = axes * (axes.transpose() * place.p).clamp(-half, half);
+                        // `clamp` may panic if a half is invalid.
+                        place.p = axes * (axes.transpose() * place.p).max(-half).min(half);
                     }
                     let half_exponent = 0.5 * material.exponent;
                     let Some(seen) = place.seen(&self.axes, eye, light, half_exponent) else {

@@ -1,5 +1,6 @@
 //! The surface points that mirror a light to the eye. All positions are relative to the object's centre.
 
+use crate::maths::unit;
 use crate::prepare::Object;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
@@ -64,7 +65,7 @@ impl Mirror {
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));
         let [eye, light] = [eye - axis * heights[0], light - axis * heights[1]];
-        let mut n = (eye.normalize() + light.normalize()).normalize();
+        let mut n = unit(unit(eye) + unit(light));
         let mut height = 0.0;
         for _ in 0..NEWTON_STEPS {
             let [near, far] = [eye, light].map(|point| point - n * radius);
@@ -74,7 +75,7 @@ impl Mirror {
             let length = half.length();
             // The derivative of the bisector's angle with respect to the normal's, negated.
             let back = 0.25 * radius * (a + b) * length;
-            n = (n + (half / length - n) / (1.0 + back)).normalize();
+            n = unit(n + (half / length - n) / (1.0 + back));
         }
         Self {
             p: n * radius + axis * height,

@@ -2,7 +2,7 @@
 
 use super::screen::ScreenBounds;
 use super::sides::{Sides, Terms};
-use crate::maths::sqrt;
+use crate::maths::{sqrt, unit};
 use crate::prepare::{BvhNode, Object};
 use crate::rounding::{CORNER, HIT, UNSURE, WIDE, WIDER};
 use glam::{Vec3A, Vec4};
@@ -124,7 +124,7 @@ impl BoundingCone {
         }
         let [u, v] = [right, down].map(|normal| {
             // All planes share one direction. Across it the problem is two-dimensional.
-            let along = normal.cross(*forward).normalize();
+            let along = unit(normal.cross(*forward));
             let shared = axis.dot(along);
             let cosine = sqrt(1.0 - sine * sine - shared * shared);
             let across = along.cross(axis) * sine;

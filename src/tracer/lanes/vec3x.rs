@@ -34,6 +34,19 @@ impl<S: Simd> Vec3x<S> {
         at_least::<S>(at_least::<S>(self.x, self.y), self.z)
     }
 
+    /// Returns the larger of both in each component.
+    #[inline(always)]
+    pub fn at_least(self, b: Self) -> Self
+    where
+        S: Isa,
+    {
+        Self {
+            x: at_least::<S>(self.x, b.x),
+            y: at_least::<S>(self.y, b.y),
+            z: at_least::<S>(self.z, b.z),
+        }
+    }
+
     /// Returns `self + b s`.
     #[inline(always)]
     pub fn add_scaled(self, b: Self, s: F<S>) -> Self {

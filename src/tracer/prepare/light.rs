@@ -3,7 +3,7 @@
 use super::object::ObjectId;
 use super::surface::bounded;
 use super::tree::{BvhNode, MAX_NODES};
-use crate::maths::{cos, sqrt};
+use crate::maths::{cos, sqrt, unit};
 use crate::rounding::{BOUND, COSINE, hit_error};
 use crate::scene::{Block, Light, Spot};
 use glam::{Mat3A, Vec3, Vec3A};
@@ -48,7 +48,7 @@ impl SpotCone {
 
     fn new(spot: Spot) -> Self {
         Self {
-            aim: spot.aim.normalize(),
+            aim: unit(spot.aim.into()).into(),
             cos_inner: cos(spot.inner_angle),
             cos_outer: cos(spot.outer_angle),
         }

@@ -86,7 +86,7 @@ impl Camera {
         );
         let right = unit(
             forward.cross(self.up.into()),
-            forward.any_orthonormal_vector(),
+            unit(forward.any_orthogonal_vector(), Vec3A::X),
         );
         let up = right.cross(forward);
         let half_angle = self.field_of_view * 0.5;

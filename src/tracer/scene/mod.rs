@@ -26,7 +26,7 @@ pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
-use crate::maths::{cos, smooth_step};
+use crate::maths::{cos, smooth_step, unit};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::PI;
 use glam::{Mat3, Vec3, Vec3A};
@@ -72,6 +72,9 @@ pub struct Scene {
     pub ambient: Vec3,
     /// The occlusion of ambient light, and the ambient light from below.
     pub ambience: Ambience,
+    /// Whether rays beyond [`Quality::depth`](crate::Quality::depth) and
+    /// [`Quality::least_contribution`](crate::Quality::least_contribution) are black, as in the 2008 thesis.
+    pub black_beyond: bool,
     /// The overlay that explains the rendering method.
     pub method: Method,
     /// The spheres, in any order.
@@ -117,6 +120,7 @@ impl Scene {
             film: Film::PLAIN,
             ambient: Vec3::ZERO,
             ambience: Ambience::UNIFORM,
+            black_beyond: false,
             method: Method::PLAIN,
             spheres: List::over(Sphere::new(Vec3::ZERO, 0.0, material)),
             planes: List::over(Plane::new(Vec3::ZERO, 0.0, 0.0, material)),
@@ -532,7 +536,7 @@ impl Spot {
 
     /// Returns the share of the light in a direction of length 1.
     pub(crate) fn share(&self, d: Vec3A) -> f32 {
-        let inward = d.dot(self.aim.normalize().into());
+        let inward = d.dot(unit(self.aim.into()));
         let [outer, inner] = [self.outer_angle, self.inner_angle].map(cos);
         smooth_step(((inward - outer) / (inner - outer)).clamp(0.0, 1.0))
     }

@@ -29,16 +29,12 @@ impl<S: Isa> AirLanes<S> {
         if world.is_clear {
             return None;
         }
-        let rise = at_least::<S>(d.y, splat(simd, 0.0));
-        let gradient = rise * (rise * -1.0 + 2.0);
         // Haze does not dim visible lights.
         let density = surface
             .is_light()
             .select(splat(simd, 0.0), t * (world.haze + BACKGROUND_HAZE));
-        let [horizon, sky] =
-            [world.scene.background, world.scene.sky].map(|colour| Vec3x::splat(simd, colour));
         Some(Self {
-            sky: horizon.add_scaled(sky, gradient),
+            sky: sky(simd, world, d),
             transmittance: splat::<S>(simd, 1.0) / (density * density + 1.0),
         })
     }
@@ -47,6 +43,16 @@ impl<S: Isa> AirLanes<S> {
     pub fn veil(&self, colour: Vec3x<S>) -> Vec3x<S> {
         self.sky.add_scaled(colour - self.sky, self.transmittance)
     }
+}
+
+/// Returns the background along directions of length 1.
+#[inline(always)]
+pub(super) fn sky<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
+    let rise = at_least::<S>(d.y, splat(simd, 0.0));
+    let gradient = rise * (rise * -1.0 + 2.0);
+    let [horizon, sky] =
+        [world.scene.background, world.scene.sky].map(|colour| Vec3x::splat(simd, colour));
+    horizon.add_scaled(sky, gradient)
 }
 
 /// Larger than the distance of any surface or light, with a finite square.

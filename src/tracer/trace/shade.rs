@@ -11,6 +11,7 @@ use super::surface::SurfaceLanes;
 use super::{Batch, Tracer};
 use crate::lanes::*;
 use crate::prepare::Parameter;
+use glam::Vec3A;
 
 /// Pushes the secondary rays of hits, and returns the hits' contributions.
 #[inline(always)]
@@ -34,6 +35,7 @@ pub(super) fn shade<S: Isa>(
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
     let mut field = U::<S>::splat(simd, 0);
+    let mut untraced = Vec3x::splat(simd, Vec3A::ZERO);
     let mut keys = Keys::new(simd, quality, active, rays);
     if shaded.any_true() {
         let point = &ShadingPoint::new(simd, world, rays, hit, &surface, shaded);
@@ -58,7 +60,7 @@ pub(super) fn shade<S: Isa>(
         colour = reflected.specular.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
-        scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
+        untraced = scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
     }
     if let Some(air) = &air {
         colour = air.veil(colour);
@@ -67,14 +69,15 @@ pub(super) fn shade<S: Isa>(
         colour = colour + air::glow(simd, world, rays, hit.t);
     }
     Contribution {
-        colour: colour.scaled(active.select(rays.weight, splat(simd, 0.0))),
+        colour: untraced.add_scaled(colour, active.select(rays.weight, splat(simd, 0.0))),
         key: keys.terms(simd, quality, hit.object, field),
         untextured: untextured.scaled(weight),
         reflectance,
     }
 }
 
-/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
+/// Pushes the transmitted and the reflected rays, and returns the light of the ones beyond the quality's limits. The weight of
+/// `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
 #[inline(always)]
 fn scatter<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -83,7 +86,7 @@ fn scatter<S: Isa>(
     point: &ShadingPoint<S>,
     marks: U<S>,
     stack: &mut RayStack,
-) {
+) -> Vec3x<S> {
     let (simd, quality) = (tracer.isa, tracer.quality);
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
@@ -107,14 +110,15 @@ fn scatter<S: Isa>(
     kr = kr + gain * (one - kr);
     let kt = surface.number(Parameter::Kt) * (one - gain);
     // On total reflection the transmitted weight goes to the reflected ray.
-    let mut through = M::<S>::splat(simd, false);
+    let mut refracted = M::<S>::splat(simd, false);
+    let mut through = refracted;
     let mut transmitted = Rays {
         o: p.add_scaled(n, hit_error * -2.0),
         d: point.r,
         weight: zero,
         slot_path: (reflected + 1) | (departure ^ INWARD),
     };
-    let glass = follow & kt.simd_gt(zero);
+    let glass = point.shaded & kt.simd_gt(zero);
     if glass.any_true() {
         let eta = point.inside.select(
             surface.number(Parameter::Index),
@@ -125,7 +129,8 @@ fn scatter<S: Isa>(
         let total = k.simd_lt(zero);
         kr = (glass & total).select(kr + kt, kr);
         transmitted.weight = parents.weight * kt;
-        through = glass & !total & transmitted.weight.simd_ge(least);
+        refracted = glass & !total;
+        through = follow & refracted & transmitted.weight.simd_ge(least);
         let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
         transmitted.d = parents.d.scaled(eta).add_scaled(n, along);
     }
@@ -144,4 +149,23 @@ fn scatter<S: Isa>(
     if back.any_true() {
         stack.push(simd, &reflected, back);
     }
+    untraced(tracer, &transmitted, refracted & !through)
+        + untraced(tracer, &reflected, point.shaded & !back)
+}
+
+/// Returns the light of rays that are not traced: the brighter of background and ambient light in each channel.
+///
+/// The background is right for rays that leave the scene, the ambient light for rays between surfaces. In crowds of glass at the
+/// fastest preset's limits, the maximum has 30 dB against deeper rays, the background 29 dB, the ambient light 23 dB, and black 20 dB.
+#[inline(always)]
+fn untraced<S: Isa>(tracer: Tracer<'_, S>, rays: &Rays<S>, lost: M<S>) -> Vec3x<S> {
+    let (simd, world) = (tracer.isa, tracer.world);
+    let none = Vec3x::splat(simd, Vec3A::ZERO);
+    let lost = lost & rays.weight.simd_gt(splat(simd, 0.0));
+    if world.scene.black_beyond || !lost.any_true() {
+        return none;
+    }
+    let ambient = Vec3x::splat(simd, world.scene.ambient);
+    let light = air::sky(simd, world, &rays.d).at_least(ambient);
+    Vec3x::select(lost, light.scaled(rays.weight), none)
 }

@@ -1,0 +1,156 @@
+//! Rays beyond a quality's limits are neither black nor brighter than their surroundings.
+
+use crate::cpu;
+use crate::drawn::{draw, draw_best, isa_of, named};
+use crate::error::Difference;
+use eightfold_scenes::solids::SHAPES;
+use eightfold_scenes::{Kinds, cases, materials, materials_of};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
+use glam::{Vec3, vec3};
+
+/// Qualities of every depth, with all weights traced, few, and none.
+fn limits() -> impl Iterator<Item = Quality> {
+    let weights = [0.0, 0.01, 0.05, f32::INFINITY];
+    (0..=Quality::MAX_DEPTH).flat_map(move |depth| {
+        weights.map(|least_contribution| Quality {
+            depth,
+            least_contribution,
+            ..Quality::EXHAUSTIVE
+        })
+    })
+}
+
+#[track_caller]
+fn assert_white(scene: &Scene, seed: u64) {
+    for quality in limits() {
+        let drawn = draw(isa_of(seed), 2, scene, &quality, 64, 48);
+        let channels = drawn.pixels.iter().flat_map(|pixel| pixel.to_be_bytes());
+        let darkest = channels.skip(1).step_by(4).min();
+        assert!(darkest >= Some(250), "{darkest:?}, {quality:?}, {scene:?}");
+    }
+}
+
+/// Surfaces that lose no light, in ambient light as bright as the background.
+#[test]
+fn white_furnace_is_white_at_every_depth() {
+    let white = Material {
+        kr: 0.04,
+        fresnel: 1.0,
+        kt: 0.96,
+        index: 0.667,
+        ..Material::BLACK
+    };
+    let bubble = Scene {
+        camera: Camera::new(4.0 * Vec3::Z, Vec3::ZERO, 0.6),
+        spheres: List::of(&[Sphere::new(Vec3::ZERO, 1.0, white)]),
+        ..furnace(Scene::default())
+    };
+    assert_white(&bubble, 0);
+    for mut random in cases(24) {
+        let mut scene = furnace(Kinds::RICH.scene(&mut random));
+        for material in materials_of(&mut scene) {
+            *material = materials::plain(&mut random);
+            material.colour = Vec3::splat(1.0 - material.kr - material.kt);
+        }
+        assert_white(&scene, random.seed);
+    }
+}
+
+fn furnace(scene: Scene) -> Scene {
+    Scene {
+        background: Vec3::ONE,
+        sky: Vec3::ZERO,
+        ambient: Vec3::ONE,
+        exposure: 1.0,
+        lights: List::default(),
+        film: Default::default(),
+        ..scene
+    }
+}
+
+fn mirror(centre: Vec3, half: Vec3) -> Block {
+    let material = Material {
+        kr: 0.95,
+        ..Material::BLACK
+    };
+    Block::new(SHAPES[0], centre, half, material)
+}
+
+#[test]
+fn facing_mirrors_show_no_black_pixel() {
+    let half = vec3(2.0, 1.0, 0.05);
+    let mirrors = [-1.0, 1.0].map(|z| mirror(vec3(0.0, 1.0, z), half));
+    let floor = Material::matt(Vec3::ONE, 0.6);
+    let ball = Material::matt(vec3(1.0, 0.3, 0.1), 0.8);
+    for (background, ambient) in [(0.6, 0.3), (0.01, 0.3), (0.6, 0.05)] {
+        let scene = Scene {
+            camera: Camera::new(vec3(0.0, 1.0, 0.9), vec3(0.3, 1.0, -1.0), 1.0),
+            background: Vec3::splat(background),
+            ambient: Vec3::splat(ambient),
+            planes: List::of(&[Plane::new(Vec3::ZERO, 5.0, 5.0, floor)]),
+            blocks: List::of(&mirrors),
+            spheres: List::of(&[Sphere::new(vec3(0.3, 0.5, 0.0), 0.3, ball)]),
+            lights: List::of(&[Light::new(vec3(1.0, 5.0, 0.0), Vec3::splat(0.7))]),
+            ..Scene::default()
+        };
+        for quality in named().chain([Quality::EXHAUSTIVE]) {
+            let drawn = draw(cpu::best(), 2, &scene, &quality, 320, 240).pixels;
+            let black = drawn.iter().filter(|&&pixel| pixel == 0).count();
+            assert_eq!(black, 0, "{background}, {ambient}, {quality:?}");
+        }
+    }
+}
+
+#[test]
+fn black_beyond_blackens_untraced_rays() {
+    for kt in [0.0, 1.0] {
+        let material = Material {
+            kr: 1.0 - kt,
+            kt,
+            ..Material::BLACK
+        };
+        let scene = Scene {
+            spheres: List::of(&[Sphere::new(Vec3::ZERO, 0.5, material)]),
+            black_beyond: true,
+            ..furnace(Scene::default())
+        };
+        let middle = |depth| {
+            let quality = Quality {
+                depth,
+                ..Quality::EXHAUSTIVE
+            };
+            draw_best(&scene, &quality, 9, 9).pixels[40]
+        };
+        assert_eq!([middle(0), middle(2)], [0, 0xff_ffff], "kt {kt}");
+    }
+}
+
+/// Two glass balls in a row, and the eye inside a mirror: the fastest preset drew both black.
+#[test]
+fn fastest_shows_glass_and_mirrors_behind_others() {
+    let floor = Material::matt(vec3(0.8, 0.4, 0.4), 0.8);
+    let ball = |centre, radius| Sphere::new(centre, radius, Material::glass(1.5));
+    let balls = Scene {
+        camera: Camera::new(vec3(0.0, 1.0, 6.0), Vec3::Y, 0.7),
+        background: vec3(0.35, 0.45, 0.6),
+        ambient: Vec3::splat(0.2),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 30.0, 30.0, floor)]),
+        spheres: List::of(&[ball(Vec3::Y, 1.0), ball(vec3(0.4, 1.0, -2.0), 0.8)]),
+        lights: List::of(&[Light::new(vec3(-4.0, 6.0, 4.0), vec3(0.8, 0.8, 0.75))]),
+        ..Scene::default()
+    };
+    let mut inside = balls.clone();
+    inside.spheres.clear();
+    inside
+        .blocks
+        .push(mirror(vec3(0.0, 1.0, 6.0), Vec3::splat(0.5)));
+    for (scene, least) in [(balls, 20.0), (inside, 20.0)] {
+        let fastest = Quality::LADDER[Quality::LADDER.len() - 1];
+        let [expected, drawn] = [fastest.reference(), fastest]
+            .map(|quality| draw_best(&scene, &quality, 320, 180).pixels);
+        let psnr = Difference::between(&expected, &drawn).psnr;
+        println!("{psnr:.1} dB");
+        assert!(psnr >= least, "{psnr} dB");
+    }
+}

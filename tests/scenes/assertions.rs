@@ -1,0 +1,93 @@
+//! Frames never panic while glam asserts its conditions, which any crate of a program can enable for all:
+//!
+//!     cargo test -p eightfold-scenes --features glam-assert
+
+use eightfold_scenes::text::Text;
+use eightfold_scenes::{Hidden, Kinds, Random, Seen, cases, crowd, materials, shiny};
+use eightfold_tracer::scene::{Camera, MAX_LENGTH, Scene};
+use eightfold_tracer::{Frame, Quality, Renderer, Worker};
+use glam::{Vec3, vec3};
+use std::panic::catch_unwind;
+
+fn draw(renderer: &mut Renderer, scene: &Scene) {
+    for quality in [Quality::THESIS, Quality::DEFAULT] {
+        let mut pixels = [0; 48 * 32];
+        let frame = Frame::new(48, 32, &mut pixels);
+        renderer.render_valid(scene, &quality, frame, &mut Worker::new());
+    }
+}
+
+fn scene(random: &mut Random) -> Scene {
+    let shiny_blocks = Kinds {
+        material: materials::shiny,
+        ..Kinds::RICH
+    };
+    match random.below(7) {
+        0 => Hidden::BLOCKS.scene(random),
+        1 => random.one_of(Seen::ALL).view(random)[0].scene.clone(),
+        2 => crowd(random, [8, 8], [0.3, 0.3]),
+        3 => shiny(random, true),
+        4 => shiny_blocks.scene(random),
+        _ => Kinds::EXTREME.scene(random),
+    }
+}
+
+/// Returns scenes whose directions and normals have no length: the eye and lights straight above, at, or in the middle of objects.
+fn degenerate(random: &mut Random) -> [Scene; 4] {
+    let mut scene = scene(random);
+    let places = scene.spheres.iter().map(|sphere| sphere.centre);
+    let places = places.chain(scene.blocks.iter().map(|block| block.centre));
+    let places: Vec<Vec3> = places.chain([Vec3::ZERO]).collect();
+    let place = places[random.below(places.len())];
+    scene.camera.up = vec3(0.3, 1.0, 0.2);
+    [
+        place,
+        place + 3.0 * Vec3::Y,
+        place + Vec3::splat(1e-22),
+        Vec3::splat(MAX_LENGTH),
+    ]
+    .map(|eye| {
+        let mut scene = scene.clone();
+        scene.camera.eye = eye;
+        scene.camera.look_at = random.one_of([place, eye + Vec3::Z, eye + Vec3::NEG_Y]);
+        let lights = scene.lights.iter_mut();
+        lights.for_each(|light| light.position = random.one_of([eye, place, place + Vec3::Y]));
+        if scene.validate().is_err() {
+            scene.camera = Camera::default();
+        }
+        scene
+    })
+}
+
+#[test]
+fn glam_asserts_its_conditions() {
+    assert!(catch_unwind(|| Vec3::ZERO.normalize()).is_err());
+}
+
+#[test]
+fn valid_scenes_meet_all_conditions_of_glam() {
+    let mut renderer = Renderer::detect();
+    for mut random in cases(100) {
+        let valid = scene(&mut random);
+        for scene in degenerate(&mut random).iter().chain([&valid]) {
+            println!("case {}", random.seed);
+            assert_eq!(scene.validate(), Ok(()));
+            draw(&mut renderer, scene);
+        }
+    }
+}
+
+#[test]
+fn invalid_scenes_never_fail_conditions_of_glam() {
+    let mut renderer = Renderer::detect();
+    let wrong = [f32::NAN, f32::INFINITY, -1.0, 0.0, 1e-40, 1e20];
+    for mut random in cases(40) {
+        let text = Text::of(&scene(&mut random));
+        for _ in 0..8 {
+            let number = random.below(text.numbers.len());
+            let (scene, field) = text.scene_with(number, random.one_of(wrong));
+            println!("case {}, {field}", random.seed);
+            draw(&mut renderer, &scene);
+        }
+    }
+}
