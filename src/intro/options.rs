@@ -35,6 +35,7 @@ pub struct Options {
     pub task: Task,
     /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
     pub size: (usize, usize),
+    pub has_size: bool,
     pub is_fullscreen: bool,
     /// 1 to [`MAX_THREADS`]; `None` means one for each processor.
     pub threads: Option<usize>,
@@ -89,6 +90,7 @@ impl Options {
         Options {
             task: Task::Play,
             size: (1024, 768),
+            has_size: false,
             is_fullscreen: false,
             threads: None,
             isa: cpu::shipped().next(),
@@ -133,7 +135,10 @@ impl Options {
     fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
         let bad_value = Misuse::BadValue(flag, value);
         match flag.switch {
-            Switch::Size => self.size = size(value).ok_or(bad_value)?,
+            Switch::Size => {
+                self.size = size(value).ok_or(bad_value)?;
+                self.has_size = true;
+            }
             Switch::Fullscreen => self.is_fullscreen = true,
             Switch::Threads => self.threads = Some(number(value, MAX_THREADS).ok_or(bad_value)?),
             Switch::Isa => self.isa = Some(cpu::named(value).ok_or(bad_value)?),

@@ -35,7 +35,12 @@ impl Source for Music {
 pub fn play(options: &Options, isa: Isa) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let (width, height) = options.size;
-    let window = Window::open(c"Eightfold", width, height);
+    let open = if options.has_size {
+        Window::open
+    } else {
+        Window::open_on_monitor
+    };
+    let window = open(c"Eightfold", width, height);
     if let Err(why) = &window {
         let place = if Terminal::is_there() {
             "in the terminal"

@@ -1,4 +1,8 @@
-use eightfold_window::{clock::SECOND, line::Writer};
+use eightfold_window::{
+    clock::SECOND,
+    line::{self, Writer},
+    terminal::Terminal,
+};
 
 use eightfold_tracer::{
     Frame, Probes,
@@ -95,7 +99,9 @@ impl Tally {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
             output.text(", ").tenths(psnr);
-            output.text(" ± ").tenths(margin).text(" dB to exhaustive");
+            let is_latin = line::is_terminal(line::OUTPUT) && !Terminal::is_utf8();
+            output.text(if is_latin { " +- " } else { " ± " });
+            output.tenths(margin).text(" dB to exhaustive");
         }
         if let Some(asked) = options.psnr
             && psnr.saturating_add(margin) < 10 * asked

@@ -10,6 +10,8 @@ pub(super) struct ShowScene {
     pub environment_since: u32,
     pub shots: &'static [Shot],
     pub captions: &'static [Cue],
+    /// See [`Camera::min_aspect`](eightfold_tracer::scene::Camera::min_aspect).
+    pub min_aspect: f32,
 }
 
 pub(super) struct Shot {
@@ -25,6 +27,7 @@ impl ShowScene {
             environment_since: 0,
             shots,
             captions: &[],
+            min_aspect: 0.0,
         }
     }
 

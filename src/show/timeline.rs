@@ -38,6 +38,7 @@ pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
     let (shot, bar_of_shot) = playing(shown.shots, |shot| shot.bars.into(), bar);
     let time_of_shot = bar_of_shot / f32::from(shot.bars);
     move_camera(shot.keyframes, time_of_shot, PUSH * kick, scene);
+    scene.camera.min_aspect = shown.min_aspect;
     scene.exposure = 1.0 - smooth_step((time - LENGTH) / FADE_OUT + 1.0);
     // Halve squares on eighths, and double them on sixteenths.
     let bars_left = shown.bars() as f32 - bar;

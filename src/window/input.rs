@@ -1,6 +1,6 @@
 //! Keyboard and mouse input for interactive programs such as the lab's viewer.
 //!
-//! The intro has four keys (Esc, F, H, W) and does not link this module.
+//! The intro has five keys (Esc, F, H, Q, W) and does not link this module.
 
 use core::ffi::c_uint;
 
@@ -11,6 +11,7 @@ pub(crate) const LEFT: c_uint = 0xff51;
 pub(crate) const RIGHT: c_uint = 0xff53;
 pub(crate) const F1: c_uint = 0xffbe;
 pub(crate) const H: c_uint = b'h' as c_uint;
+pub(crate) const Q: c_uint = b'q' as c_uint;
 pub(crate) const NONE: c_uint = 0xff_ffff;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

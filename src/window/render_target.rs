@@ -69,7 +69,6 @@ impl RenderTarget for Headless {
 
 /// Returns the size of the picture for a target: the target's size, or the largest within `most` of the same aspect ratio. No side
 /// is 0.
-#[inline]
 pub fn fit((width, height): (usize, usize), most: (usize, usize)) -> (usize, usize) {
     if width <= most.0 && height <= most.1 {
         (width.max(1), height.max(1))

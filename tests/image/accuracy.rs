@@ -100,6 +100,13 @@ fn fields_and_crowds_match_the_oracle() {
     }
 }
 
+#[test]
+fn narrow_title_matches_the_oracle() {
+    let mut scene = of_the_show(9.0);
+    scene.captions.clear();
+    assert_traced(&scene, [90, 160], "the title");
+}
+
 /// Instruction sets differ by at most 1/255, except on silhouettes.
 #[test]
 fn show_matches_the_oracle() {

@@ -102,11 +102,12 @@ fn camera_jumps_on_bars_and_at_every_cut() {
     }
 }
 
-fn is_framed(camera: &Camera, aspect: f32, centre: Vec3, radius: f32) -> bool {
+fn is_framed(camera: &Camera, width: usize, height: usize, centre: Vec3, radius: f32) -> bool {
+    let aspect = width as f32 / height as f32;
     let forward = (camera.look_at - camera.eye).normalize();
     let right = forward.cross(camera.up).normalize();
     let up = right.cross(forward);
-    let half_height = (0.5 * camera.field_of_view).tan();
+    let half_height = 0.5 * height as f32 * camera.pixel(width, height);
     let sides = [right / aspect, -right / aspect, up, -up];
     sides.iter().all(|side| {
         let inwards = (forward * half_height - *side).normalize();
@@ -182,10 +183,13 @@ fn subjects_fit_pictures_from_4_3_to_21_9() {
         for frame in 0..((beats.end - beats.start) * grid::BEAT * 60.0) as usize {
             let time = start + beats.start * grid::BEAT + frame as f32 / 60.0;
             let scene = at(time);
-            for aspect in [4.0 / 3.0, 16.0 / 10.0, 16.0 / 9.0, 21.0 / 9.0] {
+            let portrait = [(405, 720), (500, 700), (1, 1), (1, 3)];
+            let narrow = if name == "title" { 4 } else { 0 };
+            let wide = [(4, 3), (16, 10), (16, 9), (21, 9)];
+            for &(width, height) in wide.iter().chain(&portrait[..narrow]) {
                 for (centre, radius) in subject(name, &scene) {
-                    let is_framed = is_framed(&scene.camera, aspect, centre, radius);
-                    assert!(is_framed, "{name}, {time} s, {aspect}: {centre}");
+                    let is_framed = is_framed(&scene.camera, width, height, centre, radius);
+                    assert!(is_framed, "{name}, {time} s, {width}x{height}: {centre}");
                 }
             }
         }

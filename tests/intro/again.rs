@@ -51,6 +51,9 @@ fn second_round_repeats_sound_and_picture() {
         .args(["--loop", "--threads", "1", "--quality", "fastest"])
         .args(["--seconds", &length, "--fps", &FPS.to_string()])
         .env_remove("DISPLAY")
+        .env_remove("STY")
+        .env("TERM", "xterm")
+        .env("LC_ALL", "C.UTF-8")
         .stdin(Stdio::null());
     let (output, played) = simulated::run(&library, &mut intro);
     let errors = String::from_utf8_lossy(&output.stderr);

@@ -1,4 +1,4 @@
-//! The files of `cargo build --release` and `cargo exe` have at most 65,536 bytes.
+//! The files of `cargo build --release -p eightfold` and `cargo exe` have at most 65,536 bytes.
 
 use eightfold_lab::{cargo::Build, output::read};
 use eightfold_stage::{intro, linked_intro, run, texts};

@@ -1,6 +1,6 @@
 //! Without a display the intro plays in a terminal (tmux), and restores it at the end.
 
-use eightfold_stage::{intro, needs, run, tool, try_for, wait_for};
+use eightfold_stage::{intro, linked_intro, needs, run, tool, try_for, wait_for};
 use std::{
     collections::BTreeSet,
     env, fs,
@@ -38,7 +38,7 @@ impl Terminal {
             reader: String::new(),
         };
         let script = format!(
-            "unset DISPLAY COLORTERM; export ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {command}; code=$?; \
+            "unset DISPLAY COLORTERM STY; export LC_ALL=C.UTF-8 ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {command}; code=$?; \
              [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60"
         );
         let (x, y) = (columns.to_string(), rows.to_string());
@@ -126,7 +126,11 @@ impl Drop for Terminal {
 fn script(intro_in_shell: &str) -> process::Command {
     let mut script = tool("script");
     script.args(["-qec", intro_in_shell, "/dev/null"]);
-    script.env_remove("DISPLAY").stdin(process::Stdio::null());
+    for name in ["DISPLAY", "COLORTERM", "STY", "TMUX"] {
+        script.env_remove(name);
+    }
+    script.env("TERM", "xterm").env("LC_ALL", "C.UTF-8");
+    script.stdin(process::Stdio::null());
     script
 }
 
@@ -148,25 +152,108 @@ fn terminal_of_any_size_shows_moving_pictures() {
     terminal.wait_for_end(0);
 }
 
-/// GNU Screen misreads 24-bit colours.
+/// GNU Screen misreads 24-bit colours. Programs in it inherit `COLORTERM` from the outer terminal; ssh and sudo drop `STY`.
 #[test]
 fn gnu_screen_gets_256_colours() {
     needs!(&["tmux", "pkill", "screen"]);
-    let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("rc"), "startup_message off\n").expect("it is written");
-    let (folder, intro) = (folder.path().display(), intro());
-    let command = format!(
-        "mkdir -m 700 {folder}/own; TERM=screen-256color SCREENDIR={folder}/own screen -U -c {folder}/rc {}",
-        intro.display()
-    );
-    let terminal = Terminal::run(60, 20, &command);
-    let text = terminal.text();
-    let codes: BTreeSet<&str> = text.split("\x1b[38;5;").skip(1).collect();
-    assert!(codes.len() > 5 && !text.contains("38;2;"), "{text:?}");
-    terminal.tmux(&["send-keys", "Escape"]);
-    wait_for("the end", || {
-        terminal.text().contains("code 0").then_some(())
-    });
+    for inside in ["env COLORTERM=truecolor", "env -u STY -u TMUX"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("rc"), "startup_message off\n").expect("it is written");
+        let (folder, intro) = (folder.path().display(), intro());
+        let command = format!(
+            "mkdir -m 700 {folder}/own; TERM=screen-256color SCREENDIR={folder}/own screen -U -c {folder}/rc {inside} {}",
+            intro.display()
+        );
+        let terminal = Terminal::run(60, 20, &command);
+        let text = terminal.text();
+        let codes: BTreeSet<&str> = text.split("\x1b[38;5;").skip(1).collect();
+        assert!(codes.len() > 5 && !text.contains("38;2;"), "{text:?}");
+        terminal.tmux(&["send-keys", "Escape"]);
+        wait_for("the end", || {
+            terminal.text().contains("code 0").then_some(())
+        });
+    }
+}
+
+/// Variables, the bits of a colour, and whether there are half blocks.
+const TERMINALS: &str = "
+    TERM=xterm | 24 UTF-8
+    TERM=linux | 24 UTF-8
+    TERM=vte-256color | 24 UTF-8
+    TERM=screen | 8 UTF-8
+    TERM=screen COLORTERM=truecolor | 8 UTF-8
+    TERM=screen.xterm-256color COLORTERM=24bit | 8 UTF-8
+    TERM=xterm-256color STY=1.here COLORTERM=truecolor | 8 UTF-8
+    TERM=screen-256color STY=1.here TMUX=/tmp/0,1,2 | 8 UTF-8
+    TERM=screen-256color TMUX=/tmp/0,1,2 | 24 UTF-8
+    TERM=tmux-256color | 24 UTF-8
+    TERM=tmux-256color STY=1.here | 24 UTF-8
+    TERM=vt100 | 0 ASCII
+    TERM=vt220 COLORTERM=truecolor | 0 ASCII
+    TERM=xterm-mono LC_ALL=C | 0 ASCII
+    LC_ALL=C | 24 ASCII
+    LC_ALL=POSIX LANG=C.UTF-8 | 24 ASCII
+    LC_ALL= LC_CTYPE= LANG= | 24 ASCII
+    LC_ALL= LC_CTYPE=de_DE.ISO-8859-1 LANG=C.UTF-8 | 24 ASCII
+    LC_ALL= LC_CTYPE= LANG=de_DE@euro | 24 ASCII
+    LC_ALL= LC_CTYPE= LANG=en_US.utf8 | 24 UTF-8
+    LC_ALL= LC_CTYPE=UTF-8 LANG=C | 24 UTF-8
+    TERM=screen LC_ALL=C | 8 ASCII";
+
+#[test]
+fn terminal_and_locale_select_colours_and_letters() {
+    needs!(&["script"]);
+    for line in TERMINALS.trim().lines() {
+        let (variables, expected) = line.trim().split_once(" | ").expect("two parts");
+        let text = played(variables, 0.3);
+        let bits = match ["[48;2;", "[48;5;"].map(|code| text.contains(code)) {
+            [true, false] => 24,
+            [false, true] => 8,
+            [false, false] => 0,
+            _ => panic!("{variables}: both"),
+        };
+        let is_ascii = text.is_ascii();
+        let letters = if is_ascii { "ASCII" } else { "UTF-8" };
+        assert_eq!(format!("{bits} {letters}"), expected, "{variables}");
+        assert_eq!(text.contains('\u{2580}'), !is_ascii, "{variables}");
+        let (_, first) = text.split_once("\x1b[1;1H").expect("a picture");
+        let kinds = ".:-=+*#%@".chars().filter(|&letter| {
+            // Not in the codes of colours or positions.
+            first.contains(&String::from_iter([letter; 2]))
+        });
+        assert_eq!(
+            kinds.count() > 2,
+            bits == 0,
+            "{variables}: letters by brightness"
+        );
+    }
+}
+
+#[test]
+fn report_has_the_letters_of_the_locale() {
+    needs!(&["script"]);
+    for (variables, sign) in [("LC_ALL=C", " +- "), ("LC_ALL=C.UTF-8", " ± ")] {
+        // A busy machine draws its first measured frame late.
+        let texts = [2.0, 8.0, 32.0]
+            .into_iter()
+            .map(|seconds| played(variables, seconds));
+        let text = { texts }
+            .find(|text| text.contains(" dB to "))
+            .expect("an accuracy");
+        let (_, report) = text.split_once(" frames in ").expect("a report");
+        assert!(report.contains(sign), "{variables}: {report}");
+    }
+}
+
+/// Plays in a terminal with these variables.
+fn played(variables: &str, seconds: f32) -> String {
+    let intro = linked_intro();
+    let options = format!("--silent --fps 10 --seconds {seconds}");
+    let play = format!("stty cols 60 rows 20; {} {options}", intro.display());
+    let pairs = variables.split(' ').map(|word| word.split_once('='));
+    let (output, text) = run(script(&play).envs(pairs.map(|pair| pair.expect("a value"))));
+    assert!(output.status.success(), "{variables}: {:?}", output.status);
+    text
 }
 
 #[test]
@@ -193,10 +280,10 @@ fn terminal_without_colours_gets_no_picture() {
 }
 
 #[test]
-fn only_escape_and_control_c_end_the_intro() {
+fn only_escape_q_and_control_c_end_the_intro() {
     needs!(&["tmux", "pkill"]);
     // Keys come from the terminal even if standard input is another file.
-    for (key, input) in [("Escape", ""), ("C-c", "< /dev/null")] {
+    for (key, input) in [("Escape", ""), ("q", ""), ("C-c", "< /dev/null")] {
         let terminal = Terminal::play(60, 20, input);
         terminal.tmux(&["send-keys", "Up", "F5", "x", "Home", "C-z", "C-s"]);
         sleep(Duration::from_millis(300));

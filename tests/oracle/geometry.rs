@@ -59,7 +59,9 @@ impl PicturePlane {
         let forward = (camera.look_at.as_dvec3() - eye).normalize();
         let right = forward.cross(camera.up.as_dvec3()).normalize();
         let up = right.cross(forward);
-        let pixel = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() / height as f64;
+        let least = f64::from(camera.min_aspect) * height as f64 / width as f64;
+        let height_at_1 = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() * least.max(1.0);
+        let pixel = height_at_1 / height as f64;
         let (dx, dy) = (right * pixel, up * -pixel);
         let middle = |side: usize| 0.5 * side as f64 - 0.5;
         Self {

@@ -1,16 +1,18 @@
-use super::{end_by_escape, on_screen, servers};
+use super::{end_by_key, on_screen, servers};
 use eightfold_stage::{DISPLAY, Server, needs, run};
 use std::{process::Command, thread::sleep, time::Duration};
 
 #[test]
-fn escape_ends_the_intro() {
+fn escape_and_q_end_the_intro() {
     needs!(DISPLAY);
     for (manager, server) in servers() {
-        let intro = server.play("--seconds 60");
-        let output = end_by_escape(&server, intro);
-        assert_eq!(output.lines().count(), 1, "{manager}: {output}");
-        for word in ["frames in", "fps", "worst second", "1024x768", "threads"] {
-            assert!(output.contains(word), "{manager}: {output}");
+        for key in ["Escape", "q"] {
+            let intro = server.play("--seconds 60");
+            let output = end_by_key(key, &server, intro);
+            assert_eq!(output.lines().count(), 1, "{manager}: {output}");
+            for word in ["frames in", "fps", "worst second", "1024x768", "threads"] {
+                assert!(output.contains(word), "{manager}: {output}");
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::{SCREEN, end_by_escape, on_screen, servers};
+use super::{SCREEN, end_by_escape, end_by_key, on_screen, servers};
 use eightfold_stage::{DISPLAY, Server, needs, run, wait_for};
 use std::{thread::sleep, time::Duration};
 
@@ -41,8 +41,8 @@ fn f_and_w_switch_fullscreen() {
 fn keys_follow_the_layout_or_the_us_keyboard() {
     needs!(DISPLAY, &["setxkbmap"]);
     let server = on_screen(Server::start);
-    // Key codes: F and W on a US keyboard, W on a French one, right Alt, left Ctrl.
-    let [f, usual_w, french_w, alt, control] = [41, 25, 52, 108, 37];
+    // Key codes: F, W and Q on a US keyboard, W and Q on a French one, right Alt, left Ctrl.
+    let [f, usual_w, usual_q, french_w, french_q, alt, control] = [41, 25, 24, 52, 38, 108, 37];
     let tap = |place: u32| server.xdotool(&format!("key {place}"));
     for (layout, w) in [
         ("us", usual_w),
@@ -71,7 +71,13 @@ fn keys_follow_the_layout_or_the_us_keyboard() {
             tap(w);
         }
         server.wait_for_window(window);
-        drop(intro);
+        let q = if layout == "fr" { french_q } else { usual_q };
+        let key = if layout.contains(',') {
+            format!("--clearmodifiers {french_q}")
+        } else {
+            q.to_string()
+        };
+        end_by_key(&key, &server, intro);
     }
 }
 
@@ -134,6 +140,42 @@ fn fullscreen_option_starts_fullscreen() {
         });
         drop(intro);
     }
+}
+
+/// Without a window manager.
+#[test]
+fn fullscreen_follows_the_mode_of_the_display() {
+    needs!(DISPLAY, &["xrandr"]);
+    let server = on_screen(Server::start);
+    let xrandr = |words: &str| {
+        let (output, _) = run(server.tool("xrandr").args(words.split(' ')));
+        assert!(output.status.success(), "{words}: {output:?}");
+    };
+    xrandr("--newmode small 40 800 840 968 1056 600 601 605 628");
+    xrandr("--addmode screen small");
+    let intro = server.play("--size 400x300 --seconds 60");
+    let window = server.window().expect("a window");
+    server.xdotool(&format!(
+        "mousemove {} {} key f",
+        window[0] + 20,
+        window[1] + 20
+    ));
+    server.wait_for_window(SCREEN);
+    for (mode, screen) in [("small", [0, 0, 800, 600]), ("1280x800", SCREEN)] {
+        xrandr(&format!("--output screen --mode {mode}"));
+        server.wait_for_window(screen);
+        assert_covered(&server, mode);
+    }
+    server.xdotool("key w");
+    server.wait_for_window(window);
+    // A window beyond the edge of a smaller screen could not be reached.
+    server.xdotool("search --name Eightfold windowmove 850 300 key f");
+    server.wait_for_window(SCREEN);
+    xrandr("--output screen --mode small");
+    server.wait_for_window([0, 0, 800, 600]);
+    server.xdotool("key w");
+    server.wait_for_window([0, 0, 400, 300]);
+    end_by_escape(&server, intro);
 }
 
 fn assert_covered(server: &Server, manager: &str) {

@@ -25,11 +25,15 @@ fn servers() -> [(&'static str, Server); 2] {
     ]
 }
 
-/// Ends the intro by Esc. Returns its standard output.
 fn end_by_escape(server: &Server, intro: Process) -> String {
+    end_by_key("Escape", server, intro)
+}
+
+/// Ends the intro by a key, given by its name or code. Returns its standard output.
+fn end_by_key(key: &str, server: &Server, intro: Process) -> String {
     let [x, y, ..] = server.window().expect("a window");
     server.xdotool(&format!("mousemove {x} {y}"));
-    server.xdotool("key Escape");
+    server.xdotool(&format!("key {key}"));
     let (time, code, output, errors) = intro.end();
     assert_eq!(code, Some(0), "{output}{errors}");
     assert_eq!(errors, "");

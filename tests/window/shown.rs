@@ -28,6 +28,18 @@ fn window_has_title_and_size_and_shows_a_frame() {
             .tool("xprop")
             .args(["-name", "Eightfold", "WM_CLASS"]));
         assert!(class.contains("\"eightfold\", \"Eightfold\""), "{class}");
+        // EWMH asks for both.
+        let (_, host) = run(&mut Command::new("hostname"));
+        for (name, value) in [
+            ("_NET_WM_PID", intro.0.id().to_string()),
+            ("WM_CLIENT_MACHINE", format!("\"{}\"", host.trim())),
+        ] {
+            let (_, property) = run(server.tool("xprop").args(["-name", "Eightfold", name]));
+            assert!(
+                property.trim().ends_with(&format!("= {value}")),
+                "{property}"
+            );
+        }
         drop(intro);
 
         assert_shows_a_frame(&server, manager, 0.2);
@@ -79,6 +91,30 @@ fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
         "{which}: the nearest frame differs by {difference} of 255"
     );
     drop(intro);
+}
+
+/// Unless its size is given.
+#[test]
+fn default_window_fits_a_small_display() {
+    needs!(DISPLAY);
+    for (width, height) in [(800, 600), (1024, 600), (600, 900), (1920, 1080)] {
+        for start in [Server::start, Server::start_managed] {
+            let server = start(width as usize, height as usize);
+            let intro = server.play("--seconds 60");
+            let [x, y, w, h] = server.window().expect("a window");
+            let is_inside = x >= 0 && y >= 0 && x + w <= width && y + h <= height;
+            assert!(is_inside, "{width}x{height}: {x},{y} {w}x{h}");
+            // openbox takes the borders of its frame off a window as wide as the screen.
+            assert!((w * 3 - h * 4).abs() <= 8, "4:3: {w}x{h}");
+            let is_large = w == 1024 || w > width - 4 || h > height - 40;
+            assert!(is_large, "{width}x{height}: {w}x{h}");
+            drop(intro);
+        }
+        let server = Server::start(width as usize, height as usize);
+        let intro = server.play("--size 1000x700 --seconds 60");
+        assert_eq!(server.window().expect("a window")[2..], [1000, 700]);
+        drop(intro);
+    }
 }
 
 #[test]

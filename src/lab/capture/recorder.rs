@@ -92,7 +92,7 @@ impl<'a> Recorder<'a> {
         let by = lens.x * right + lens.y * right.cross(forward);
         camera.eye += by;
         camera.look_at += by;
-        let pixel = 2.0 * (0.5 * camera.field_of_view).tan() / self.size.height as f32;
+        let pixel = camera.pixel(self.size.width, self.size.height);
         // Rows count downwards; the lens' second axis is up.
         vec2(-lens.x, lens.y) / (sight.length() * pixel)
     }

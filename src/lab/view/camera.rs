@@ -17,9 +17,9 @@ pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     camera.eye = camera.look_at + if is_too_steep { around } else { over };
 }
 
-/// Moves sideways by fractions of the picture's height, so that the target follows the pointer.
-pub fn pan(camera: &mut Camera, by: Vec2) {
-    let picture = camera.raster(1, 1);
+/// Moves sideways by pixels of a picture of this size, so that the target follows the pointer.
+pub fn pan(camera: &mut Camera, by: Vec2, (width, height): (usize, usize)) {
+    let picture = camera.raster(width, height);
     let distance = (camera.look_at - camera.eye).length();
     let offset = (picture.dx * by.x + picture.dy * by.y) * -distance;
     camera.eye += offset;
@@ -37,6 +37,8 @@ pub fn ron(camera: &Camera) -> String {
         let [x, y, z] = vector.to_array();
         format!("({x:?}, {y:?}, {z:?})")
     });
-    let angle = camera.field_of_view;
-    format!("camera: (eye: {eye}, look_at: {look_at}, up: {up}, field_of_view: {angle:?}),\n")
+    let (angle, aspect) = (camera.field_of_view, camera.min_aspect);
+    format!(
+        "camera: (eye: {eye}, look_at: {look_at}, up: {up}, field_of_view: {angle:?}, min_aspect: {aspect:?}),\n"
+    )
 }

@@ -26,7 +26,7 @@ pub const KEYS: [(&str, &str); 17] = [
     ("C", "prints the camera for a scene file"),
     ("F, W", "fullscreen, window"),
     ("?, F1", "shows and hides these keys"),
-    ("Esc", "quits"),
+    ("Esc, Q", "quits"),
 ];
 
 pub fn help() -> String {

@@ -78,11 +78,11 @@ impl Session {
     }
 
     fn take_inputs(&mut self) -> Result<()> {
-        let (_, height) = self.window.size();
+        let size = self.window.size();
         for input in self.window.inputs() {
             let time = self.controls.time();
             match input {
-                Input::Mouse(mouse) => self.subject.point(mouse, time, height),
+                Input::Mouse(mouse) => self.subject.point(mouse, time, size),
                 Input::Key(Press::Help) => self.has_keys = !self.has_keys,
                 Input::Key(Press::Character('v')) => self.subject.reset_camera(),
                 Input::Key(Press::Character('c')) => {

@@ -64,8 +64,8 @@ impl Subject {
         self.version += 1;
     }
 
-    /// `time` is in seconds, the window's `height` in pixels.
-    pub fn point(&mut self, mouse: Mouse, time: f32, height: usize) {
+    /// `time` is in seconds, the window's `size` in pixels.
+    pub fn point(&mut self, mouse: Mouse, time: f32, size: (usize, usize)) {
         let at = vec2(mouse.x as f32, mouse.y as f32);
         match mouse.action {
             Action::Down(button) => self.pressed = Some((button, at)),
@@ -74,14 +74,15 @@ impl Subject {
             }
             Action::Move | Action::Up(_) => {
                 if let Some((button, last)) = &mut self.pressed {
-                    let by = (at - *last) / height as f32;
+                    let by = at - *last;
                     *last = at;
+                    // The full height is half a turn.
+                    let turn = by * (PI / size.1 as f32);
                     match button {
-                        // The full height is half a turn.
-                        Button::Left => self.move_camera(time, |it| {
-                            camera::orbit(it, by.x * PI, by.y * PI);
-                        }),
-                        _ => self.move_camera(time, |it| camera::pan(it, by)),
+                        Button::Left => {
+                            self.move_camera(time, |it| camera::orbit(it, turn.x, turn.y));
+                        }
+                        _ => self.move_camera(time, |it| camera::pan(it, by, size)),
                     }
                 }
                 if mouse.action != Action::Move {

@@ -1,7 +1,7 @@
 //! The intro's build script.
 //!
-//! `cargo build --release` runs it. It compiles the stub, and makes rustc's C compiler call the script's own executable as the
-//! linker, by a link in `OUT_DIR/linker`. Called by this name, the executable runs the real linker, and packs the output in place.
+//! `cargo build --release -p eightfold` runs it. It compiles the stub, and makes rustc's C compiler call the script's own executable as
+//! the linker, by a link in `OUT_DIR/linker`. Called by this name, the executable runs the real linker, and packs the output in place.
 //!
 //! `OUT_DIR` then contains
 //!

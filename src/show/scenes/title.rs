@@ -13,6 +13,8 @@ use glam::{Vec2, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene {
     captions: CAPTIONS,
+    // The shots show the whole name in 4:3.
+    min_aspect: 4.0 / 3.0,
     ..ShowScene::new(&ENVIRONMENT, SHOTS)
 };
 

@@ -17,6 +17,9 @@ pub struct Camera {
     pub up: Vec3,
     /// The vertical field of view in radians, above 0 and below pi.
     pub field_of_view: f32,
+    /// The picture's width divided by its height down to which the field of view is `field_of_view`, 0 to 4. Narrower pictures have
+    /// a larger one, and show the width of a picture of this ratio; with 0 they are cut off at the sides.
+    pub min_aspect: f32,
 }
 
 impl Default for Camera {
@@ -56,6 +59,7 @@ impl Camera {
             look_at,
             up: Vec3::Y,
             field_of_view,
+            min_aspect: 0.0,
         }
     }
 
@@ -74,7 +78,17 @@ impl Camera {
         of.rule("look_at", self.look_at, has_view, "different from eye")?;
         let sides = "more than 0.001 radians off the line of sight";
         of.rule("up", self.up, is_upright, sides)?;
-        of.field("field_of_view", self.field_of_view, angle)
+        of.field("field_of_view", self.field_of_view, angle)?;
+        of.field("min_aspect", self.min_aspect, Range(0.0, 4.0, "0 to 4"))
+    }
+
+    /// Returns the side of a pixel at distance 1 from the eye, in a picture of `width` by `height` pixels.
+    #[inline]
+    #[must_use]
+    pub fn pixel(&self, width: usize, height: usize) -> f32 {
+        let half_angle = self.field_of_view * 0.5;
+        let pixel = 2.0 * sin(half_angle) / cos(half_angle) / pixels(height);
+        pixel * (self.min_aspect * pixels(height) / pixels(width)).max(1.0)
     }
 
     /// Returns the rays through a picture of `width` by `height` pixels.
@@ -89,8 +103,7 @@ impl Camera {
             unit(forward.any_orthogonal_vector(), Vec3A::X),
         );
         let up = right.cross(forward);
-        let half_angle = self.field_of_view * 0.5;
-        let pixel = 2.0 * sin(half_angle) / cos(half_angle) / pixels(height);
+        let pixel = self.pixel(width, height);
         let (dx, dy) = (right * pixel, up * -pixel);
         let half = |side: usize| 0.5 - 0.5 * pixels(side);
         Raster {

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// For the intro's help.
-pub const KEYS: &str = "H hud, Esc quit";
+pub const KEYS: &str = "H hud, Esc or Q quit";
 
 /// A window for frames. `minifb` has no fullscreen; the desktop may have one.
 pub struct Window {
@@ -54,6 +54,18 @@ impl Window {
             mouse: None,
             inputs: Vec::new(),
         })
+    }
+
+    /// Like [`Window::open`]: `minifb` does not know the monitor's size.
+    ///
+    /// # Errors
+    /// If there is no display.
+    pub fn open_on_monitor(
+        title: &CStr,
+        width: usize,
+        height: usize,
+    ) -> Result<Window, &'static str> {
+        Window::open(title, width, height)
     }
 
     pub fn set_title(&mut self, title: &CStr) {
@@ -111,7 +123,7 @@ impl RenderTarget for Window {
         let mut next = Next::GoOn;
         for key in keys {
             match key {
-                input::ESCAPE => return Next::End(0),
+                input::ESCAPE | input::Q => return Next::End(0),
                 input::H => next = next.toggled(),
                 _ => {}
             }

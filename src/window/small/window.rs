@@ -13,11 +13,11 @@ use super::{
 use crate::{
     input::{self, Input},
     loading::why_not_loaded,
-    render_target::{Next, RenderTarget},
+    render_target::{Next, RenderTarget, fit},
 };
 
 /// For the intro's help.
-pub const KEYS: &str = "F fullscreen, W window, H hud, Esc quit";
+pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
 
 /// A window for frames. A key that is pressed and released between two frames counts.
 pub struct Window {
@@ -26,8 +26,15 @@ pub struct Window {
     size: (usize, usize),
     frames: Frames,
     released: xlib::Time,
+    shown: u8,
     listener: Option<&'static mut Listener>,
 }
+
+/// Frames between two looks at the monitor in fullscreen, each of which waits for the server four times: a quarter of a second.
+const LOOK: u8 = 16;
+
+/// The height of a window's title bar in common window managers, rounded up.
+const TITLE_BAR: c_int = 32;
 
 /// The maximum side of a window in pixels in the X protocol.
 const MAX_SIDE: c_int = 32_767;
@@ -38,6 +45,26 @@ impl Window {
     /// # Errors
     /// The reason why the display cannot be opened.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        Window::open_sized(title, (width, height), false)
+    }
+
+    /// Like [`Window::open`], but on a small monitor the window is smaller, with the same aspect ratio.
+    ///
+    /// # Errors
+    /// The reason why the display cannot be opened.
+    pub fn open_on_monitor(
+        title: &CStr,
+        width: usize,
+        height: usize,
+    ) -> Result<Window, &'static str> {
+        Window::open_sized(title, (width, height), true)
+    }
+
+    fn open_sized(
+        title: &CStr,
+        size: (usize, usize),
+        shrinks: bool,
+    ) -> Result<Window, &'static str> {
         let x = Xlib::load().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;
         // SAFETY: the display is open.
@@ -56,13 +83,14 @@ impl Window {
         let mut window = Window {
             delete: top.atom(c"WM_DELETE_WINDOW"),
             top,
-            size: (width, height),
+            size,
             frames,
             released: 0,
+            shown: 0,
             listener: None,
         };
         window.set_title(title);
-        window.top.set_class();
+        window.top.set_program();
         let Toplevel {
             display,
             window: id,
@@ -74,7 +102,7 @@ impl Window {
             (x.XSelectInput)(display, id, events);
             (x.XSetWMProtocols)(display, id, &mut window.delete, 1);
         }
-        window.place(width, height);
+        window.place(shrinks);
         // SAFETY: the display is open.
         unsafe { (x.XSync)(display, xlib::False) };
         Ok(window)
@@ -94,10 +122,15 @@ impl Window {
     }
 
     /// Shows the window for the first time, in the centre of the first monitor unless the window manager moves it.
-    fn place(&self, width: usize, height: usize) {
-        let (width, height) = (width as c_int, height as c_int);
+    fn place(&mut self, shrinks: bool) {
         // No monitor shows this point.
         let monitor = self.top.monitor(-1, -1);
+        if shrinks {
+            let bar = if self.top.is_managed() { TITLE_BAR } else { 0 };
+            let height = c_int::max(monitor.height - bar, 1);
+            self.size = fit(self.size, (monitor.width as usize, height as usize));
+        }
+        let (width, height) = (self.size.0 as c_int, self.size.1 as c_int);
         self.top.move_to(Place {
             x: monitor.x + c_int::max(monitor.width - width, 0) / 2,
             y: monitor.y + c_int::max(monitor.height - height, 0) / 2,
@@ -157,7 +190,7 @@ impl RenderTarget for Window {
                 match event.type_ {
                     xlib::KeyRelease => self.released = event.key.time,
                     xlib::KeyPress => match keyboard::pressed(x, &event.key) {
-                        input::ESCAPE => return Next::End(0),
+                        input::ESCAPE | input::Q => return Next::End(0),
                         keyboard::F => fullscreen = Some(true),
                         keyboard::W => fullscreen = Some(false),
                         input::H if !is_repeated => next = next.toggled(),
@@ -182,6 +215,10 @@ impl RenderTarget for Window {
         }
         if let Some(on) = fullscreen {
             self.set_fullscreen(on);
+        }
+        self.shown = self.shown.wrapping_add(1);
+        if self.shown.is_multiple_of(LOOK) {
+            self.top.follow_monitor();
         }
         next
     }

@@ -1,7 +1,7 @@
 //! ALSA, loaded at run time.
 
 use core::{
-    ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong},
+    ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong, c_void},
     marker::{PhantomData, PhantomPinned},
     ptr::null_mut,
 };
@@ -24,13 +24,15 @@ loaded! {
     fn snd_pcm_open(*mut *mut Pcm, *const c_char, c_int, c_int) -> c_int;
     fn snd_pcm_recover(*mut Pcm, c_int, c_int) -> c_int;
     fn snd_pcm_set_params(*mut Pcm, c_int, c_int, c_uint, c_uint, c_int, c_uint) -> c_int;
-    fn snd_pcm_writei(*mut Pcm, *const [f32; 2], c_ulong) -> c_long;
+    fn snd_pcm_writei(*mut Pcm, *const c_void, c_ulong) -> c_long;
 }
 
 /// A device that plays 48 kHz stereo, open as long as the process lasts.
 pub struct Device {
     alsa: &'static Alsa,
     pcm: *mut Pcm,
+    /// Takes 16-bit integers instead of floats.
+    is_short: bool,
 }
 
 // SAFETY: ALSA allows any one thread at a time to use a device.
@@ -38,47 +40,92 @@ unsafe impl Send for Device {}
 
 extern "C" fn silent(_: *const c_char, _: c_int, _: *const c_char, _: c_int, _: *const c_char) {}
 
+// ALSA's sample formats.
+const FLOAT: c_int = 14 + BIG_ENDIAN;
+const SHORT: c_int = 2 + BIG_ENDIAN;
+const BIG_ENDIAN: c_int = cfg!(target_endian = "big") as c_int;
+const FORMATS: c_int = 52;
+
+const PLUG: &[u8; 5] = b"plug:";
+
+/// The maximum length of [`PLUG`], a device's name, and a NUL.
+const MAX_NAME: usize = 64;
+
+fn open(alsa: &Alsa, name: *const c_char) -> Option<*mut Pcm> {
+    const PLAYBACK: c_int = 0;
+    const WAITING: c_int = 0;
+    let mut pcm = null_mut();
+    // SAFETY: the caller passes a string, and pointers outlive the call.
+    let opened = unsafe { (alsa.snd_pcm_open)(&mut pcm, name, PLAYBACK, WAITING) };
+    (opened >= 0).then_some(pcm)
+}
+
 impl Device {
     /// Opens a device by its name in ALSA's configuration, with a buffer of `latency` microseconds, or returns the reason for a
     /// failure.
+    ///
+    /// ALSA's plug-in `plug` converts for devices with another format, rate or number of channels. Every system's configuration
+    /// defines it.
     pub fn open(name: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
-        const PLAYBACK: c_int = 0;
-        const WAITING: c_int = 0;
-        const FLOAT: c_int = if cfg!(target_endian = "little") {
-            14
-        } else {
-            15
-        };
-        const INTERLEAVED: c_int = 3;
-        const SIDES: c_uint = 2;
-        const RESAMPLED: c_int = 1;
         let alsa = ALSA.open().ok_or_else(why_not_loaded)?;
-        let mut pcm = null_mut();
-        // SAFETY: the functions have the signatures of ALSA's headers, and pointers outlive the calls. The handler has fewer
-        // parameters than ALSA passes; on every supported system the caller cleans up.
-        unsafe {
-            (alsa.snd_lib_error_set_handler)(silent);
-            if (alsa.snd_pcm_open)(&mut pcm, name.as_ptr(), PLAYBACK, WAITING) < 0 {
-                return Err("sound device is missing");
-            }
-
-            if (alsa.snd_pcm_set_params)(pcm, FLOAT, INTERLEAVED, SIDES, rate, RESAMPLED, latency)
-                < 0
-            {
-                return Err("sound device lacks 48 kHz stereo");
-            }
+        // SAFETY: the function has the signature of ALSA's headers, except that the handler has fewer parameters than ALSA passes; on
+        // every supported system the caller cleans up.
+        unsafe { (alsa.snd_lib_error_set_handler)(silent) };
+        let mut plug = [0; MAX_NAME];
+        plug[..PLUG.len()].copy_from_slice(PLUG);
+        let place = &mut plug[PLUG.len()..MAX_NAME - 1];
+        for (to, from) in place.iter_mut().zip(name.to_bytes()) {
+            *to = *from;
         }
-        Ok(Device { alsa, pcm })
+        let names = [plug.as_ptr().cast(), name.as_ptr()];
+        let pcm = names.into_iter().find_map(|name| open(alsa, name));
+        let pcm = pcm.ok_or("sound device is missing")?;
+        let accepts = |format| {
+            let (set, interleaved, sides, resampled) = (alsa.snd_pcm_set_params, 3, 2, 1);
+            // SAFETY: the device is open.
+            unsafe { set(pcm, format, interleaved, sides, rate, resampled, latency) >= 0 }
+        };
+        let mut formats = (-2..FORMATS).map(|number| match number {
+            -2 => FLOAT,
+            -1 => SHORT,
+            other => other,
+        });
+        match formats.find(|&format| accepts(format)) {
+            Some(format @ (FLOAT | SHORT)) => {
+                let is_short = format == SHORT;
+                Ok(Device {
+                    alsa,
+                    pcm,
+                    is_short,
+                })
+            }
+            Some(_) => Err("sound device lacks floats and 16-bit integers"),
+            None => Err("sound device lacks 48 kHz stereo"),
+        }
     }
 
     /// Writes samples to the device, and waits while its buffer is full. Returns false if the device is lost.
     ///
-    /// After an underrun or a suspend, drops these samples and continues with the next ones.
+    /// After an underrun or a suspend, drops samples and continues with the next ones.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
-        // SAFETY: pointer and length are from a slice, and the device is open. 1 suppresses messages.
+        if !self.is_short {
+            return self.put(samples.as_ptr().cast(), samples.len());
+        }
+        // Rounds, and saturates beyond full scale.
+        let short = |side: f32| (side * 32767.0 + 32768.5) as u16 ^ 0x8000;
+        let mut part = [[0; 2]; 48];
+        samples.chunks(part.len()).all(|samples| {
+            for (to, from) in part.iter_mut().zip(samples) {
+                *to = from.map(short);
+            }
+            self.put(part.as_ptr().cast(), samples.len())
+        })
+    }
+
+    fn put(&mut self, samples: *const c_void, count: usize) -> bool {
+        // SAFETY: the callers pass this number of samples in the device's format, and the device is open. 1 suppresses messages.
         unsafe {
-            let written =
-                (self.alsa.snd_pcm_writei)(self.pcm, samples.as_ptr(), samples.len() as c_ulong);
+            let written = (self.alsa.snd_pcm_writei)(self.pcm, samples, count as c_ulong);
             written >= 0 || (self.alsa.snd_pcm_recover)(self.pcm, written as c_int, 1) >= 0
         }
     }

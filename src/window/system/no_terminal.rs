@@ -15,6 +15,12 @@ impl Terminal {
     pub fn is_there() -> bool {
         false
     }
+
+    /// Windows converts text for its consoles.
+    #[must_use]
+    pub fn is_utf8() -> bool {
+        true
+    }
 }
 
 impl RenderTarget for Terminal {

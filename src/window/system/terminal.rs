@@ -1,5 +1,5 @@
 //! The terminal as a target for frames: two pixels in each cell, one above the other, in 24-bit colour, or in 256 colours in GNU
-//! screen.
+//! screen. Locales other than UTF-8 get one colour a cell; terminals without colours get characters by brightness.
 
 use core::{
     cell::UnsafeCell,
@@ -25,6 +25,9 @@ use crate::{
 
 /// The upper half of a cell in the foreground colour; the lower half shows the background.
 const UPPER_HALF: &str = "\u{2580}";
+
+/// Characters by brightness, for terminals without colours.
+const RAMP: &[u8; 10] = b" .:-=+*#%@";
 
 const FOREGROUND: &str = "\x1b[38;";
 const BACKGROUND: &str = "\x1b[48;";
@@ -59,21 +62,30 @@ const fn bits(signals: &[c_int]) -> u64 {
 const MOST_COLUMNS: usize = 3840;
 const MOST_ROWS: usize = 2160 / 2;
 
-/// The terminal on standard output. Esc and Ctrl-C end the show, H toggles the numbers. It is restored when this is dropped, when
+/// The terminal on standard output. Esc, Q and Ctrl-C end the show, H toggles the numbers. It is restored when this is dropped, when
 /// the process aborts, and after signals that end a process.
 pub struct Terminal {
     keys: KeyParser,
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
+    has_colours: bool,
+    /// 256 colours instead of 24 bits.
     is_coarse: bool,
+    /// One colour a cell, in ASCII.
+    is_plain: bool,
 }
 
-fn variable(name: &CStr) -> Option<&'static CStr> {
+/// Returns a variable's value, empty if it is unset.
+#[inline(never)]
+fn variable(name: &CStr) -> &'static [u8] {
     // SAFETY: the environment is constant, and its values are strings.
     unsafe {
         let value = libc::getenv(name.as_ptr());
-        (!value.is_null()).then(|| CStr::from_ptr(value))
+        if value.is_null() {
+            return b"";
+        }
+        CStr::from_ptr(value).to_bytes()
     }
 }
 
@@ -82,7 +94,20 @@ impl Terminal {
     /// nor cursor positions.
     #[must_use]
     pub fn is_there() -> bool {
-        line::is_terminal(line::OUTPUT) && variable(c"TERM") != Some(c"dumb")
+        line::is_terminal(line::OUTPUT) && variable(c"TERM") != b"dumb"
+    }
+
+    /// Returns whether the locale's characters are UTF-8. The first variable that is not empty sets the locale.
+    #[must_use]
+    pub fn is_utf8() -> bool {
+        for name in [c"LC_ALL", c"LC_CTYPE", c"LANG"] {
+            let locale = variable(name);
+            if !locale.is_empty() {
+                let mut parts = locale.windows(3);
+                return parts.any(|part| part.eq_ignore_ascii_case(b"utf"));
+            }
+        }
+        false
     }
 
     #[must_use]
@@ -90,13 +115,23 @@ impl Terminal {
         if !Terminal::is_there() {
             return None;
         }
+        let pixels = pixels();
+        let name = variable(c"TERM");
+        let [screen, tmux] = [c"STY", c"TMUX"].map(|name| !variable(name).is_empty());
+        // Monochrome are DEC's terminals such as `vt100`, unlike `vte`, and variants such as `xterm-mono` and `linux-m`.
+        let is_dec = name.starts_with(b"vt") & !name.starts_with(b"vte");
+        let has_colours = !(is_dec | name.ends_with(b"-m") | name.ends_with(b"-mono"));
+        // GNU screen misreads the parts of a 24-bit colour as commands. tmux, which may have the same TERM, converts colours. COLORTERM is
+        // no sign: programs in GNU screen inherit it from the outer terminal.
+        let is_screen = screen | (name.starts_with(b"screen") & !tmux);
         let terminal = Terminal {
             keys: KeyParser::default(),
-            pixels: pixels(),
+            pixels,
             size: (0, 0),
             shown: (0, 0),
-            // GNU screen misreads the parts of a 24-bit colour as commands, unless COLORTERM announces support.
-            is_coarse: variable(c"STY").is_some() && variable(c"COLORTERM").is_none(),
+            has_colours,
+            is_coarse: is_screen & !name.starts_with(b"tmux"),
+            is_plain: !(has_colours & Terminal::is_utf8()),
         };
         SAVED.take_over();
         Some(terminal)
@@ -116,12 +151,28 @@ impl Terminal {
             for x in 0..width {
                 let upper = self.pixels[2 * row * width + x];
                 let lower = self.pixels[(2 * row + 1) * width + x];
+                if self.is_plain {
+                    let mean = (upper & lower) + ((upper ^ lower) >> 1 & 0x7f_7f7f);
+                    self.set_cell(&mut text, &mut background, mean);
+                    continue;
+                }
                 self.set_colour(&mut text, FOREGROUND, &mut foreground, upper);
                 self.set_colour(&mut text, BACKGROUND, &mut background, lower);
                 text.text(UPPER_HALF);
             }
         }
         text.flush()
+    }
+
+    fn set_cell(&self, text: &mut Writer, set: &mut u32, colour: u32) {
+        if self.has_colours {
+            self.set_colour(text, BACKGROUND, set, colour);
+            text.text(" ");
+        } else {
+            let [_, red, green, blue] = colour.to_be_bytes().map(usize::from);
+            let brightness = (2 * red + 5 * green + blue) * RAMP.len() / 2048;
+            text.printable(&RAMP[brightness..=brightness]);
+        }
     }
 
     fn set_colour(&self, text: &mut Writer, which: &str, set: &mut u32, colour: u32) {
@@ -195,7 +246,7 @@ impl Drop for Terminal {
     }
 }
 
-/// Recognises Esc, Ctrl-C and H. Many other keys send sequences that begin with Esc, and so do keys with Alt.
+/// Recognises Esc, Ctrl-C, Q and H. Many other keys send sequences that begin with Esc, and so do keys with Alt.
 #[derive(Default)]
 struct KeyParser {
     /// The last byte was Esc. The next bytes, if any, show whether it begins a sequence.
@@ -219,15 +270,19 @@ impl KeyParser {
     fn ends(&mut self, typed: &[u8]) -> bool {
         const ESCAPE: u8 = 0x1b;
         const CONTROL_C: u8 = 0x03;
+        // The keypad's 1 sends these bytes and `q`.
+        const KEYPAD: u16 = u16::from_be_bytes(*b"\x1bO");
         // Esc and Ctrl-C in the protocols of Kitty and xterm for modified keys.
         const ESCAPE_U: u64 = u64::from_be_bytes(*b"\x1b[27u\0\0\0");
         const CONTROL_C_U: u64 = u64::from_be_bytes(*b"\x1b[99;5u\0");
         const CONTROL_C_TILDE: u64 = u64::from_be_bytes(*b"27;5;99~");
         let was_open = core::mem::replace(&mut self.open, typed.last() == Some(&ESCAPE));
         let mut is_end = was_open && !matches!(typed.first(), Some(b'[' | b'O'));
-        let mut last = 0;
+        let mut last = u64::from(if was_open { ESCAPE } else { 0 });
         for &byte in typed {
-            self.toggles ^= byte == b'h' && last as u8 != ESCAPE;
+            let is_alone = last as u8 != ESCAPE;
+            self.toggles ^= byte == b'h' && is_alone;
+            is_end |= byte == b'q' && is_alone && last as u16 != KEYPAD;
             last = last << 8 | u64::from(byte);
             is_end |= byte == CONTROL_C
                 || last << 24 == ESCAPE_U
@@ -377,8 +432,11 @@ mod tests {
     use super::KeyParser;
 
     #[test]
-    fn escape_ends_show_and_sequences_do_not() {
-        let endings: [&[&[u8]]; 8] = [
+    fn escape_and_q_end_show_and_sequences_do_not() {
+        let endings: [&[&[u8]]; 11] = [
+            &[b"q"],
+            &[b"fwq"],
+            &[b"\x1bOAq"],
             &[b"\x1b", b""],
             &[b"\x1b\x1b", b""],
             &[b"\x1b", b"x"],
@@ -388,9 +446,12 @@ mod tests {
             &[b"x\x1b[A\x1b[99;5uy"],
             &[b"x\x1b[A\x1b[27;5;99~y"],
         ];
-        // Alt and a letter, other keys with modifiers, letters, an arrow and a function key, an arrow in two parts.
-        let others: [&[&[u8]]; 5] = [
+        // Alt and a letter, the keypad's 1, other keys with modifiers, letters, an arrow and a function key, an arrow in two parts.
+        let others: [&[&[u8]]; 8] = [
             &[b"\x1bx", b""],
+            &[b"\x1bq", b""],
+            &[b"\x1bOq", b""],
+            &[b"\x1b", b"Oq", b""],
             &[b"\x1b[99u\x1b[27;5;98~\x1b[27~", b""],
             &[b"", b"fw", b""],
             &[b"\x1b[A\x1bOP", b""],

@@ -90,8 +90,13 @@ fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
     times
 }
 
-/// Plays for a second with an ALSA configuration, from a command that ends in `"$0"`. Compares the player's pace with the clock's.
-fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
+/// Plays for a second with an ALSA configuration, from a command that ends in `"$0"`.
+fn play_on(
+    folder: &Path,
+    configuration: &str,
+    command: &str,
+    why_silent: Option<&str>,
+) -> Vec<(u64, u64)> {
     let file = folder.join("asound.conf");
     fs::write(&file, configuration).expect("it is written");
     let output = Command::new("sh")
@@ -100,7 +105,12 @@ fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&s
         .env("ALSA_CONFIG_PATH", &file)
         .env(SCENE, "1")
         .output();
-    let times = times(output.expect("a shell"), why_silent);
+    times(output.expect("a shell"), why_silent)
+}
+
+/// Like [`play_on`]. Compares the player's pace with the clock's.
+fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
+    let times = play_on(folder, configuration, command, why_silent);
     let ((first, start), (last, end)) = (times[0], times[times.len() - 1]);
     let pace = (end - start) as f64 / (last - first) as f64;
     assert!((0.98..1.02).contains(&pace), "{pace}");
@@ -128,6 +138,50 @@ fn device_plays_samples_in_order(folder: &Path) {
     }
 }
 
+/// Without the definition of `plug`, which every system's configuration has.
+fn device_of_16_bits_plays_rounded_samples(folder: &Path) {
+    let out = folder.join("short.raw");
+    let slave = format!(
+        "type file, slave.pcm {{ type null }}, file \"{}\", format raw",
+        out.display()
+    );
+    let device = format!("type linear, slave {{ pcm {{ {slave} }}, format S16_LE }}");
+    hold(folder, &format!("pcm.default {{ {device} }}"), PLAIN, None);
+    let bytes = fs::read(&out).expect("it was played");
+    fs::remove_file(out).expect("it goes");
+    let sides = bytes.chunks_exact(2);
+    let sides: Vec<i16> = sides.map(|b| i16::from_le_bytes([b[0], b[1]])).collect();
+    // From the third on, samples are beyond full scale.
+    assert_eq!(sides[..4], [0, 0, 32767, -32767]);
+    let rest = sides[4..].chunks_exact(2);
+    assert!(rest.clone().all(|sides| sides == [32767, -32768]));
+    assert!(rest.len() > RATE as usize * 9 / 10);
+}
+
+fn device_of_another_format_is_converted(folder: &Path) {
+    let system = "</usr/share/alsa/alsa.conf>\npcm.nothing { type null }\n";
+    let integers = ["S16_LE", "S24_3LE", "S32_LE", "U8"]
+        .map(|format| format!("type linear, slave {{ pcm nothing, format {format} }}"));
+    let others = [
+        (44_100, 2),
+        (96_000, 2),
+        (48_000, 1),
+        (44_100, 1),
+        (48_000, 8),
+    ];
+    let others = others.map(|(rate, channels)| {
+        let pairs: String = (0..channels)
+            .map(|number| format!("{number} {number} "))
+            .collect();
+        let slave = format!("pcm nothing, rate {rate}, channels {channels}");
+        format!("type share, slave {{ {slave} }}, bindings {{ {pairs} }}")
+    });
+    for device in integers.iter().chain(&others) {
+        let configuration = format!("{system}pcm.!default {{ {device} }}");
+        play_on(folder, &configuration, PLAIN, None);
+    }
+}
+
 fn null_device_keeps_time(folder: &Path) {
     hold(folder, "pcm.default { type null }", PLAIN, None);
 }
@@ -139,6 +193,10 @@ fn time_continues_without_sound(folder: &Path) {
         pcm.default { type share, slave { pcm nothing, rate 44100, channels 2 }, bindings { 0 0, 1 1 } }";
     let why = "sound device lacks 48 kHz stereo";
     hold(folder, other_rate, PLAIN, Some(why));
+    let integers = "pcm.nothing { type null }
+        pcm.default { type share, slave { pcm nothing, format S32_LE, channels 2 }, bindings { 0 0, 1 1 } }";
+    let why = "sound device lacks floats and 16-bit integers";
+    hold(folder, integers, PLAIN, Some(why));
     // The file limit is half a second of sound; the signal for it is ignored.
     let short = folder.join("short.raw");
     let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
@@ -264,6 +322,8 @@ fn main() {
     if !lacks(&["libasound.so.2"]) {
         for test in [
             device_plays_samples_in_order,
+            device_of_16_bits_plays_rounded_samples,
+            device_of_another_format_is_converted,
             null_device_keeps_time,
             time_continues_without_sound,
         ] {

@@ -34,9 +34,12 @@ use super::{
     memory::pixels,
     threads::{spawn, wait, wake},
 };
-use crate::render_target::{Next, RenderTarget};
+use crate::render_target::{Next, RenderTarget, fit};
 
 const CLASS: &CStr = c"Eightfold";
+
+/// Frames between two looks at the monitor in fullscreen: a quarter of a second.
+const LOOK: u8 = 16;
 
 const FRAME: isize = WS_OVERLAPPEDWINDOW as isize;
 
@@ -46,13 +49,14 @@ const ESCAPE_KEY: usize = VK_ESCAPE as usize;
 // Letters have the codes of capitals, with or without Shift.
 const F_KEY: usize = b'F' as usize;
 const H_KEY: usize = b'H' as usize;
+const Q_KEY: usize = b'Q' as usize;
 const W_KEY: usize = b'W' as usize;
 
 /// Keeps system and display on, as long as the thread lives.
 const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 
 /// For the intro's help.
-pub const KEYS: &str = "F fullscreen, W window, H hud, Esc quit";
+pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
 
 /// A window for frames.
 ///
@@ -64,11 +68,13 @@ pub struct Window {
     size: (usize, usize),
     pixels: &'static mut [u32],
     drawn: (usize, usize),
+    shown: u8,
 }
 
 struct Opening {
     title: *const c_char,
     size: (i32, i32),
+    shrinks: bool,
     /// The cursors in the window and in fullscreen.
     pointers: [HANDLE; 2],
     /// The thread that receives keys.
@@ -105,16 +111,26 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         );
         // Add the frame's size, which is the difference from the inner size, and show the window.
         let inside = inside(window).unwrap_or_default();
-        let (width, height) = (2 * width - inside.right, 2 * height - inside.bottom);
-        SetWindowPos(
-            window,
-            none,
-            0,
-            0,
-            width,
-            height,
-            SWP_NOMOVE | SWP_SHOWWINDOW,
-        );
+        let frame = [width - inside.right, height - inside.bottom];
+        let (mut x, mut y, mut size, mut flags) = (0, 0, opening.size, SWP_SHOWWINDOW | SWP_NOMOVE);
+        if let (true, Some(monitor)) = (opening.shrinks, monitor(window)) {
+            let room = monitor.rcWork;
+            let sides = [
+                room.right - room.left - frame[0],
+                room.bottom - room.top - frame[1],
+            ];
+            let [width, height] = [width, height].map(|side| side as usize);
+            let fitting = fit(
+                (width, height),
+                sides.map(|side| side.max(1) as usize).into(),
+            );
+            size = (fitting.0 as i32, fitting.1 as i32);
+            if size != opening.size {
+                (x, y, flags) = (room.left, room.top, SWP_SHOWWINDOW);
+            }
+        }
+        let (width, height) = (size.0 + frame[0], size.1 + frame[1]);
+        SetWindowPos(window, none, x, y, width, height, flags);
         opening.window.store(window, Relaxed);
         opening.is_done.store(1, Release);
         wake(&opening.is_done);
@@ -156,14 +172,9 @@ impl Cover {
         unsafe {
             let style = GetWindowLongPtrA(self.window, GWL_STYLE);
             if on {
-                let mut monitor = MONITORINFO {
-                    cbSize: size_of::<MONITORINFO>() as u32,
-                    ..MONITORINFO::default()
-                };
-                let nearest = MonitorFromWindow(self.window, MONITOR_DEFAULTTONEAREST);
-                if GetMonitorInfoA(nearest, &mut monitor) == 0 {
+                let Some(monitor) = monitor(self.window) else {
                     return;
-                }
+                };
                 if self.before.is_none() {
                     let mut place = WINDOWPLACEMENT {
                         length: size_of::<WINDOWPLACEMENT>() as u32,
@@ -195,6 +206,19 @@ impl Cover {
     }
 }
 
+fn monitor(window: HANDLE) -> Option<MONITORINFO> {
+    let mut monitor = MONITORINFO {
+        cbSize: size_of::<MONITORINFO>() as u32,
+        ..MONITORINFO::default()
+    };
+    // SAFETY: any handles are allowed, and `monitor` is writable.
+    let is_known = unsafe {
+        let nearest = MonitorFromWindow(window, MONITOR_DEFAULTTONEAREST);
+        GetMonitorInfoA(nearest, &mut monitor) != 0
+    };
+    is_known.then_some(monitor)
+}
+
 fn inside(window: HANDLE) -> Option<RECT> {
     let mut inside = RECT::default();
     // SAFETY: any handle is allowed, and `inside` is writable.
@@ -208,6 +232,22 @@ impl Window {
     /// # Errors
     /// If there is no desktop.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        Window::open_sized(title, (width as i32, height as i32), false)
+    }
+
+    /// Like [`Window::open`], but on a small monitor the window is smaller, with the same aspect ratio.
+    ///
+    /// # Errors
+    /// If there is no desktop.
+    pub fn open_on_monitor(
+        title: &CStr,
+        width: usize,
+        height: usize,
+    ) -> Result<Window, &'static str> {
+        Window::open_sized(title, (width as i32, height as i32), true)
+    }
+
+    fn open_sized(title: &CStr, size: (i32, i32), shrinks: bool) -> Result<Window, &'static str> {
         const NONE: &str = "desktop is missing";
         // SAFETY: zero is valid for all other fields, and pointers outlive the calls.
         let (pointers, thread) = unsafe {
@@ -229,7 +269,8 @@ impl Window {
         };
         let opening = Box::leak(Box::new(Opening {
             title: title.as_ptr(),
-            size: (width as i32, height as i32),
+            size,
+            shrinks,
             pointers,
             thread,
             window: AtomicPtr::new(null_mut()),
@@ -251,6 +292,7 @@ impl Window {
             size: (0, 0),
             pixels: pixels(),
             drawn: (0, 0),
+            shown: 0,
         };
         window.look();
         Ok(window)
@@ -261,6 +303,20 @@ impl Window {
         let key = if on { F_KEY } else { W_KEY };
         // SAFETY: it may be posted to any window.
         unsafe { PostMessageA(self.window, WM_KEYDOWN, key, 0) };
+    }
+
+    /// Returns whether a window without a frame has another size than its monitor, whose mode has changed.
+    fn is_misplaced(&self) -> bool {
+        // SAFETY: any handle is allowed.
+        let style = unsafe { GetWindowLongPtrA(self.window, GWL_STYLE) };
+        let (width, height) = (self.size.0 as i32, self.size.1 as i32);
+        style & FRAME == 0
+            // Not minimised.
+            && width > 0
+            && monitor(self.window).is_some_and(|monitor| {
+                let all = monitor.rcMonitor;
+                (all.right - all.left, all.bottom - all.top) != (width, height)
+            })
     }
 
     /// Updates the inner size. Returns false if the window has been closed.
@@ -311,12 +367,19 @@ impl RenderTarget for Window {
             while PeekMessageA(&mut message, null_mut(), 0, 0, PM_REMOVE) != 0 {
                 match message.wParam {
                     _ if message.message != WM_KEYDOWN => {}
-                    ESCAPE_KEY => return Next::End(0),
+                    ESCAPE_KEY | Q_KEY => return Next::End(0),
                     H_KEY => next = next.toggled(),
                     _ => {}
                 }
             }
         }
-        if self.look() { next } else { Next::End(0) }
+        if !self.look() {
+            return Next::End(0);
+        }
+        self.shown = self.shown.wrapping_add(1);
+        if self.shown.is_multiple_of(LOOK) && self.is_misplaced() {
+            self.set_fullscreen(true);
+        }
+        next
     }
 }

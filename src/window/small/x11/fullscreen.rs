@@ -1,9 +1,10 @@
 //! Fullscreen, through the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window is
-//! placed over its monitor.
+//! placed over its monitor, and follows changes of the monitor.
 
 use core::{
     ffi::{c_int, c_long, c_uint},
     mem::zeroed,
+    ptr::null_mut,
     slice::from_raw_parts,
 };
 
@@ -24,45 +25,79 @@ impl Toplevel {
         let pointer = if on { self.no_pointer } else { 0 };
         // SAFETY: the window exists, and so does the pointer; 0 is the desktop's own.
         unsafe { (self.x.XDefineCursor)(self.display, self.window, pointer) };
-        let (_, listening) = self.attributes(self.root);
-        let is_managed = listening & xlib::SubstructureRedirectMask != 0;
-        if let Some(place) = self.before {
+        if let Some(mut place) = self.before {
             if !on {
                 self.before = None;
+                // The screen may be smaller than before.
+                let (screen, _) = self.attributes(self.root);
+                if place.x >= screen.width || place.y >= screen.height {
+                    (place.x, place.y) = (0, 0);
+                }
                 self.move_to(place);
             }
-        } else if is_managed && self.has_property(self.root, self.atom(c"_NET_SUPPORTED")) {
+        } else if self.is_managed() && self.has_property(self.root, self.atom(c"_NET_SUPPORTED")) {
             self.ask_manager(on);
         } else if on {
-            let (mut place, _) = self.attributes(self.window);
-            let (x, y) = self.position();
-            let mut over = self.monitor(x + place.width / 2, y + place.height / 2);
-            if is_managed {
-                // The window manager moves its frame: put its left and upper parts beyond the monitor.
-                let (left, top) = (place.x, place.y);
-                (over.x, over.y) = (over.x - left, over.y - top);
-                (place.x, place.y) = (x - left, y - top);
-            }
-            self.before = Some(place);
-            self.move_to(over);
+            self.cover();
             let (display, window) = (self.display, self.window);
             // SAFETY: the window exists.
             unsafe { (self.x.XSetInputFocus)(display, window, xlib::RevertToPointerRoot, 0) };
         }
     }
 
+    /// Covers the monitor again if its place or mode has changed, unless a window manager does.
+    pub fn follow_monitor(&mut self) {
+        if self.before.is_some() {
+            self.cover();
+        }
+    }
+
+    fn cover(&mut self) {
+        let (mut place, _) = self.attributes(self.window);
+        let (x, y) = self.position();
+        let is_over = self.before.is_some();
+        // A smaller mode may not show the middle of the window.
+        let half = if is_over { 0 } else { 1 };
+        let mut over = self.monitor(x + place.width / 2 * half, y + place.height / 2 * half);
+        let size = (place.width, place.height);
+        if is_over && (x, y, size) == (over.x, over.y, (over.width, over.height)) {
+            return;
+        }
+        if self.is_managed() {
+            // The window manager moves its frame: put its left and upper parts beyond the monitor.
+            let (left, top) = (place.x, place.y);
+            (over.x, over.y) = (over.x - left, over.y - top);
+            (place.x, place.y) = (x - left, y - top);
+        }
+        self.before.get_or_insert(place);
+        self.move_to(over);
+    }
+
+    /// Returns whether there is a window manager.
+    pub fn is_managed(&self) -> bool {
+        let (_, listening) = self.attributes(self.root);
+        listening & xlib::SubstructureRedirectMask != 0
+    }
+
     /// Returns a monitor that shows a point, otherwise the first monitor, otherwise the screen.
     pub fn monitor(&self, x: c_int, y: c_int) -> Place {
         let (mut found, _) = self.attributes(self.root);
         let mut count = 0;
-        // SAFETY: the display is open. The list has this length, and is leaked.
-        let monitors = XINERAMA.open().and_then(|xinerama| unsafe {
-            // A query without the extension prints a message.
-            ((xinerama.XineramaIsActive)(self.display) != 0).then_some(())?;
-            let list = (xinerama.XineramaQueryScreens)(self.display, &mut count);
-            Some(from_raw_parts(list.as_ref()?, count as usize))
-        });
-        for (index, monitor) in monitors.into_iter().flatten().enumerate() {
+        let mut list = null_mut();
+        if let Some(xinerama) = XINERAMA.open() {
+            // SAFETY: the display is open. A query without the extension prints a message.
+            unsafe {
+                if (xinerama.XineramaIsActive)(self.display) != 0 {
+                    list = (xinerama.XineramaQueryScreens)(self.display, &mut count);
+                }
+            }
+        }
+        if list.is_null() {
+            return found;
+        }
+        // SAFETY: the list has this length.
+        let monitors = unsafe { from_raw_parts(list, count as usize) };
+        for (index, monitor) in monitors.iter().enumerate() {
             let place = Place {
                 x: monitor.x_org.into(),
                 y: monitor.y_org.into(),
@@ -74,6 +109,8 @@ impl Toplevel {
                 found = place;
             }
         }
+        // SAFETY: it is not used again.
+        unsafe { (self.x.XFree)(list.cast()) };
         found
     }
 

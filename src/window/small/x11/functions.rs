@@ -18,6 +18,7 @@ loaded! {
     fn XCreateSimpleWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint, c_uint, c_ulong, c_ulong) -> Window;
     fn XDefaultScreenOfDisplay(*mut Display) -> *mut Screen;
     fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
+    fn XFree(*mut c_void) -> c_int;
     fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
     fn XInitImage(*mut XImage) -> Status;
     fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
@@ -35,6 +36,7 @@ loaded! {
     fn XSetIOErrorHandler(unsafe extern "C" fn(*mut Display) -> c_int) -> *mut c_void;
     fn XSetInputFocus(*mut Display, Window, c_int, Time) -> c_int;
     fn XSetWMProtocols(*mut Display, Window, *mut Atom, c_int) -> Status;
+    fn XSetWMProperties(*mut Display, Window, *const c_void, *const c_void, *const c_void, c_int, *const c_void, *const c_void, *mut XClassHint) -> ();
     fn XStoreName(*mut Display, Window, *const c_char) -> c_int;
     fn XSync(*mut Display, Bool) -> c_int;
     fn XTranslateCoordinates(*mut Display, Window, Window, c_int, c_int, *mut c_int, *mut c_int, *mut Window) -> Bool;

@@ -11,8 +11,8 @@ pub const W: c_uint = b'w' as c_uint;
 /// Modifiers that make a key another program's command.
 const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
 
-/// Returns a pressed key's keysym without Shift, by the current layout. If the layout has no Latin letter there, F, H and W are at
-/// their US positions. With Ctrl, Alt or Super the result is [`input::NONE`].
+/// Returns a pressed key's keysym without Shift, by the current layout. If the layout has no Latin letter there, F, H, Q and W
+/// are at their US positions. With Ctrl, Alt or Super the result is [`input::NONE`].
 pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
         return input::NONE;
@@ -22,6 +22,7 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
         return key;
     }
     match event.keycode {
+        24 => input::Q,
         25 => W,
         41 => F,
         43 => input::H,

@@ -5,7 +5,7 @@ mod functions;
 pub mod keyboard;
 
 use core::{
-    ffi::{CStr, c_int, c_uint, c_void},
+    ffi::{CStr, c_int, c_long, c_uint, c_void},
     mem::zeroed,
     ptr::{null, null_mut, with_exposed_provenance_mut},
     sync::atomic::{AtomicU64, Ordering::Release},
@@ -119,12 +119,24 @@ impl Toplevel {
         }
     }
 
-    /// Sets the window's and the program's class names, by which desktops find their rules.
-    pub fn set_class(&self) {
-        self.set_text(
-            xlib::XA_WM_CLASS,
-            xlib::XA_STRING,
-            b"eightfold\0Eightfold\0",
-        );
+    /// Sets the program's class names, by which desktops find their rules, its machine and its process, which a desktop may end if
+    /// it hangs.
+    pub fn set_program(&self) {
+        let mut class = xlib::XClassHint {
+            res_name: c"eightfold".as_ptr().cast_mut(),
+            res_class: c"Eightfold".as_ptr().cast_mut(),
+        };
+        let (display, window, nothing) = (self.display, self.window, null());
+        let (name, kind) = (self.atom(c"_NET_WM_PID"), xlib::XA_CARDINAL);
+        // SAFETY: the window exists, and pointers outlive the calls. Xlib keeps 32-bit items in `c_long`.
+        unsafe {
+            let describe = self.x.XSetWMProperties;
+            describe(
+                display, window, nothing, nothing, nothing, 0, nothing, nothing, &mut class,
+            );
+            let process: c_long = libc::syscall(libc::SYS_getpid);
+            let (replace, process) = (xlib::PropModeReplace, (&raw const process).cast());
+            (self.x.XChangeProperty)(display, window, name, kind, 32, replace, process, 1);
+        }
     }
 }
