@@ -8,6 +8,9 @@ const SECOND: u64 = 1_000_000_000;
 
 const PRESETS: usize = Quality::LADDER.len();
 
+/// The presets at full size, then the fastest one at a half and at a third of each side.
+const RUNGS: usize = PRESETS + 2;
+
 /// The number of late frames before a step down: 0.1 s at 60 frames per second. A frame that takes several periods counts several
 /// times.
 const TOO_LATE: u64 = 6;
@@ -18,6 +21,14 @@ const MAX_LATENESS: u64 = 4;
 /// The nanoseconds for which a finer preset must look possible. With the delay of `mean` a step up takes half a second at 30 frames
 /// per second.
 const CALM: u64 = SECOND / 5;
+
+/// The factor on [`CALM`] before frames grow, unless half of the time is left: a change of size is more visible than a change of the
+/// preset.
+const SIZE_CALM: u64 = 5;
+
+/// The fifths of the budget below which a finer rung looks possible, before its time is known. The next preset takes a quarter longer,
+/// and larger frames 1.7 to 3 times as long.
+const GUESS: u64 = 3;
 
 /// The number of frames after a step down that are compared with those before it.
 const COMPARED: u64 = 8;
@@ -30,6 +41,9 @@ const COMPARED: u64 = 8;
 /// The preset is stable under a constant load, even if times vary. After a change of the load the first step follows within half a
 /// second, or two frames if these are longer. If the load falls within eight frames of a step down, the preset may stay too fast
 /// until the next change of the load: the fall looks like the effect of the step.
+///
+/// [`Governor::with_smaller_frames`] adds two steps below the fastest preset: a half and a third of each side. Frames grow again
+/// after a second in which the larger ones look possible, or sooner with much time left.
 ///
 /// ```
 /// use core::time::Duration;
@@ -45,18 +59,20 @@ const COMPARED: u64 = 8;
 pub struct Governor {
     /// Times are in nanoseconds.
     budget: u64,
-    preset: usize,
+    /// 0 to `last`, below [`RUNGS`].
+    rung: usize,
+    last: usize,
     /// Late frames since the last step, minus punctual ones, at least 0.
     late: u64,
-    /// Successive frames in which the next finer preset looked possible.
+    /// Successive frames in which the next finer rung looked possible.
     calm: u64,
     age: u64,
     /// An exponential moving average, mostly of the last four frames.
     mean: u64,
     /// The mean before a step down; 0 after a step up.
     before: u64,
-    /// For each preset, the mean below which the next finer one looks possible.
-    threshold: [u64; PRESETS],
+    /// For each rung, the mean below which the next finer one looks possible.
+    threshold: [u64; RUNGS],
 }
 
 impl Governor {
@@ -64,28 +80,51 @@ impl Governor {
     #[must_use]
     #[inline]
     pub fn new(budget: Duration) -> Self {
+        let budget = (budget.as_nanos() as u64).clamp(1, SECOND);
         Self {
-            budget: (budget.as_nanos() as u64).clamp(1, SECOND),
-            preset: 0,
+            budget,
+            rung: 0,
+            last: PRESETS - 1,
             late: 0,
             calm: 0,
             age: 0,
             mean: 0,
             before: 0,
-            threshold: [0; PRESETS],
+            threshold: [budget / 5 * GUESS; RUNGS],
         }
+    }
+
+    /// Also selects a [divisor](Governor::divisor) if the fastest preset is too slow.
+    #[must_use]
+    pub fn with_smaller_frames(self) -> Self {
+        Self {
+            last: RUNGS - 1,
+            ..self
+        }
+    }
+
+    /// Selects the fastest frames, for a start or a change that makes finer ones very late. Steps down would take a second.
+    pub fn select_fastest(&mut self) {
+        self.rung = self.last;
+        (self.late, self.calm, self.age, self.before) = (0, 0, 0, 0);
     }
 
     /// Returns the quality for the next frame.
     #[must_use]
     pub fn quality(&self) -> &'static Quality {
-        &Quality::LADDER[self.preset]
+        &Quality::LADDER[self.preset()]
     }
 
     /// Returns the index of the preset in [`Quality::LADDER`].
     #[must_use]
     pub fn preset(&self) -> usize {
-        self.preset
+        self.rung.min(PRESETS - 1)
+    }
+
+    /// Returns the number that divides both sides of the next frame: 1, or 2 or 3 with [`Governor::with_smaller_frames`].
+    #[must_use]
+    pub fn divisor(&self) -> usize {
+        1 + self.rung - self.preset()
     }
 
     /// Records the time from the start of the last frame until it was shown.
@@ -108,7 +147,7 @@ impl Governor {
         } else {
             self.late = self.late.saturating_sub(1);
         }
-        let Some(threshold) = self.threshold.get_mut(self.preset) else {
+        let Some(threshold) = self.threshold.get_mut(self.rung) else {
             return;
         };
         if self.before > 0 && self.age <= COMPARED {
@@ -119,12 +158,14 @@ impl Governor {
         } else {
             0
         };
-        if self.late == too_late && self.preset + 1 < PRESETS {
+        let has_doubt = self.rung >= PRESETS && self.mean > *threshold / 2;
+        let hold = if has_doubt { SIZE_CALM * hold } else { hold };
+        if self.late == too_late && self.rung < self.last {
             self.before = self.mean;
-            self.preset += 1;
-        } else if self.calm == hold && self.preset > 0 {
+            self.rung += 1;
+        } else if self.calm >= hold && self.rung > 0 {
             self.before = 0;
-            self.preset -= 1;
+            self.rung -= 1;
         } else {
             return;
         }

@@ -46,8 +46,8 @@
 //! # Quality
 //!
 //! [`Quality::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A
-//! [`Governor`] selects the preset that holds a frame rate. An [`AccuracyGovernor`] selects the preset that holds an accuracy,
-//! measured by [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
+//! [`Governor`] selects the preset that holds a frame rate, and optionally a smaller size. An [`AccuracyGovernor`] selects the preset
+//! that holds an accuracy, measured by [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
 //!
 //! # Memory and threads
 //!

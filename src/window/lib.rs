@@ -8,6 +8,7 @@
 //! | sound and its clock | [`sound`] |
 //! | time and sleep | [`clock`] |
 //! | a thread pool for the work of a frame | [`pool`] |
+//! | enlarged pictures | [`enlarge`] |
 //! | the best instruction set | [`cpu`] |
 //! | static memory | [`static_cell`] |
 //! | lines on standard output and error | [`mod@line`] |
@@ -43,6 +44,7 @@ pub mod arguments;
 mod backend;
 pub mod clock;
 pub mod cpu;
+pub mod enlarge;
 #[cfg(not(feature = "windows"))]
 pub mod input;
 pub mod line;

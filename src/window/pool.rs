@@ -9,6 +9,7 @@ use core::{
     hint::spin_loop,
     mem::{MaybeUninit, transmute},
     ptr::null_mut,
+    slice::from_raw_parts_mut,
     sync::atomic::{
         AtomicBool, AtomicU32, AtomicUsize,
         Ordering::{AcqRel, Acquire, Relaxed, Release, SeqCst},
@@ -114,7 +115,31 @@ impl Pool {
         });
     }
 
+    /// Runs a job on every row of a picture, with its number.
+    pub fn rows(
+        &mut self,
+        pixels: &mut [u32],
+        width: usize,
+        job: &(dyn Fn(usize, &mut [u32]) + Sync),
+    ) {
+        let next = AtomicUsize::new(0);
+        let pixels = Each::new(pixels);
+        self.work(&|_| {
+            loop {
+                let row = next.fetch_add(1, Relaxed);
+                // SAFETY: the counter gives each number once.
+                let Some(pixels) = (unsafe { pixels.chunk(row, width) }) else {
+                    return;
+                };
+                job(row, pixels);
+            }
+        });
+    }
+
     /// Runs the work on the caller's thread, with number 0, and on all threads that enter in time.
+    ///
+    /// Not inlined, as it has two callers and is large.
+    #[inline(never)]
     fn work(&mut self, work: Work<'_>) {
         let shared = &*self.shared;
         if self.count == 0 {
@@ -243,5 +268,16 @@ impl<T> Each<T> {
     unsafe fn get<'a>(&self, index: usize) -> Option<&'a mut T> {
         // SAFETY: the index is in the slice; the rest is required of the caller.
         (index < self.length).then(|| unsafe { &mut *self.start.add(index) })
+    }
+
+    /// Returns the chunk of `size` elements at an index, if all are in the slice.
+    ///
+    /// # Safety
+    /// Each chunk of one size may be requested once, and the slice has to stay borrowed.
+    unsafe fn chunk<'a>(&self, index: usize, size: usize) -> Option<&'a mut [T]> {
+        let start = index * size;
+        let is_there = start + size <= self.length;
+        // SAFETY: the chunk is in the slice; the rest is required of the caller.
+        is_there.then(|| unsafe { from_raw_parts_mut(self.start.add(start), size) })
     }
 }

@@ -6,11 +6,13 @@ use std::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
 const PRESETS: usize = Quality::LADDER.len();
+/// The presets, and two steps with smaller frames.
+const RUNGS: usize = PRESETS + 2;
 
 /// Frames after a step in which a governor measures its effect.
 const COMPARED: usize = 8;
 
-/// The time or the frame, the old and the new preset.
+/// The time or the frame, the old and the new rung.
 type Step = (u64, usize, usize);
 
 fn turns(steps: &[Step]) -> usize {
@@ -25,16 +27,21 @@ fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     f64::from(random.between(low as f32, high as f32))
 }
 
-fn for_each_step(random: &mut Random, low: f64, high: f64) -> [f64; PRESETS - 1] {
-    [(); PRESETS - 1].map(|()| between(random, low, high))
+fn for_each_step<const STEPS: usize>(random: &mut Random, low: f64, high: f64) -> [f64; STEPS] {
+    [(); STEPS].map(|()| between(random, low, high))
+}
+
+fn rung(governor: &Governor) -> usize {
+    governor.preset() + governor.divisor() - 1
 }
 
 struct Machine {
     governor: Governor,
+    last: usize,
     /// Nanoseconds per frame.
     budget: f64,
     /// Frame times relative to the finest preset.
-    shares: [f64; PRESETS],
+    shares: [f64; RUNGS],
     /// The frame time at the finest preset, as a share of the budget.
     load: f64,
     noise: f64,
@@ -47,18 +54,25 @@ struct Machine {
 impl Machine {
     fn new(mut random: Random, least_fps: u64, load: f64, most_noise: f64) -> Self {
         let ratios = for_each_step(&mut random, 1.1, 2.5);
+        let has_smaller = random.below(2) == 1;
         let fps = least_fps + random.bits() % (241 - least_fps);
         let noise = between(&mut random, 0.0, most_noise);
-        Self::known(random, fps, ratios, load, noise)
+        let mut machine = Self::known(random, fps, ratios, load, noise);
+        if has_smaller {
+            machine.governor = machine.governor.with_smaller_frames();
+            machine.last = RUNGS - 1;
+        }
+        machine
     }
 
-    fn known(random: Random, fps: u64, ratios: [f64; PRESETS - 1], load: f64, noise: f64) -> Self {
-        let mut shares = [1.0; PRESETS];
+    fn known(random: Random, fps: u64, ratios: [f64; RUNGS - 1], load: f64, noise: f64) -> Self {
+        let mut shares = [1.0; RUNGS];
         for (i, ratio) in ratios.into_iter().enumerate() {
             shares[i + 1] = shares[i] / ratio;
         }
         Self {
             governor: Governor::new(Duration::from_nanos(SECOND / fps)),
+            last: PRESETS - 1,
             budget: SECOND as f64 / fps as f64,
             shares,
             load,
@@ -69,18 +83,22 @@ impl Machine {
         }
     }
 
+    fn rung(&self) -> usize {
+        rung(&self.governor)
+    }
+
     fn cost(&self) -> f64 {
-        self.load * self.shares[self.governor.preset()]
+        self.load * self.shares[self.rung()]
     }
 
     fn frame(&mut self, factor: f64) {
         let noise = between(&mut self.random, 1.0 - self.noise, 1.0 + self.noise);
         let time = self.cost() * noise * factor * self.budget;
-        let preset = self.governor.preset();
+        let rung = self.rung();
         self.governor.frame(Duration::from_nanos(time as u64));
         self.now += time.max(self.budget) as u64;
-        if self.governor.preset() != preset {
-            self.steps.push((self.now, preset, self.governor.preset()));
+        if self.rung() != rung {
+            self.steps.push((self.now, rung, self.rung()));
         }
     }
 
@@ -114,10 +132,10 @@ fn constant_load_selects_the_finest_preset_in_time() {
         let most_noise = [0.0, 0.1][random.below(2)];
         let mut machine = Machine::new(random, 24, load, most_noise);
         machine.settle();
-        let (preset, cost) = (machine.governor.preset(), machine.cost());
+        let (rung, cost) = (machine.rung(), machine.cost());
         if most_noise == 0.0 {
-            assert!(cost <= 1.0 || preset == PRESETS - 1, "{cost}");
-            assert!(preset == 0 || load * machine.shares[preset - 1] > 0.9);
+            assert!(cost <= 1.0 || rung == machine.last, "{cost}");
+            assert!(rung == 0 || load * machine.shares[rung - 1] > 0.9);
         }
         machine.run(60 * SECOND);
         let steps = &machine.steps;
@@ -140,12 +158,13 @@ fn change_of_load_is_followed_within_half_a_second() {
 
         let mut machine = Machine::new(random, 30, 1.33 * load + 1.1, 0.05);
         machine.settle();
-        let preset = machine.governor.preset();
-        if preset > 0 && machine.cost() < 1.0 {
-            let load = 0.67 / machine.shares[preset - 1];
+        let rung = machine.rung();
+        if rung > 0 && machine.cost() < 1.0 {
+            let load = 0.67 / machine.shares[rung - 1];
             let reaction = machine.reaction(load).expect("a step");
-            assert_eq!(machine.steps[0].2, preset - 1);
-            assert!(reaction <= SECOND / 2, "{reaction}");
+            assert_eq!(machine.steps[0].2, rung - 1);
+            let most = [SECOND / 2, SECOND * 3 / 2][usize::from(rung >= PRESETS)];
+            assert!(reaction <= most, "{reaction}");
             lighter += 1;
         }
     }
@@ -179,11 +198,49 @@ fn single_late_frames_change_nothing() {
     }
 }
 
+#[test]
+fn sides_are_halved_then_divided_by_three() {
+    let mut governor = Governor::new(Duration::from_nanos(SECOND / 60)).with_smaller_frames();
+    let late = Duration::from_millis(50);
+    let mut seen = vec![(0, 1)];
+    for _ in 0..1000 {
+        governor.frame(late);
+        seen.push((governor.preset(), governor.divisor()));
+    }
+    seen.dedup();
+    let smaller = [(PRESETS - 1, 2), (PRESETS - 1, 3)];
+    let expected = (0..PRESETS).map(|preset| (preset, 1)).chain(smaller);
+    assert_eq!(seen, expected.collect::<Vec<_>>());
+    let mut full = Governor::new(Duration::from_nanos(SECOND / 60));
+    (0..1000).for_each(|_| full.frame(late));
+    assert_eq!((full.preset(), full.divisor()), (PRESETS - 1, 1));
+}
+
+/// A step to a rung of unknown time may have to be taken back.
+#[test]
+fn fastest_frames_are_followed_by_finest_in_time() {
+    for mut random in cases(200) {
+        let load = between(&mut random, 0.05, 20.0);
+        let mut machine = Machine::new(random, 24, load, 0.0);
+        machine.governor.select_fastest();
+        assert_eq!(machine.rung(), machine.last);
+        machine.run(20 * SECOND);
+        let rung = machine.rung();
+        let finer = rung
+            .checked_sub(1)
+            .map(|finer| load * machine.shares[finer]);
+        assert!(machine.cost() <= 1.0 || rung == machine.last, "{load}");
+        // A preset that takes half of the time may be kept.
+        assert!(finer.is_none_or(|finer| finer > 0.5), "{load} {finer:?}");
+        assert!(turns(&machine.steps) <= 2, "{load}: {:?}", machine.steps);
+    }
+}
+
 /// Frame times cannot separate a load that drops at a step from a step that saves more; in the second case a finer preset would be
 /// too slow.
 #[test]
 fn load_drop_at_a_step_counts_as_saved() {
-    let ratios = [1.239_9, 2.313_5, 1.179_1, 1.410_8, 1.1, 1.1];
+    let ratios = [1.239_9, 2.313_5, 1.179_1, 1.410_8, 1.1, 1.1, 1.0, 1.0];
     for (frames, leads_up) in [(0, false), (COMPARED, true)] {
         let mut machine = Machine::known(Random::new(1), 224, ratios, 4.43, 0.021);
         while machine.governor.preset() < 5 {

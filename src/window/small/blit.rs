@@ -15,7 +15,7 @@ use core::{
 use x11_dl::{xlib, xshm::XShmSegmentInfo};
 
 use super::{
-    memory::pixels,
+    memory::allocate,
     x11::{self, Toplevel},
     xext::{XEXT, Xext},
 };
@@ -52,7 +52,7 @@ impl Frames {
         // SAFETY: the image is valid.
         let is_shared = unsafe { (*image).bits_per_pixel } == 32;
         let shared = if is_shared { frames.share(top) } else { None };
-        let memory = shared.unwrap_or_else(pixels);
+        let memory = shared.unwrap_or_else(|| allocate(2 * MOST_PIXELS));
         // SAFETY: the image is valid.
         unsafe {
             // Xlib converts 32-bit pixels if the server's are smaller or have another byte order.

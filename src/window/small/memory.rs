@@ -1,15 +1,24 @@
 use core::{ptr::null_mut, slice};
 
-use crate::{line, render_target::MOST_PIXELS};
+use crate::{enlarge::MOST_SMALL, line, render_target::MOST_PIXELS};
 
-/// Returns zeroed memory for two frames, committed when it is written. Ends the process if no address space is left.
+/// Returns zeroed memory for a frame, see [`allocate`].
 pub fn pixels() -> &'static mut [u32] {
-    const COUNT: usize = 2 * MOST_PIXELS;
+    allocate(MOST_PIXELS)
+}
+
+/// Returns zeroed memory for a small picture, see [`allocate`].
+pub fn small() -> &'static mut [u32] {
+    allocate(MOST_SMALL)
+}
+
+/// Returns zeroed pixels, committed when they are written. Ends the process if no address space is left.
+pub fn allocate(count: usize) -> &'static mut [u32] {
     // SAFETY: the mapping is new, and is never unmapped.
     unsafe {
         let memory = libc::mmap(
             null_mut(),
-            COUNT * size_of::<u32>(),
+            count * size_of::<u32>(),
             libc::PROT_READ | libc::PROT_WRITE,
             libc::MAP_PRIVATE | libc::MAP_ANONYMOUS | libc::MAP_NORESERVE,
             -1,
@@ -19,6 +28,6 @@ pub fn pixels() -> &'static mut [u32] {
             line::complaint().text("memory is exhausted\n").flush();
             libc::_exit(1);
         }
-        slice::from_raw_parts_mut(memory.cast(), COUNT)
+        slice::from_raw_parts_mut(memory.cast(), count)
     }
 }

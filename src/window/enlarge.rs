@@ -1,0 +1,106 @@
+//! Enlarges small pictures, by all threads.
+//!
+//! Each pixel is three quarters of the nearest small pixel and a quarter of its neighbour, in both directions: for halves, this is
+//! bilinear interpolation. With SSE2, one thread enlarges to 3840x2160 in 7 ms; a copy takes 4 ms.
+
+pub use crate::backend::memory::small;
+use crate::{pool::Pool, render_target::MOST_PIXELS};
+
+/// The size of the memory for small pictures: the largest one has half the sides, and some more pixels are read, but not shown.
+pub const MOST_SMALL: usize = MOST_PIXELS / 4 + LANES;
+
+/// The number of pixels that are mixed at once.
+const LANES: usize = 4;
+
+type Lanes = [u32; LANES];
+
+/// A row of the widest small picture, with a copy of the outermost pixel on each side.
+type Line = [u32; 3840 / 2 + LANES];
+
+/// A picture in memory of [`MOST_SMALL`] pixels, as [`small`] returns.
+pub struct Small<'a> {
+    pub pixels: &'a [u32],
+    pub width: usize,
+    pub height: usize,
+    /// The factor by which to enlarge it: 2 or 3.
+    pub factor: u32,
+    /// Interpolates pixels instead of repeating them.
+    pub is_smooth: bool,
+}
+
+impl Small<'_> {
+    /// Fills a canvas of a width, which may cut off the last columns and rows.
+    ///
+    /// # Panics
+    /// If a picture is too large or too small.
+    pub fn enlarge(&self, pool: &mut Pool, canvas: &mut [u32], width: usize) {
+        pool.rows(canvas, width, &|y, row| {
+            let mut line = [0; _];
+            self.mix_rows(y as u32, &mut line);
+            self.stretch(&line, row);
+        });
+    }
+
+    /// Computes the pixels for a row of the canvas.
+    fn mix_rows(&self, y: u32, line: &mut Line) {
+        let (nearest, side) = ((y / self.factor) as usize, y % self.factor);
+        let mut neighbour = nearest;
+        if self.is_smooth && side == 0 {
+            neighbour = nearest.saturating_sub(1);
+        } else if self.is_smooth && side == self.factor - 1 {
+            neighbour = (nearest + 1).min(self.height - 1);
+        }
+        let row = |y: usize| self.pixels[y * self.width..].as_chunks().0;
+        let pairs = row(nearest).iter().zip(row(neighbour));
+        for (to, (&pixels, &others)) in line[1..].as_chunks_mut().0.iter_mut().zip(pairs) {
+            *to = mix(pixels, others);
+        }
+        line[0] = line[1];
+        line[self.width + 1] = line[self.width];
+    }
+
+    fn stretch(&self, line: &Line, row: &mut [u32]) {
+        let mut at = 0;
+        for &around in line.array_windows().take(self.width) {
+            let mut mixed = [around[1]; LANES];
+            if self.is_smooth {
+                mixed = mix(mixed, around);
+            }
+            if self.factor == 2 {
+                mixed[1] = mixed[2];
+            }
+            // The next pixel overwrites the lanes beyond the factor.
+            match row.get_mut(at..at + LANES) {
+                Some(to) => to.copy_from_slice(&mixed),
+                None => {
+                    let rest = row[at..].iter_mut().zip(mixed);
+                    rest.for_each(|(to, pixel)| *to = pixel);
+                }
+            }
+            at += self.factor as usize;
+        }
+    }
+}
+
+/// Returns three quarters of each pixel and one quarter of its neighbour, in each channel; equal pixels stay the same.
+fn mix(pixels: Lanes, neighbours: Lanes) -> Lanes {
+    mean(pixels, mean(pixels, neighbours))
+}
+
+/// Returns the mean of each channel, rounded up.
+#[cfg(target_arch = "x86_64")]
+fn mean(a: Lanes, b: Lanes) -> Lanes {
+    use core::arch::x86_64::{__m128i, _mm_avg_epu8};
+    use core::mem::transmute;
+    let [a, b] = [a, b].map(|lanes| {
+        // SAFETY: the types have the same size and no invalid values.
+        unsafe { transmute::<Lanes, __m128i>(lanes) }
+    });
+    // SAFETY: the same, and every such processor has SSE2.
+    unsafe { transmute::<__m128i, Lanes>(_mm_avg_epu8(a, b)) }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn mean(a: Lanes, b: Lanes) -> Lanes {
+    core::array::from_fn(|i| (a[i] | b[i]) - ((a[i] ^ b[i]) >> 1 & 0x7f7f_7f7f))
+}
