@@ -61,6 +61,13 @@ export async function run(tests, word, by = "", replace) {
   return code;
 }
 
+/** Returns whether the chosen overlay and scene differ in colour from the others. Runs in a page. */
+export const hasMarks = () =>
+  [["#overlays :checked + span", "#overlays :not(:checked) + span"], ["#scenes [aria-current=true]", "#scenes [aria-current=false]"]].every((pair) => {
+    const [chosen, other] = pair.map((selector) => getComputedStyle(document.querySelector(selector)));
+    return ["color", "backgroundColor"].every((name) => chosen[name] !== other[name]);
+  });
+
 /** A browser's page, which has `value(expression)`. */
 export class Driver {
   /** Waits until an expression is true. */

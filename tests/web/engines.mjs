@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gunzipSync } from "node:zlib";
 import { Browser } from "./chromium.mjs";
-import { run, serve, sleep } from "./driver.mjs";
+import { hasMarks, run, serve, sleep } from "./driver.mjs";
 import { Firefox } from "./firefox.mjs";
 import { WebKit } from "./webkit.mjs";
 
@@ -74,13 +74,27 @@ const faults = {
   "a host with half of the fast module": [{ change: (path, own) => path === "/eightfold.bin" && { bytes: own.subarray(0, own.length / 2) } }, /eightfold\.bin is cut short or damaged/],
   "a host without modules": [{ change: (path) => path.endsWith(".bin") && { status: 404 } }, /can.t be played: eightfold\.bin: HTTP status is 404; must be 200, and plain\.bin: HTTP/],
   "a host with another page in place of modules": [{ change: (path) => path.endsWith(".bin") && { bytes: "<!DOCTYPE html>" } }, /can.t be played: eightfold\.bin is cut short or damaged/],
-  "a host without a script": [{ change: (path) => path === "/clock.js" && { status: 404 } }, /can.t be played: .*(module|import)/i],
+  "a host without a script": [{ change: (path) => path === "/clock.js" && { status: 404 } }, /can.t be played: module clock\.js: HTTP status is 404; must be 200/],
+  "a host that serves scripts as text": [{ change: (path) => path.endsWith(".js") && { more: { "content-type": "text/plain" } } }, /can.t be played: module page\.js: content type is text\/plain; must be text\/javascript/],
   "a host without the worker's script": [{ change: (path) => path === "/worker.js" && { status: 404 } }, /worker\.js can't be loaded/],
   "a sandboxed frame": [{ headers: { "content-security-policy": "sandbox allow-scripts" } }, /sandboxed/],
   "a sandboxed frame of a host that lets others read": [{ headers: { "content-security-policy": "sandbox allow-scripts", "access-control-allow-origin": "*" } }, /sandboxed/],
   "a browser that starts no workers": [{ before: "Worker = class { constructor() { throw new Error('as if'); } }" }, /worker.*as if/],
   "a browser without WebAssembly": [{ before: "delete globalThis.WebAssembly" }, /WebAssembly is missing/],
 };
+
+/** Serves the page with a change of the texts of its files. */
+const serveChanged = (change) => serve(folder, {}, (path, own) => ({ bytes: change(path === "/" ? "/index.html" : path, String(own)) || own }));
+
+/** Asserts that the figures of a resting picture and the plot are finite, and that the plot is small. */
+async function assertFinite() {
+  await page.until("eightfold.steps.front().length === 7 || document.getElementById('front-note').textContent.includes('failed')");
+  const speeds = await page.value("eightfold.steps.front().map(({ speed }) => speed)");
+  assert.ok(speeds.length === 7 && speeds.every((speed) => speed > 0 && speed < 1000), `${speeds}, ${await page.textOf("front-note")}`);
+  const parts = await page.value("document.getElementById('front-axes').childElementCount");
+  assert.ok(parts > 10 && parts < 60, `${parts} parts`);
+  await page.until("/^[1-9]/.test(document.getElementById('milliseconds').textContent)");
+}
 
 const tests = {
   async "the page loads"() {
@@ -111,6 +125,141 @@ const tests = {
     await page.input("scene-text", text.replace("radius: 1.0", "radius: -1.0"));
     const line = text.split("\n").findIndex((line) => line.includes("radius: 1.0")) + 1;
     assert.match(await page.textOf("scene-fault"), new RegExp(`^Line ${line}, column \\d+: `));
+  },
+
+  async "a mistake is shown over the last valid scene, also from its address"() {
+    const mistake = "document.getElementById('mistake')";
+    const isSeen = () => page.value(`(() => { scrollTo(0, 0); const { x, y, bottom } = ${mistake}.getBoundingClientRect(); return ${mistake}.checkVisibility() && bottom < innerHeight && document.elementFromPoint(x + 20, y + 9) === ${mistake}; })()`);
+    const picture = async (source) => {
+      await page.until(`eightfold.view.source === "${source}" && !eightfold.isStale()`);
+      return page.value("document.getElementById('picture').toDataURL()");
+    };
+    const share = async () => {
+      await page.value("document.getElementById('share').click()");
+      await page.until("location.hash.includes('scene=')");
+      return page.value("location.href");
+    };
+    await page.go(site.address);
+    await page.until("document.getElementById('scene-text').value.includes('spheres')");
+    const text = (await page.value("document.getElementById('scene-text').value")).replace("(-2.2, 1.0, 0.0)", "(-2.0, 1.3, 0.0)");
+    const wrong = text.replace("radius: 1.0", "radius: -1.0");
+    const line = wrong.split("\n").findIndex((line) => line.includes("-1.0")) + 1;
+    // Without a valid scene, the show is behind the mistake.
+    await page.input("scene-text", wrong);
+    assert.ok(await isSeen());
+    await page.go(await share());
+    await page.until(`!${mistake}.hidden`);
+    assert.match(await page.value(`${mistake}.textContent`), new RegExp(`^Line ${line}, column \\d+: `));
+    assert.ok(await isSeen());
+    assert.equal(await page.value("eightfold.view.source"), "show");
+    await page.input("scene-text", text);
+    const valid = await picture("file");
+    assert.ok(!(await isSeen()));
+    await page.input("scene-text", wrong);
+    assert.ok(await isSeen());
+    assert.equal(await picture("file"), valid);
+    await page.value("history.replaceState(null, '', '#')");
+    await page.go(await share());
+    assert.equal(await picture("file"), valid);
+    assert.equal(await page.value("document.getElementById('scene-text').value"), wrong);
+    assert.match(await page.value(`${mistake}.textContent`), new RegExp(`^Line ${line}, column \\d+: `));
+    assert.ok(await isSeen());
+    // A click selects the line.
+    await page.click("#mistake");
+    const [selected, focused] = await page.value("(({ value, selectionStart, selectionEnd }) => [value.slice(selectionStart, selectionEnd), document.activeElement.id])(document.getElementById('scene-text'))");
+    assert.deepEqual([selected, focused], [wrong.split("\n")[line - 1], "scene-text"]);
+    await page.click("#back");
+    assert.ok(!(await isSeen()));
+    // A damaged address is reported in the same place.
+    await page.go(`${site.address}#scene=AAAA`);
+    await page.until(`!${mistake}.hidden`);
+    assert.equal(await page.value(`${mistake}.textContent`), "The scene in the address is damaged.");
+    assert.ok(await isSeen());
+  },
+
+  async "a paused picture refines to finest, unless the viewer chose a quality"() {
+    await page.go(site.address);
+    const { qualities } = await page.value("eightfold.about");
+    const named = async (name) => {
+      assert.equal(await page.textOf("quality-name"), name);
+      assert.equal(await page.value("document.getElementById('quality').getAttribute('aria-valuetext')"), name);
+    };
+    await page.until("!eightfold.isStale()");
+    await named("finest");
+    // Slow frames make the governor select the fastest quality.
+    await page.value("(globalThis.fast = eightfold.frames.draw, eightfold.frames.draw = async function (order) { await new Promise((resolve) => setTimeout(resolve, 60)); return fast.call(this, order); }, true)");
+    await page.click("#start");
+    await page.until(`eightfold.view.quality === ${qualities.length - 1}`);
+    await named("fastest");
+    await page.value("delete eightfold.frames.draw");
+    await page.click("#play");
+    await page.until("!eightfold.clock.isPlaying && !eightfold.isStale()");
+    await named("finest");
+    const differing = await page.value(`(async () => {
+      const { bytesOf } = await import(new URL("frames.js", location));
+      const { width, height } = document.getElementById("picture");
+      const order = { scene: { kind: "show", time: eightfold.shown(), isResting: true }, quality: 1, isReference: false, width, height };
+      const own = bytesOf(await eightfold.frames.draw(order));
+      const shown = document.getElementById("picture").getContext("2d").getImageData(0, 0, width, height).data;
+      return shown.filter((byte, i) => byte !== own[i]).length;
+    })()`);
+    assert.equal(differing, 0);
+    // A shared picture refines, too, unless its quality was chosen.
+    await page.value("document.getElementById('share').click()");
+    await page.until("location.hash.includes('t=')");
+    assert.ok(!(await page.value("location.hash.includes('quality')")));
+    await page.input("quality", qualities.length - 1);
+    await page.until("!eightfold.isStale()");
+    await sleep(500);
+    await named("fastest");
+    await page.value("(history.replaceState(null, '', '#'), document.getElementById('share').click())");
+    await page.until("location.hash.includes('quality=fastest')");
+  },
+
+  async "figures wait for warm frames and for an interval below 2 dB"() {
+    // The first frames of each worker take longer.
+    const wait = 3000;
+    const spin = `if (pass === 0 && (globalThis.drawn = (globalThis.drawn ?? 0) + 1) < 3) for (const end = Date.now() + ${wait}; Date.now() < end; );`;
+    const host = await serveChanged((path, own) => path === "/worker.js" && own.replace("const start = performance.now();", `$& ${spin}`));
+    try {
+      await page.go(host.address);
+      await page.value(`(() => {
+        globalThis.seen = { accuracy: [], milliseconds: [], rate: [] };
+        for (const id in seen) new MutationObserver(() => seen[id].push(document.getElementById(id).textContent)).observe(document.getElementById(id), { childList: true, characterData: true });
+      })()`);
+      await page.until("seen.accuracy.some((text) => text.includes('±'))");
+      await page.click("#start");
+      await page.until("eightfold.clock.isPlaying && seen.rate.some((text) => text !== '–')");
+      await page.click("#play");
+      await page.until("!eightfold.clock.isPlaying && !eightfold.isStale() && document.getElementById('accuracy').textContent.includes('±')");
+      const { accuracy, milliseconds, rate } = await page.value("seen");
+      const wide = accuracy.filter((text) => text !== "–" && text !== "no error found" && !(Number(/^[\d.]+ ± ([\d.]+) dB$/.exec(text)?.[1]) <= 2));
+      assert.deepEqual(wide, []);
+      const times = milliseconds.filter((text) => text !== "–").map(Number);
+      assert.ok(times.length > 0 && times.every((time) => time > 0 && time < wait), `${milliseconds}`);
+      assert.ok(rate.every((text) => text === "–" || Number(text) <= 100), `${rate}`);
+    } finally {
+      host.end();
+    }
+  },
+
+  async "a clock with steps of 100 ms gives finite figures"() {
+    const coarse = "{ const now = performance.now.bind(performance); performance.now = () => Math.floor(now() / 100) * 100; }";
+    const host = await serveChanged((path, own) =>
+      path === "/index.html" ? own.replace("<head>", `<head><script>${coarse}</script>`) : path === "/worker.js" && own.replace("let module;", `${coarse} let module;`));
+    try {
+      await page.go(host.address);
+      await assertFinite();
+      await page.click("input[value=split] + span");
+      await page.until("/, [\\d.]+ times as fast$/.test(document.getElementById('right-side').textContent)");
+      await page.click("input[value=none] + span");
+      await page.click("#play");
+      await page.until("eightfold.clock.isPlaying && Number(document.getElementById('rate').textContent) > 0");
+      await page.until("/^[1-9]/.test(document.getElementById('milliseconds').textContent)");
+      await page.click("#play");
+    } finally {
+      host.end();
+    }
   },
 
   async "picture and button follow the sound, whoever stops it"() {
@@ -213,6 +362,21 @@ const silent = {
     await page.until(`${label} === "Play"`);
   },
 };
+
+if (engine === "firefox") {
+  tests["it is whole where fingerprinting is resisted and colours are forced"] = async () => {
+    const usual = page;
+    page = await Firefox.start({ "privacy.resistFingerprinting": true, "browser.display.document_color_use": 2 });
+    try {
+      await page.go(site.address);
+      assert.ok(await page.value(`matchMedia("(forced-colors: active)").matches && (${hasMarks})()`));
+      await assertFinite();
+    } finally {
+      await page.end();
+      page = usual;
+    }
+  };
+}
 
 for (const [name, [{ headers, change, before }, sentence]] of Object.entries(faults)) {
   tests[`${name} is ${sentence ? "reported" : "accepted"}`] = async () => {

@@ -12,11 +12,13 @@ export class Firefox extends WebDriver {
   received = Buffer.alloc(0);
   last = 0;
 
-  static async start() {
+  /** Starts a browser with preferences. */
+  static async start(preferences = {}) {
     const firefox = new Firefox();
     const port = await freePort();
     firefox.profile = mkdtempSync(join(tmpdir(), "eightfold-firefox-"));
-    writeFileSync(join(firefox.profile, "user.js"), `user_pref("media.autoplay.default", 0);\nuser_pref("marionette.port", ${port});\n`);
+    const all = Object.entries({ "media.autoplay.default": 0, "marionette.port": port, ...preferences });
+    writeFileSync(join(firefox.profile, "user.js"), all.map(([name, value]) => `user_pref("${name}", ${value});\n`).join(""));
     firefox.process = spawn("firefox-esr", ["--headless", "--no-remote", "--marionette", "--profile", firefox.profile], { stdio: "ignore" });
     for (let turn = 0; turn < 300 && !firefox.socket; turn++) {
       const socket = connect(port, "127.0.0.1");

@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./chromium.mjs";
-import { run, serve, sleep } from "./driver.mjs";
+import { hasMarks, run, serve, sleep } from "./driver.mjs";
 
 const [folder, intro, samples, screenshots, word = ""] = process.argv.slice(2);
 const site = await serve(folder);
@@ -516,6 +516,16 @@ const tests = {
     assert.ok(contrasts.length > 60, `${contrasts.length} texts`);
     const faint = contrasts.filter(({ contrast }) => contrast < 4.5).map(({ text, contrast }) => `${text}: ${contrast.toFixed(2)}`);
     assert.deepEqual(faint, []);
+  },
+
+  async "in forced colours the chosen overlay and scene differ from the others"() {
+    await page.send("Emulation.setEmulatedMedia", { features: [{ name: "forced-colors", value: "active" }] });
+    await page.go(site.address);
+    assert.ok(await page.value(`(${hasMarks})()`));
+    await page.click("input[value=split] + span");
+    await page.until("!eightfold.isStale()");
+    writeFileSync(join(screenshots, "web-forced-colours.png"), await page.screenshot(true));
+    await page.send("Emulation.setEmulatedMedia", { features: [] });
   },
 
   async "the mark on the front moves with the slider"() {

@@ -1,14 +1,27 @@
 // Explains the method: a picture of each step, and a plot of the cost of speed, both made in this browser.
 
 import { bytesOf, decibels, squaredError } from "./frames.js";
+import { isMeasurable, now } from "./times.js";
 
 /** The time in the model scene, in seconds, and the pictures' sizes. */
 const TIME = 2;
 const STEP = { width: 224, height: 168 };
 const MEASURED = { width: 640, height: 360 };
 
-/** The number of timings of each quality; the minimum counts, as other programs disturb it least. */
-const TAKES = 9;
+/**
+ * A frame's time is the minimum of some takes, as other programs disturb it least. Takes end when three differ by at most 5 %, or when
+ * their sum in milliseconds is long: after two takes with a clock of coarse steps.
+ */
+const TAKES = 20;
+const AGREEING = 3;
+const AGREEMENT = 1.05;
+const LONG = 1500;
+
+/** The maximum number of frames in a take. */
+const MOST = 1000;
+
+/** The maximum number of intervals on an axis. */
+const TICKS = 8;
 
 /** The plot's frame: left, right, top, bottom. */
 const PLOT = { left: 34, right: 310, top: 8, bottom: 152 };
@@ -39,44 +52,73 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
     }
   }
 
-  /** Draws a frame when the workers are idle. */
-  async function draw(change) {
-    await idle(() => isIdle() && isQuiet());
-    const frame = await frames.draw(order({ ...change, ...MEASURED }));
-    return { milliseconds: frame.milliseconds, bytes: bytesOf(frame) };
+  /** Draws the steps when the browser is idle and the quality has changed. */
+  async function follow() {
+    await idle(isIdle);
+    if (!isAsked) return;
+    isAsked = false;
+    await drawSteps();
   }
 
-  /** Measures each quality that fills squares against tracing every pixel, in turns. */
-  async function measure() {
-    const points = about.qualities.slice(1).map((_, i) => ({ place: i + 1, slow: Infinity, fast: Infinity }));
-    for (let take = 0; take < TAKES; take++) {
-      for (const point of points) {
-        const reference = await draw({ quality: point.place, isReference: true });
-        const frame = await draw({ quality: point.place });
-        point.slow = Math.min(point.slow, reference.milliseconds);
-        point.fast = Math.min(point.fast, frame.milliseconds);
-        point.speed = point.slow / point.fast;
-        point.accuracy = decibels(squaredError(frame.bytes, reference.bytes), MEASURED.width * MEASURED.height);
-        plot(points.filter(({ speed }) => speed), about, quality());
-      }
+  /** Waits until the workers are idle. */
+  async function rest() {
+    do await follow();
+    while (isAsked || !isIdle() || !isQuiet());
+  }
+
+  /** Draws a frame when the workers are idle. */
+  async function draw(change) {
+    await rest();
+    return frames.draw(order({ ...change, ...MEASURED }));
+  }
+
+  /** Adds a take of a frame's time in milliseconds, the mean of the number of frames that the clock requires. */
+  async function take(timing) {
+    await rest();
+    const start = now();
+    let spent = 0;
+    let count = 0;
+    for (; !isMeasurable(spent); count++) {
+      if (count === MOST) throw new Error("the browser's clock is too coarse");
+      await frames.draw(order({ ...timing.change, ...MEASURED }));
+      spent = now() - start;
     }
-    front.push(...points);
-    mark(front, about, quality());
+    // The show did not start meanwhile.
+    if (!isIdle()) return;
+    timing.takes = [...timing.takes, spent / count].sort((a, b) => a - b);
+    timing.spent += spent;
+  }
+
+  /** Measures each quality that fills squares against tracing every pixel, in turns. The first frames, in new code, are not timed. */
+  async function measure() {
+    const points = [];
+    let last;
+    for (let quality = 1; quality < about.qualities.length; quality++) {
+      const changes = [true, false].map((isReference) => ({ quality, isReference }));
+      const [exact, own] = [await draw(changes[0]), await draw(changes[1])].map(bytesOf);
+      const [slow, fast] = changes.map((change) => ({ change, takes: [], spent: 0 }));
+      // Qualities with the same reference share its time.
+      if (!last || squaredError(exact, last.exact) > 0) last = { exact, slow };
+      points.push({ place: quality, accuracy: decibels(squaredError(own, exact), MEASURED.width * MEASURED.height), timings: [last.slow, fast] });
+    }
+    const timings = [...new Set(points.flatMap(({ timings }) => timings))];
+    const isSure = ({ takes, spent }) =>
+      (takes.length > 1 && spent > LONG) || takes[AGREEING - 1] <= AGREEMENT * takes[0] || takes.length === TAKES;
+    for (let open = timings; open.length > 0; open = open.filter((timing) => !isSure(timing))) {
+      for (const timing of open) await take(timing);
+    }
+    for (const point of points) {
+      const [slow, fast] = point.timings.map(({ takes }) => takes[0]);
+      front.push({ ...point, speed: slow / fast });
+    }
+    plot(front, about, quality());
     get("front-note").textContent =
       `Just measured, by one worker: the second scene at ${MEASURED.width}x${MEASURED.height}, against every pixel traced with the same edges.`;
   }
 
-  /** Draws the steps when the quality has changed, as soon as there is time. */
   async function run() {
-    for (;;) {
-      await idle(isIdle);
-      if (isAsked) {
-        isAsked = false;
-        await drawSteps();
-      } else if (front.length === 0) {
-        await measure();
-      }
-    }
+    await measure();
+    for (;;) await follow();
   }
 
   run().catch((error) => {
@@ -96,16 +138,22 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
 
 const get = (id) => document.getElementById(id);
 
-/** Returns the range of numbers, rounded outwards to multiples of `step`. */
-const range = (numbers, step) => [Math.floor(Math.min(...numbers) / step) * step, Math.ceil(Math.max(...numbers) / step) * step];
+/** Returns the ticks of an axis around finite numbers, at multiples of a power of two times `step`. */
+function ticks(numbers, step) {
+  const [least, most] = [Math.min(...numbers), Math.max(...numbers)];
+  const wide = step * 2 ** Math.max(Math.ceil(Math.log2((most - least) / step / TICKS)), 0);
+  const first = Math.floor(least / wide);
+  return Array.from({ length: Math.max(Math.ceil(most / wide) - first, 1) + 1 }, (_, i) => (first + i) * wide);
+}
 
-/** Returns the ranges of the axes, and the functions that place a point. */
+/** Returns the axes' ticks, and the functions that place a point. An infinite accuracy, without error, is at the upper edge. */
 function layout(front) {
   const { left, right, top, bottom } = PLOT;
-  const speeds = range([1, ...front.map(({ speed }) => speed)], 1);
-  const accuracies = range(front.map(({ accuracy }) => accuracy), 5);
-  const x = (speed) => left + ((right - left) * (speed - speeds[0])) / (speeds[1] - speeds[0]);
-  const y = (accuracy) => bottom - ((bottom - top) * (accuracy - accuracies[0])) / (accuracies[1] - accuracies[0]);
+  const speeds = ticks([1, ...front.map(({ speed }) => speed)], 1);
+  const accuracies = ticks([50, ...front.map(({ accuracy }) => accuracy).filter(Number.isFinite)], 5);
+  const share = (value, values) => Math.min((value - values[0]) / (values.at(-1) - values[0]), 1);
+  const x = (speed) => left + (right - left) * share(speed, speeds);
+  const y = (accuracy) => bottom - (bottom - top) * share(accuracy, accuracies);
   return { speeds, accuracies, x, y };
 }
 
@@ -114,11 +162,11 @@ function plot(front, about, present) {
   const { left, right, top, bottom } = PLOT;
   const { speeds, accuracies, x, y } = layout(front);
   const parts = [];
-  for (let speed = speeds[0]; speed <= speeds[1]; speed++) {
+  for (const speed of speeds) {
     parts.push(`<line x1="${x(speed)}" x2="${x(speed)}" y1="${top}" y2="${bottom}"/>`);
     parts.push(`<text x="${x(speed)}" y="${bottom + 15}" text-anchor="middle">${speed}</text>`);
   }
-  for (let accuracy = accuracies[0]; accuracy <= accuracies[1]; accuracy += 5) {
+  for (const accuracy of accuracies) {
     parts.push(`<line x1="${left}" x2="${right}" y1="${y(accuracy)}" y2="${y(accuracy)}"/>`);
     parts.push(`<text x="${left - 5}" y="${y(accuracy) + 4}" text-anchor="end">${accuracy}</text>`);
   }
@@ -133,8 +181,8 @@ function plot(front, about, present) {
 /** Moves the mark to a quality. Tracing every pixel has no error, and is at the plot's upper edge. */
 function mark(front, about, place) {
   if (front.length + 1 < about.qualities.length) return;
-  const { accuracies, x, y } = layout(front);
-  const { speed, accuracy } = front.find((point) => point.place === place) ?? { speed: 1, accuracy: accuracies[1] };
+  const { x, y } = layout(front);
+  const { speed, accuracy } = front.find((point) => point.place === place) ?? { speed: 1, accuracy: Infinity };
   const isRight = x(speed) > (PLOT.left + PLOT.right) / 2;
   const mark = get("present");
   mark.removeAttribute("hidden");

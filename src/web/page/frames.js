@@ -1,7 +1,12 @@
 // Frames, drawn by several workers. Each has its own rows; its neighbours send the adjacent rows that antialiasing needs.
 
+import { isMeasurable, now } from "./times.js";
+
 /** Rows of a band, the minimum share of a worker. */
 export const BAND = 32;
+
+/** The first frames of new workers, which take up to four times as long: scripts and modules are still compiled. */
+const COLD = 3;
 
 export class Frames {
   /** Milliseconds without an answer after which a worker counts as dead. */
@@ -15,7 +20,7 @@ export class Frames {
     this.compiled = compiled;
     this.complain = complain;
     this.number = 0;
-    /** The expected milliseconds of each band, for each kind of frame. */
+    /** The expected cost of each band, for each kind of frame. */
     this.costs = new Map();
     /** The last frame. */
     this.last = Promise.resolve();
@@ -68,8 +73,8 @@ export class Frames {
   }
 
   /**
-   * Draws a frame after the previous ones. Returns its parts, each with its first row and bytes, its figures, and its milliseconds. If a
-   * worker dies, another one is started, and the frame is drawn again.
+   * Draws a frame after the previous ones. Returns its parts, each with its first row and bytes, its figures, its milliseconds, and whether
+   * they are longer than usual (`isCold`). If a worker dies, another one is started, and the frame is drawn again.
    */
   draw(order) {
     const frame = this.last.then(() => this.attempts(order));
@@ -94,12 +99,12 @@ export class Frames {
   }
 
   async attempt(order) {
-    const start = performance.now();
+    const start = now();
     const number = ++this.number;
     const costs = this.costsOf(order);
     const cuts = divide(costs, this.workers.length).map((band) => Math.min(band * BAND, order.height));
     const sum = { points: 0, rays: 0, probed: 0, squares: 0, fourths: 0 };
-    let shares = this.workers.map(() => ({ rows: [] }));
+    let shares = this.workers.map(() => ({ rows: [], spent: 0, cast: 0 }));
     for (let pass = 0, passes = 1; pass < passes; pass++) {
       const before = sum.points;
       const messages = this.workers.map((worker, i) =>
@@ -108,13 +113,13 @@ export class Frames {
           from: cuts[i], to: cuts[i + 1], rows: shares[i].rows,
         }));
       const done = await Promise.all(messages);
-      shares = done.map((own, i) => ({ ...own, rows: [], milliseconds: own.milliseconds + (shares[i].milliseconds ?? 0) }));
+      shares = done.map((own, i) => ({ ...own, rows: [], spent: shares[i].spent + own.milliseconds, cast: shares[i].cast + own.rays }));
       for (const share of shares) for (const name in sum) sum[name] += share[name];
       passes = shares[0].passes;
       exchange(shares.filter((share) => share.edges));
     }
     learn(costs, shares);
-    return { ...sum, order, parts: shares.filter((share) => share.bytes), milliseconds: performance.now() - start };
+    return { ...sum, order, parts: shares.filter((share) => share.bytes), milliseconds: now() - start, isCold: number <= COLD };
   }
 
   costsOf({ scene, quality, isReference, width, height }) {
@@ -133,7 +138,7 @@ function exchange(shares) {
   });
 }
 
-/** Divides bands into parts of equal expected time. Returns the first band of each, and the end. */
+/** Divides bands into parts of equal expected cost. Returns the first band of each, and the end. */
 function divide(costs, count) {
   const total = costs.reduce((sum, cost) => sum + cost, 0);
   const cuts = [0];
@@ -146,12 +151,17 @@ function divide(costs, count) {
   return cuts;
 }
 
-/** Updates the expected times of bands: a mean of all frames, each weighing half as much as the next. */
+/**
+ * Updates the expected costs of bands: a mean of all frames, each weighing half as much as the next. Costs are milliseconds, or rays if
+ * the clock is too coarse.
+ */
 function learn(costs, shares) {
-  for (const { first, end, milliseconds } of shares) {
+  const drawn = shares.filter(({ first, end }) => first < end);
+  const unit = drawn.every(({ spent }) => isMeasurable(spent)) ? "spent" : "cast";
+  for (const { first, end, [unit]: cost } of drawn) {
     const bands = (end - first) / BAND;
     for (let band = Math.floor(first / BAND); band < Math.ceil(end / BAND); band++) {
-      costs[band] = (costs[band] + milliseconds / bands) / 2;
+      costs[band] = (costs[band] + cost / bands) / 2;
     }
   }
 }

@@ -3,8 +3,10 @@
 import { Clock } from "./clock.js";
 import { explain } from "./explain.js";
 import { Editor } from "./editor.js";
+import { Figures, PROBES } from "./figures.js";
 import { BAND, Frames, bytesOf } from "./frames.js";
 import { Module } from "./module.js";
+import { Mean, now } from "./times.js";
 
 const get = (id) => document.getElementById(id);
 
@@ -22,9 +24,11 @@ const EARLY = 120;
 /** The show's time, in seconds, of the picture behind the start button. */
 const POSTER = 85;
 
-/** Probes of each frame of a resting picture. They end when the half width of the interval, in dB, is below the margin. */
-const PROBES = 8192;
-const MARGIN = 0.3;
+/** The quality of a resting picture, unless the viewer chose one: `finest`. */
+const RESTING = 1;
+
+/** Probes of other frames, a multiple of the library's: they take 1 % of a frame's time. */
+const LIVE = 4;
 
 /** The factor on displayed errors. */
 const ERROR_SCALE = 8;
@@ -56,13 +60,13 @@ const clock = new Clock(code.bytes, about.rate);
 
 /** The maximum width of the next frames; the canvas has the size of its frame. */
 let fullWidth = canvas.width;
-const view = { source: "show", edition: 0, quality: about.default, isHeld: true, width: 0, streak: 0, overlay: "none", handle: 0.5, isPoster: true };
+const view = { source: "show", edition: 0, quality: about.default, draft: about.default, isHeld: true, width: 0, streak: 0, overlay: "none", handle: 0.5, isPoster: true };
 /** Whether to draw a frame although the show is paused. */
 let isStale = true;
 let isDrawing = false;
-const recent = { shown: [], second: 0 };
-/** The sums of the probes of frames with the same `key`. */
-let probes = { key: "", probed: 0, squares: 0, fourths: 0 };
+/** When figures were last shown. */
+let told = 0;
+const figures = new Figures(module.calls, () => (clock.isPlaying ? Infinity : canvas.width * canvas.height));
 
 /** Loads, unpacks and compiles a module. On failure returns nothing and records the reason. */
 async function tryToLoad(name) {
@@ -111,14 +115,14 @@ function order(time) {
     method: METHODS[view.overlay],
     quality: view.quality,
     isReference: false,
-    probes: about.probes,
+    probes: LIVE * about.probes,
     width,
     height: (width * 9) / 16,
   };
 }
 
 /** The time of the frame that is shown. */
-const now = () => (view.isPoster ? POSTER : Math.min(clock.time(), length() - 0.01));
+const shown = () => (view.isPoster ? POSTER : Math.min(clock.time(), length() - 0.01));
 
 /** Puts a frame on the canvas, from the column `from` on. */
 function put({ order: { width, height }, parts }, from = 0) {
@@ -129,27 +133,31 @@ function put({ order: { width, height }, parts }, from = 0) {
   }
 }
 
-/** Draws and shows a frame. Returns its figures. */
-async function show(time) {
-  if (view.overlay !== "split" && view.overlay !== "error") {
-    const frame = await frames.draw(order(time));
-    put(frame);
-    return frame;
-  }
-  const wanted = order(time);
-  const reference = await frames.draw({ ...wanted, isReference: true });
-  const frame = await frames.draw(wanted);
-  if (view.overlay === "split") {
+/** Draws the frame of now, and its `reference` if the overlay compares them. */
+async function draw(change = {}) {
+  const { overlay } = view;
+  const wanted = { ...order(shown()), ...change };
+  const reference = ["split", "error"].includes(overlay) && (await frames.draw({ ...wanted, isReference: true }));
+  return { ...(await frames.draw(wanted)), overlay, reference };
+}
+
+/** Shows a frame. */
+function show({ overlay, reference, ...frame }) {
+  if (overlay === "split") {
     put(reference);
     put(frame, Math.round(view.handle * frame.order.width));
-  } else {
+  } else if (overlay === "error") {
     const error = bytesOf(frame);
     const exact = bytesOf(reference);
     for (let i = 0; i < error.length; i++) error[i] = i % 4 === 3 ? 255 : ERROR_SCALE * Math.abs(error[i] - exact[i]);
     put({ order: frame.order, parts: [{ bytes: error, first: 0 }] });
+  } else {
+    put(frame);
   }
-  return { ...frame, gain: reference.milliseconds / frame.milliseconds };
 }
+
+/** Returns whether a resting picture is still to be drawn at its quality. */
+const isDraft = () => !clock.isPlaying && view.isHeld && view.quality !== RESTING;
 
 /** Shows frames as long as the page exists. */
 async function run() {
@@ -158,18 +166,24 @@ async function run() {
     if (clock.isPlaying || isStale) {
       isStale = false;
       isDrawing = true;
-      const start = performance.now();
+      const start = now();
       try {
-        measure(await show(now()), performance.now() - start);
+        const frame = await draw();
+        show(frame);
+        measure(frame, now() - start);
         if (notify.isLasting) notify("");
       } catch (error) {
         giveUp(error);
       }
       isDrawing = false;
-      // Do not wait after a late frame.
-      if (clock.isPlaying && performance.now() - start > 15 && !document.hidden) continue;
-    } else if (!isSettled() && !(view.isPoster && steps.isBusy())) {
-      await frames.draw({ ...order(now()), probes: PROBES, seed: Math.floor(probes.probed / PROBES) }).then(probe, giveUp);
+      // Do not wait after late frames.
+      if (clock.isPlaying && figures.busy.value > 15 && !document.hidden) continue;
+    } else if (isDraft()) {
+      setQuality(RESTING);
+    } else if (!figures.isTimed) {
+      await draw({ probes: 0 }).then(time, giveUp);
+    } else if (!figures.isSettled && !(view.isPoster && figures.isKnown && steps.isBusy())) {
+      await frames.draw({ ...order(shown()), probes: PROBES, seed: Math.floor(figures.probes.probed / PROBES) }).then(probe, giveUp);
     }
     await new Promise(requestAnimationFrame);
   }
@@ -179,76 +193,74 @@ async function run() {
 function giveUp(error) {
   notify(`A frame can't be drawn: ${error.why ?? error.message}.`, true);
   clock.pause();
-  probes.isFinal = true;
+  figures.end();
   tell();
 }
 
-/** Chooses the next frame's quality and size by the last one's time. */
+/** Chooses the next frame's quality and size by the time of the last ones. */
 function govern(milliseconds) {
   setQuality(module.calls.governed(milliseconds * 1e6));
+  view.draft = view.quality;
   const isLate = view.quality === about.qualities.length - 1 && milliseconds > 1000 / HELD;
   const isEarly = view.quality <= about.default;
   view.streak = isLate ? Math.max(view.streak, 0) + 1 : isEarly ? Math.min(view.streak, 0) - 1 : 0;
   if (view.streak < LATE && view.streak > -EARLY) return;
   view.width = Math.min(Math.max(view.width + Math.sign(view.streak), 0), WIDTHS.length - 1);
   view.streak = 0;
+  figures.busy = new Mean();
 }
 
-/** Adds a frame's probes; a new picture resets the sums. */
-function probe({ order: { scene, quality, width }, probed, squares, fourths }) {
-  const key = JSON.stringify([scene.isResting ? scene : scene.kind, quality, width, view.edition]);
-  if (key !== probes.key) probes = { key, probed: 0, squares: 0, fourths: 0 };
-  probes.probed += probed;
-  probes.squares += squares;
-  probes.fourths += fourths;
-  // Some overlays have no probes, and an exhaustive frame has no error.
-  probes.isFinal = probed === 0 || quality === 0;
+/** Names the picture of a frame, whose figures start anew with it. */
+const keyOf = ({ scene, quality, width }) => JSON.stringify([scene.isResting ? scene : scene.kind, quality, width, view.edition]);
+
+/** Adds a frame's times. */
+function time(frame) {
+  figures.time(keyOf(frame.order) + frame.overlay, frame);
+  if (!clock.isPlaying) tellTimes();
+}
+
+function tellTimes() {
+  get("milliseconds").textContent = figures.milliseconds;
+  get("right-side").textContent = about.qualities[view.quality] + figures.gain;
+}
+
+/** Adds a frame's probes. */
+function probe(frame) {
+  figures.probe(keyOf(frame.order), frame);
   if (!clock.isPlaying) tellAccuracy();
 }
 
-/** Returns a figure of the probes from the module: `psnr`, or `margin`, the half width of its interval, in dB. */
-function figure(name) {
-  const pixels = clock.isPlaying ? Infinity : canvas.width * canvas.height;
-  return module.calls[name](probes.probed, probes.squares, probes.fourths, pixels);
-}
-
-/** Returns whether a resting picture has enough probes, at most one for each pixel. */
-function isSettled() {
-  const { probed, squares, isFinal } = probes;
-  return isFinal || probed >= canvas.width * canvas.height || (squares > 0 && figure("margin") < MARGIN);
-}
-
-function tellAccuracy() {
-  const found = probes.probed ? "no error found" : "–";
-  get("accuracy").textContent = probes.squares ? `${figure("psnr").toFixed(1)} ± ${figure("margin").toFixed(1)} dB` : found;
-}
+const tellAccuracy = () => (get("accuracy").textContent = figures.accuracy);
 
 /** Records and shows a frame's figures. */
 function measure(frame, milliseconds) {
-  const present = performance.now();
-  recent.shown = [...recent.shown.filter((time) => present - time < 1000), present];
-  if (clock.isPlaying && view.isHeld && !frame.gain) govern(milliseconds);
+  if (clock.isPlaying) {
+    figures.show();
+    figures.busy.add(milliseconds);
+    if (view.isHeld && !frame.reference && figures.busy.value > 0) govern(figures.busy.value);
+  } else {
+    figures.shown = [];
+  }
+  time(frame);
   probe(frame);
-  if (clock.isPlaying && present - recent.second < 250) return;
-  recent.second = present;
-  get("rate").textContent = clock.isPlaying ? recent.shown.length : "–";
-  get("milliseconds").textContent = frame.milliseconds.toFixed(1);
+  const present = now();
+  if (clock.isPlaying && present - told < 250) return;
+  told = present;
+  get("rate").textContent = figures.rate;
   get("points").textContent = `${((100 * frame.points) / (frame.order.width * frame.order.height)).toFixed(1)} %`;
   get("size").textContent = `${frame.order.width}×${frame.order.height}`;
   get("rays").textContent = Math.round(frame.rays).toLocaleString("en");
   if (clock.isPlaying) {
+    tellTimes();
     tellAccuracy();
-    // Older frames have less weight.
-    for (const sum of ["probed", "squares", "fourths"]) probes[sum] /= 1.2;
+    figures.age();
   }
-  const gain = frame.gain ? `, ${frame.gain.toFixed(1)} times as fast` : "";
-  get("right-side").textContent = about.qualities[view.quality] + gain;
   tellTime();
 }
 
 /** Shows the picture's time and scene. */
 function tellTime() {
-  const time = now();
+  const time = shown();
   const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
   get("time").value = time;
   get("position").textContent = `${minutes(time)} / ${minutes(length())}`;
@@ -283,10 +295,22 @@ function tell() {
 function setQuality(quality) {
   if (quality === view.quality) return;
   view.quality = quality;
-  get("quality").value = quality;
-  get("quality-name").textContent = about.qualities[quality];
+  tellQuality();
   isStale = true;
+  figures.busy = new Mean();
   steps.setQuality(quality);
+}
+
+function tellQuality() {
+  const name = about.qualities[view.quality];
+  get("quality").value = view.quality;
+  get("quality").setAttribute("aria-valuetext", name);
+  get("quality-name").textContent = name;
+}
+
+/** Draws a resting picture first at the quality that was fast enough, as the viewer may be scrubbing or typing. */
+function sketch() {
+  if (view.isHeld && !clock.isPlaying) setQuality(view.draft);
 }
 
 /** Holds the quality that the viewer chose. */
@@ -332,13 +356,15 @@ function setSource(source) {
   view.edition++;
   if (source !== view.source) clock.seek(0);
   Object.assign(view, { source, isPoster: false });
+  sketch();
   update();
 }
 
 function seek(time) {
   view.isPoster = false;
-  probes.key = "";
+  figures.probes.key = "";
   clock.seek(Math.min(Math.max(time, 0), length() - 0.05));
+  sketch();
   update();
 }
 
@@ -378,7 +404,7 @@ function save() {
   canvas.toBlob((blob) => {
     const link = document.createElement("a");
     link.href = URL.createObjectURL(blob);
-    link.download = `eightfold-${now().toFixed(2)}.png`;
+    link.download = `eightfold-${shown().toFixed(2)}.png`;
     link.click();
     URL.revokeObjectURL(link.href);
   });
@@ -386,9 +412,10 @@ function save() {
 
 /** Writes the view to the address, and to the clipboard if the browser allows it. */
 async function share() {
-  const { quality, overlay, handle } = view;
-  const state = { t: now().toFixed(2), quality: about.qualities[quality], show: overlay, split: handle.toFixed(3) };
-  if (view.source === "file") state.scene = await editor.packed();
+  const { quality, isHeld, overlay, handle } = view;
+  const state = { t: shown().toFixed(2), show: overlay, split: handle.toFixed(3) };
+  if (!isHeld) state.quality = about.qualities[quality];
+  if (view.source === "file" || editor.hasMistake) state.scene = await editor.packed();
   history.replaceState(null, "", `#${new URLSearchParams(state)}`);
   const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
   notify(copied ? "The address of this picture is in the clipboard." : "The address bar has the address of this picture.");
@@ -407,7 +434,7 @@ async function restore() {
 
 /** Returns the squares that contain a pixel, from the largest to the smallest, and the traced points around it. */
 function inspect(x, y) {
-  module.begin(order(now()));
+  module.begin(order(shown()));
   // A band determines its squares.
   const top = y - (y % BAND);
   return JSON.parse(module.text(module.calls.inspect(top, top + BAND, x, y)));
@@ -471,8 +498,8 @@ const KEYS = {
   },
   // Most browsers leave fullscreen by themselves.
   Escape: () => (document.fullscreenElement ? document.exitFullscreen() : clock.isPlaying && toggle()),
-  ArrowLeft: () => seek(now() - 2),
-  ArrowRight: () => seek(now() + 2),
+  ArrowLeft: () => seek(shown() - 2),
+  ArrowRight: () => seek(shown() + 2),
 };
 
 /** The keys with Shift, in a resting picture. */
@@ -528,7 +555,10 @@ function listen() {
     get("verdict").hidden = true;
     clearTimeout(inspect.timer);
   });
-  get("back").addEventListener("click", () => setSource("show"));
+  get("back").addEventListener("click", () => {
+    editor.hasMistake = false;
+    setSource("show");
+  });
   get("overlays").addEventListener("change", ({ target }) => setOverlay(target.value));
   get("handle").addEventListener("pointerdown", ({ target, pointerId }) => target.setPointerCapture(pointerId));
   get("handle").addEventListener("pointermove", ({ target, pointerId, clientX }) => {
@@ -540,6 +570,8 @@ function listen() {
     if (step) moveHandle(view.handle + step);
   });
   addEventListener("hashchange", restore);
+  // A hidden page shows no frames.
+  document.addEventListener("visibilitychange", () => (figures.shown = []));
   new ResizeObserver(fit).observe(canvas);
 }
 
@@ -547,8 +579,7 @@ function listen() {
 function furnish() {
   get("fullscreen").hidden = !document.fullscreenEnabled;
   get("quality").max = about.qualities.length - 1;
-  get("quality").value = view.quality;
-  get("quality-name").textContent = about.qualities[view.quality];
+  tellQuality();
   about.scenes.forEach(({ name, start }, i) => {
     const button = document.createElement("button");
     button.textContent = name;
@@ -568,7 +599,7 @@ const steps = explain({
   quality: () => view.quality,
   isIdle: () => !clock.isPlaying,
   // Probes would disturb the timings.
-  isQuiet: () => view.isPoster || isSettled(),
+  isQuiet: () => (view.isPoster && !isDraft() && figures.isKnown) || figures.isSettled,
 });
 const editor = new Editor(module, () => setSource("file"));
 furnish();
@@ -578,5 +609,5 @@ update();
 await restore();
 notify(faults.length > 0 ? `The show is slower than it could be: ${faults[0]}.` : "");
 // For tests.
-globalThis.eightfold = { about, clock, code, frames, view, steps, seek, inspect, isSettled, probes: () => probes, shown: now, isStale: () => isStale || isDrawing };
+globalThis.eightfold = { about, clock, code, frames, view, steps, seek, inspect, isSettled: () => figures.isSettled, probes: () => figures.probes, shown, isStale: () => isStale || isDrawing || isDraft() };
 run();
