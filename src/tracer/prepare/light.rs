@@ -119,7 +119,7 @@ impl PreparedLight {
             } else {
                 node.radius
             };
-            cone.set(self.position - node.centre, self.diameter, radius, node);
+            cone.set(self.position, self.diameter, radius, node);
         }
     }
 }
@@ -141,7 +141,8 @@ impl ShadowCone {
     };
 
     /// Prepares the shadow of a node; `radius` includes the penumbra.
-    fn set(&mut self, to_light: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
+    fn set(&mut self, light: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
+        let to_light = light - node.centre;
         let distance2 = to_light.length_squared();
         // The rounding error of the sphere's centre and of the vector to the light.
         let error = hit_error(to_light, 0.0);
@@ -151,7 +152,8 @@ impl ShadowCone {
         let sine2 = wide * wide / distance2;
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
         let room = node.radius - 0.5 * diameter;
-        self.around_light = !node.is_block && room > 0.0 && distance2 < room * room;
+        let power = diameter * (0.25 * diameter - node.radius);
+        self.around_light = !node.is_block && room > 0.0 && node.power(light) < power;
         let from = sqrt(distance2) * (1.0 - BOUND) - wide;
         let sine = sqrt(node.thin2) / from.max(0.0) + COSINE;
         let side = node.axis.cross(to_light);
