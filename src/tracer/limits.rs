@@ -19,6 +19,10 @@
 //! | rays into a sphere that miss its far side, except chords shorter than 0.003 radii (at the origin) | 0 |
 //! | points of a sphere in their own shadow, where n.l is above 0.003 | 0 |
 //! | lights outside a sphere that light its inside, and lights wholly inside that do not | 0 |
+//! | darkest channel of a furnace with white background and ambient light: surfaces that lose no light, any depth and least contribution | 250 |
+//! | black pixels in facing mirrors, unless background and ambient light are black | 0 |
+//! | PSNR to an oracle in f64 from an eye 5e-7 to 1e-5 radii above a sphere, two balls between, a light at 3 and 10 times the height | 35 dB |
+//! | the same, 1e-6 of the size above a single box, cylinder or capsule | 25 dB |
 //! | squared length of a reflected or refracted direction; radii 1e-4 to 1e6, indices 0.1 to 10, the critical angle included | 1 to within 5e-7 |
 //! | bits of a ray's result that depend on its lane or on other rays, even invalid ones | 0 |
 //! | PSNR of a scene scaled by 1e-8 to 1e8 against the original | 50 dB |
@@ -27,7 +31,8 @@
 //! trace`.
 //!
 //! A hit is projected back to its sphere, so its error is the rounding of the sphere's coordinates. A ray that starts within this
-//! error misses the sphere if it goes outward, and hits the far side if inward. Points on a plane are exact. Hits have no minimal
+//! error misses the sphere if it goes outward, and hits the far side if inward. If the eye is within two such errors of a sphere, about
+//! 2.4e-6 radii, all rays from the eye and from other objects are instead classified in f64. Points on a plane are exact. Hits have no minimal
 //! distance, so a scene may have any scale.
 //!
 //! Rays that wrongly hit or miss a sphere, by the distance in radii. Each cell has the mean per million (of twelve million rays,
@@ -111,6 +116,9 @@
 //!   that mirrors the light, is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its
 //!   object, but neither face nor light: a slit of light between shadows, the lit rim of a sphere, or the narrow side of a flat
 //!   cylinder can lose its highlight, whatever its length.
+//! - Contact shadows and coincident faces on blocks: rays leave a block 1e-5 of its coordinates and size above its surface, or 1.2e-7
+//!   if the eye is nearer than 16 times the former. Lights and objects nearer to the surface than that are beyond it.
+//! - Light from below the horizon of a sphere by less than 2e-3 radians: it passes the sphere, whose shadow is smaller by the hit error.
 //! - Refractions, and reflections in anything but a first plane without waves: they are unguarded.
 //! - The position of hits on a sphere with a radius below the rounding error, about 1e-6 of its largest coordinate. Rays that leave
 //!   it still never hit it again.

@@ -50,6 +50,12 @@ pub(crate) const DEEP: f32 = 2e-6;
 /// rounding error, to start beyond a coincident face of another block.
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
+/// The least such offset, twice the rounding error, of blocks whose side is nearer to the eye than [`AT_EYE`] usual offsets.
+pub(crate) const LEAST_BLOCK_HIT: f32 = 2.0 / (1 << 24) as f32;
+
+/// See [`LEAST_BLOCK_HIT`]. The usual offset is then visible.
+pub(crate) const AT_EYE: f32 = 16.0;
+
 /// The relative enlargement of a block's bounding sphere: many times its corners' rounding.
 pub(crate) const BLOCK_BOUND: f32 = 1e-4;
 

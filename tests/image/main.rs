@@ -14,6 +14,7 @@ mod extremes;
 mod film;
 mod golden;
 mod governor;
+mod huge;
 mod method;
 mod patches;
 mod patterned;

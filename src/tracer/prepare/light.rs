@@ -115,7 +115,7 @@ impl PreparedLight {
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {
             let penumbra = 0.5 * self.max_penumbra;
-            cone.set(self.position - node.centre, self.diameter, penumbra, node);
+            cone.set(self.position, self.diameter, penumbra, node);
         }
     }
 
@@ -144,8 +144,8 @@ impl ShadowCone {
     };
 
     /// Prepares the shadow of a node. `penumbra` is the largest width of the penumbra outside it.
-    fn set(&mut self, to_light: Vec3A, diameter: f32, penumbra: f32, node: &BvhNode) {
-        let radius = node.radius + penumbra;
+    fn set(&mut self, light: Vec3A, diameter: f32, penumbra: f32, node: &BvhNode) {
+        let (to_light, radius) = (light - node.centre, node.radius + penumbra);
         let distance2 = to_light.length_squared();
         // The rounding error of the sphere's centre and of the vector to the light.
         let error = hit_error(to_light, 0.0);
@@ -155,7 +155,8 @@ impl ShadowCone {
         let sine2 = wide * wide / distance2;
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
         let room = node.radius - 0.5 * diameter;
-        self.around_light = !node.is_block && room > 0.0 && distance2 < room * room;
+        let power = diameter * (0.25 * diameter - node.radius);
+        self.around_light = !node.is_block && room > 0.0 && node.power(light) < power;
         let from = sqrt(distance2) * (1.0 - BOUND) - wide;
         let sine = (sqrt(node.thin2) + penumbra) / from.max(0.0) + COSINE;
         let side = node.axis.cross(to_light);

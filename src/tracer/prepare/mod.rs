@@ -16,7 +16,10 @@ pub(crate) use object::{Object, ObjectId, is_crowd};
 pub(crate) use surface::{Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};
 
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Plane, Scene, camera::Raster};
+use crate::scene::{
+    MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Plane, Scene, camera::Raster,
+};
+use crate::shapes::block;
 use core::ops::Deref;
 use glam::{Vec2, Vec3, Vec3A};
 
@@ -64,6 +67,8 @@ pub(crate) struct Prepared {
     pub plane_count: usize,
     pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
     pub glitters: [bool; MAX_OBJECTS],
+    /// See [`block::hit_error`].
+    pub block_errors: [f32; MAX_BLOCKS],
     pub has_patterns: bool,
     /// Whether any object is a block, or has a pattern or grooves.
     pub has_details: bool,
@@ -89,6 +94,7 @@ impl Prepared {
             plane_count: 0,
             surfaces: [[0.0; SURFACE_NUMBERS]; MAX_OBJECTS],
             glitters: [false; MAX_OBJECTS],
+            block_errors: [0.0; MAX_BLOCKS],
             has_patterns: false,
             has_details: false,
             weight: 0.0,
@@ -137,6 +143,9 @@ impl Prepared {
             self.has_details |= self.has_patterns || material.anisotropy > 0.0;
             self.glitters[i] = object::glitters(scene, &object, material);
             self.surfaces[i] = surface::surface(&object, material, scene);
+        }
+        for (error, block) in self.block_errors.iter_mut().zip(scene.blocks.iter()) {
+            *error = block::hit_error(block, self.eye);
         }
         for (prepared, light) in self.lights.iter_mut().zip(scene.lights.iter()) {
             prepared.set(light, self.tree.solid_nodes(), scene.spheres.len());

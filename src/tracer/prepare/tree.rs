@@ -55,6 +55,8 @@ pub(crate) struct BvhNode {
     /// The number of a leaf's solids, which are the next nodes.
     pub solids: u8,
     pub is_block: bool,
+    /// Whether the eye is too near to a sphere to be classified in f32 as inside or outside.
+    pub is_at_eye: bool,
     /// The longer of a block's own y and z axes.
     pub axis: Vec3A,
     /// The squared radius of the block's bounding cylinder around `axis`.
@@ -69,6 +71,7 @@ struct Ball {
 }
 
 pub(crate) struct Tree {
+    eye: Vec3A,
     balls: [Ball; MAX_SOLIDS],
     solid_count: usize,
     nodes: [BvhNode; MAX_NODES],
@@ -81,6 +84,7 @@ const UNBOUNDED: f32 = 1e18;
 
 impl Tree {
     pub const ZERO: Self = Self {
+        eye: Vec3A::ZERO,
         balls: [Ball {
             centre: Vec3A::ZERO,
             radius: 0.0,
@@ -120,6 +124,7 @@ impl Tree {
     }
 
     pub fn set(&mut self, scene: &Scene) {
+        self.eye = scene.camera.eye.into();
         self.solid_count = scene.solids();
         for (number, ball) in self.balls.iter_mut().enumerate().take(self.solid_count) {
             let id = ObjectId::new(number);
@@ -207,6 +212,8 @@ impl Tree {
             skip: 1,
             ..BvhNode::ZERO
         };
+        let power = node.power(self.eye);
+        node.is_at_eye = power != 0.0 && power.abs() < 2.0 * node.r2_error;
         node
     }
 }
@@ -286,6 +293,7 @@ impl BvhNode {
         is_bound: false,
         solids: 0,
         is_block: false,
+        is_at_eye: false,
         axis: Vec3A::ZERO,
         thin2: 0.0,
     };
@@ -295,6 +303,14 @@ impl BvhNode {
         let (axis, radius2) = block::bounding_cylinder(block);
         self.axis = axis;
         self.thin2 = radius2 * (1.0 + 2.0 * BOUND);
+    }
+
+    /// Returns the squared distance of a point from the centre minus the squared radius.
+    #[inline(never)]
+    pub fn power(&self, point: Vec3A) -> f32 {
+        let from = point.as_dvec3() - self.centre.as_dvec3();
+        let radius = f64::from(self.radius);
+        (from.length_squared() - radius * radius) as f32
     }
 
     pub fn group(&self) -> usize {

@@ -3,7 +3,7 @@ use super::{TexturePoint, capsule, cuboid, cylinder};
 use crate::lanes::*;
 use crate::rounding;
 use crate::scene::{Block, Shape};
-use glam::{Mat3, Vec3A};
+use glam::{Mat3, Mat3A, Vec3A};
 
 /// Added to directions along a block's axes, to avoid divisions by 0.
 pub(super) const TINY: f32 = 1e-12;
@@ -85,9 +85,28 @@ impl<S: Isa> BlockHit<S> {
     }
 }
 
-/// See [`rounding::BLOCK_HIT`].
-pub(crate) fn hit_error(block: &Block) -> f32 {
-    rounding::BLOCK_HIT * (Vec3A::from(block.centre).abs() + Vec3A::from(block.half)).element_sum()
+/// See [`rounding::BLOCK_HIT`]. Lights and objects that an eye sees near a huge block must not be below its points.
+pub(crate) fn hit_error(block: &Block, eye: Vec3A) -> f32 {
+    let reach = Vec3A::from(block.centre).abs() + Vec3A::from(block.half);
+    let error = rounding::BLOCK_HIT * reach.element_sum();
+    if above(block, eye).abs() < rounding::AT_EYE * error {
+        rounding::LEAST_BLOCK_HIT * reach.element_sum()
+    } else {
+        error
+    }
+}
+
+/// Returns the distance of a point from the nearest side, negative inside, at most as far as from an edge.
+fn above(block: &Block, point: Vec3A) -> f32 {
+    let own = Mat3A::from(block.axes).transpose() * (point - Vec3A::from(block.centre));
+    let half = Vec3A::from(block.half);
+    let round = |own: Vec3A| own.length() - half.x;
+    let core = half.y - half.x;
+    match block.shape {
+        Shape::Box => (own.abs() - half).max_element(),
+        Shape::Cylinder => (own.y.abs() - half.y).max(round(own * Vec3A::new(1.0, 0.0, 1.0))),
+        Shape::Capsule => round(own - Vec3A::Y * own.y.min(core).max(-core)),
+    }
 }
 
 pub(crate) fn bounding_radius(block: &Block) -> f32 {

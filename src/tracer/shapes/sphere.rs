@@ -92,6 +92,23 @@ impl<S: Isa> Chord<S> {
         let t = flipped::<S>(half, sign) + self.t_mid;
         (mask & is_ahead & t.simd_lt(limit), t)
     }
+
+    /// Returns the same as [`Chord::entry`] for origins whose powers, the squared distances from the centre minus the squared radius,
+    /// are exact: 0 on the sphere, below 0 inside.
+    ///
+    /// Both ends of the chord are roots of `t^2 - 2 t_mid t + power`. No difference of large numbers decides about the nearer one.
+    #[inline(always)]
+    pub fn exact_entry(&self, mask: M<S>, power: F<S>, limit: F<S>) -> (M<S>, F<S>) {
+        let zero = splat(self.t_mid.token(), 0.0);
+        let is_ahead = self.t_mid.simd_gt(zero);
+        let half = self.t_mid.mul_add(self.t_mid, -power).sqrt();
+        let far = self.t_mid.abs() + half;
+        let near = (power / far).abs();
+        let is_inside = power.simd_lt(zero);
+        let t = (is_inside & is_ahead).select(far, near);
+        let is_met = is_inside | (is_ahead & power.simd_gt(zero));
+        (mask & is_met & t.simd_lt(limit), t)
+    }
 }
 
 #[inline(always)]

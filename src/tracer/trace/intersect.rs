@@ -3,9 +3,10 @@
 use super::candidates::{Candidate, Candidates};
 use super::rays::{Rays, departing};
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Object, ObjectId, World};
+use crate::prepare::{BvhNode, GroupSet, Object, ObjectId, World};
 use crate::shapes::sphere::Chord;
 use crate::shapes::{block, plane};
+use glam::Vec3A;
 
 const NO_HIT: f32 = 1e30;
 
@@ -62,7 +63,12 @@ pub(crate) fn nearest<S: Isa>(
                         blocks.push(Candidate::new::<S>(node.object, near));
                     }
                 } else {
-                    let (m, t) = chord.entry(near, node.r2, node.hit_error, node.r2_error, hit.t);
+                    let (m, t) = if node.is_at_eye {
+                        let power = power(rays, node);
+                        chord.exact_entry(near, power, hit.t)
+                    } else {
+                        chord.entry(near, node.r2, node.hit_error, node.r2_error, hit.t)
+                    };
                     hit.keep_nearer(m, t, node.object);
                 }
             }
@@ -70,6 +76,17 @@ pub(crate) fn nearest<S: Isa>(
         i += node.step(is_met);
     }
     hit
+}
+
+/// Returns the powers of rays' origins with respect to a sphere: rays that leave it outward have 0, inward below 0.
+#[inline(always)]
+fn power<S: Isa>(rays: &Rays<S>, node: &BvhNode) -> F<S> {
+    let simd = rays.weight.token();
+    let [x, y, z] = [&rays.o.x, &rays.o.y, &rays.o.z].map(|c| c.as_slice());
+    let power = F::<S>::from_fn(simd, |i| node.power(Vec3A::new(x[i], y[i], z[i])));
+    let [outward, inward] = departing(simd, rays.slot_path, node.object);
+    let power = outward.select(splat(simd, 0.0), power);
+    inward.select(splat(simd, -f32::MIN_POSITIVE), power)
 }
 
 /// Tests the listed blocks, and keeps nearer hits.

@@ -5,7 +5,7 @@ use crate::lanes::*;
 use crate::prepare::{Object, Parameter, World};
 use crate::rounding;
 use crate::shapes::TexturePoint;
-use crate::shapes::block::{self, BlockHit};
+use crate::shapes::block::BlockHit;
 use glam::Mat3;
 
 pub(super) struct ShadingPoint<S: Isa> {
@@ -104,7 +104,10 @@ impl<S: Isa> ShadingPoint<S> {
             let out = (*o - centre).add_scaled(*d, hit.t);
             let texture_point = if let Object::Block(block) = object {
                 let on_block = BlockHit::near(simd, block, out);
-                let error = splat(simd, block::hit_error(block));
+                let error = splat(
+                    simd,
+                    world.block_errors[id.index() - world.scene.spheres.len()],
+                );
                 let n = on_block.texture_point.n;
                 let sign = !d.dot(n).bitcast::<U<S>>() & (1 << 31);
                 let p = centre + on_block.out;
