@@ -73,6 +73,7 @@
 //! | missed objects that a pixel shows directly | 0 |
 //! | missed shadows of spheres on planes from point lights that darken a pixel by 2/255, except as below | 0 |
 //! | holes of 4 connected pixels or more in objects 1 to 5 pixels wide, their shadows on a plane from a point light, and their images in the first plane, jagged or antialiased | 0 |
+//! | lost patches of 9 pixels or more (no pixel within 2 is alike within 32/255) of a plain floor lit between bars by a point light, a sun or a spotlight, at `default`, jagged, 1280x720 | 0 of 600 scenes (`finest`, `faster`: 0 of 180) |
 //! | missed images in the first plane of spheres and boxes that show in 2x2 pixels | 0 |
 //! | missed highlights, seen directly, of five pixels and more around the point that mirrors the light | 0 |
 //! | pixels of shadows of spheres that the default quality draws lit, and their largest patch | 0.4 %, 20 |
@@ -105,6 +106,11 @@
 //!   can be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
 //! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and holes in thin
 //!   shadows from lights with a diameter, whose soft edges are unguarded.
+//! - Lights and eyes far away: bounds widen with rounding, so frames are right but slow. In scenes of words, nets, ropes and grass
+//!   `default` traces 6 % of the pixels by a light 5 units away, 13 % at 5,000 (a sun), 52 % at 50,000; with a telescope 8 % at 60
+//!   units and 54 % at 6,000.
+//! - Light between bars on floors with patterns, at `fastest`, and from lights with a diameter. Where the end of a cylinder or capsule
+//!   meets its side, a thirteenth of its radius counts as dark in a shadow.
 //! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
 //!   a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing

@@ -18,6 +18,18 @@
 //! - The distance of the point from the eye: some `u` of it; [`SIDE`] is 1e-5 of it, since a side's terms are scaled by the
 //!   distance from the light to the eye's mirror image, which exceeds the eye's height.
 //! - The cone's own terms: below [`SIDE`], and [`WIDE`] covers the cosine.
+//!
+//! # Lights and eyes far away
+//!
+//! A vector from a light or an eye at the distance `D` to an object has an error of some `u D`, and so has the cross product of two such
+//! vectors. [`CORNER_BY_LIGHT`], [`CORNER`], [`SIDE`] and [`WIDER`] exceed it, so bounds get wider with `D`, never narrower: they contain
+//! the shadow of a light a million units away (`outlines_contain_objects_and_shadows`), but leave more squares open. In numbers near 1:
+//!
+//! - `1 - r^2 / D^2`, a cone's squared cosine, is within some `u` even if it cancels near the sphere, and [`WIDE`] enlarges it.
+//! - The point of tangency, the sphere's chord and the squared chord of a shadow's cone are products with `r / D`: they have no difference
+//!   that cancels.
+//! - Differences of coordinates near an edge are exact; those that are small for their terms, like a sphere's power, get a margin in `u` of
+//!   the terms.
 
 use glam::Vec3A;
 

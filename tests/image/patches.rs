@@ -4,7 +4,8 @@ use crate::drawn::{draw_best, jagged};
 use crate::error::{Difference, worst_channel};
 use crate::errors::patches;
 use eightfold_lab::scenes::SceneName;
-use eightfold_scenes::{Random, cases, solids};
+use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
+use eightfold_scenes::{Random, cases, coloured, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
@@ -19,6 +20,9 @@ const TIMES: [f32; 4] = [0.1, 0.3, 0.5, 0.7];
 
 /// The maximum patch in rooms of mirrors. The largest has 55; without nested images in the keys it has 441.
 const ROOM: usize = 60;
+
+/// The maximum patch on a floor between the shadows of bars, by a light without a diameter.
+const FLOOR: usize = 8;
 
 /// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2 pixels.
 fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
@@ -107,4 +111,51 @@ fn long_show_has_small_patches() {
 #[test]
 fn rooms_of_mirrors_have_small_patches() {
     hold(cases(4).map(room), ROOM);
+}
+
+/// Returns whether each pixel shows the first plane.
+fn shows_floor(scene: &Scene) -> Vec<bool> {
+    let mut scene = coloured(scene, 28);
+    scene.lights.clear();
+    let mut black = scene.clone();
+    black.planes[0].material = Material::BLACK;
+    let [floor, black] = [&scene, &black]
+        .map(|scene| draw_best(scene, &Quality::EXHAUSTIVE, SIZE[0], SIZE[1]).pixels);
+    floor.iter().zip(black).map(|(a, b)| *a != b).collect()
+}
+
+/// Asserts that bars of every kind leave no patch on a plain floor, at the named qualities whose places are `presets`.
+fn assert_whole_light(count: u64, presets: &[usize]) {
+    for mut random in cases(count) {
+        let kind = KINDS[random.below(ON_FLOORS)];
+        for (light, draw) in &LIGHTS[..3] {
+            let scene = kind.scene(&mut random, *draw, FLOORS[0].1);
+            let is_floor = shows_floor(&scene);
+            let exact = draw_best(&scene, &Quality::EXHAUSTIVE, SIZE[0], SIZE[1]).pixels;
+            for &preset in presets {
+                let quality = jagged(Quality::LADDER[preset]);
+                let drawn = draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels;
+                let mut lost = lost(&exact, &drawn);
+                lost.retain(|&i| is_floor[i]);
+                let patches = patches(&lost, SIZE[0]);
+                let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
+                let (case, kind, name) = (random.seed, kind.0, Quality::NAMES[preset]);
+                assert!(
+                    patch <= FLOOR,
+                    "a patch of {patch}, case {case}: {kind} by a {light}, {name}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn light_between_bars_has_no_patches() {
+    assert_whole_light(8, &[Quality::DEFAULT_PRESET]);
+}
+
+#[test]
+#[ignore = "many frames"]
+fn long_light_between_bars_has_no_patches() {
+    assert_whole_light(200, &[0, 1, 2, 3, 4, 5]);
 }

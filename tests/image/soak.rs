@@ -11,6 +11,7 @@ use crate::sameness::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_oracle::squares::largest;
+use eightfold_scenes::artists::artists;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Kinds, Random, Seen, cases};
 use eightfold_tracer::Quality;
@@ -71,6 +72,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
             let [bars, _] = random.one_of(Seen::ALL).view(random);
             bars.scene
         }
+        3 => artists(random),
         _ => Kinds::EXTREME.scene(random),
     };
     assert_eq!(scene.validate(), Ok(()), "{what}");

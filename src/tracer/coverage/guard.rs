@@ -185,7 +185,8 @@ impl Search<'_> {
 
     /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
     /// is inside the region. If all corners show the plane and one side of the region cuts the square, one of them is inside: a half-plane
-    /// that meets a square contains a corner. If an object hides the other corners, one outside has to show the plane. Shadows wait for [`Search::settle`], since another one may cover the square.
+    /// that meets a square contains a corner. If an object hides the other corners, one that shows the plane has to be outside, too. Shadows
+    /// wait for [`Search::settle`], since another one may cover the square.
     fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
         let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
         let cuts = region.sides.cuts(rect, region.margin);
