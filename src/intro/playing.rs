@@ -1,8 +1,9 @@
 use core::time::Duration;
 use eightfold::sound::Synthesizer;
-use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
+use eightfold_tracer::{AccuracyGovernor, Counts, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     clock::SECOND,
+    enlarge::{self, Small},
     line,
     render_target::{Headless, Next, RenderTarget, fit},
     sound::{Player, Source},
@@ -23,6 +24,13 @@ use super::{
 struct Music(Synthesizer);
 
 static MUSIC: StaticCell<Music> = StaticCell::new(Music(Synthesizer::new()));
+
+/// The number of pixels above which a window starts with the fastest frames. The finest frames at 3840x2160 take 0.13 s.
+const LARGE: usize = 1920 * 1080;
+
+/// The number of pixels up to which frames are never drawn smaller, except in the terminal: their pixels take less than a tenth of the
+/// time of a frame.
+const SMALLEST: usize = 320 * 240;
 
 impl Source for Music {
     fn chunk(&mut self) -> &[[f32; 2]] {
@@ -56,6 +64,9 @@ pub fn play(options: &Options) -> i32 {
             Player::start(c"default", MUSIC.take())
         },
         renderer: ShowRenderer::new(options),
+        small: enlarge::small(),
+        is_smooth: true,
+        has_hud: options.has_hud,
         tally: Tally::default(),
     };
     let code = match window {
@@ -66,7 +77,11 @@ pub fn play(options: &Options) -> i32 {
             playing.on(&mut window)
         }
         Err(_) => match Terminal::open() {
-            Some(mut terminal) => playing.on(&mut terminal),
+            Some(mut terminal) => {
+                // Repeated pixels need fewer changes of the colour, so that a slow terminal is faster.
+                playing.is_smooth = false;
+                playing.on(&mut terminal)
+            }
             None => playing.on(&mut Headless::new(width, height)),
         },
     };
@@ -81,6 +96,11 @@ struct Playing<'a> {
     options: &'a Options,
     player: Player,
     renderer: ShowRenderer,
+    /// The pixels of frames that are drawn smaller than the target.
+    small: &'static mut [u32],
+    /// Interpolates small frames instead of repeating their pixels.
+    is_smooth: bool,
+    has_hud: bool,
     tally: Tally,
 }
 
@@ -97,10 +117,14 @@ impl Playing<'_> {
             SHOW_NANOSECONDS
         });
         let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
+        // A target accuracy counts for frames of full size.
+        if options.psnr.is_none() && kept.is_none() {
+            by_rate = by_rate.with_smaller_frames();
+        }
         let mut by_accuracy = by_accuracy.map(|psnr| AccuracyGovernor::new(psnr as f32));
         let clock = self.player.clock();
         let mut due = 0;
-        let mut has_hud = options.has_hud;
+        let mut is_large = false;
         loop {
             let start = clock.time();
             let heard = self.player.time();
@@ -108,29 +132,31 @@ impl Playing<'_> {
                 self.tally.end(start);
                 return 0;
             }
+            let size = fit(target.size(), (MAX_WIDTH, MAX_HEIGHT));
+            let (pixels, was_large) = (size.0 * size.1, is_large);
+            is_large = pixels > LARGE;
+            if is_large && !was_large {
+                by_rate.select_fastest();
+            }
             let quality = kept.unwrap_or_else(|| match &by_accuracy {
                 Some(governor) => governor.preset(),
                 None => by_rate.preset(),
             });
-            let size = fit(target.size(), (MAX_WIDTH, MAX_HEIGHT));
-            let (width, height) = size;
-            let mut frame = Frame::new(width, height, target.canvas(width, height));
-            let counts =
-                self.renderer
-                    .draw(heard, self.tally.frames(), &NAMED[quality].1, &mut frame);
-            if has_hud {
-                self.tally.write(&mut frame, counts.points);
-            }
+            let can_divide = pixels > SMALLEST || !self.is_smooth;
+            let divisor = if can_divide { by_rate.divisor() } else { 1 };
+            let canvas = target.canvas(size.0, size.1);
+            let counts = self.draw(canvas, size, divisor, quality, heard);
             let next = target.show();
             let shown = clock.time();
             match &mut by_accuracy {
                 Some(governor) => governor.frame(counts.probes),
                 None => by_rate.frame(Duration::from_nanos(shown - start)),
             }
-            self.tally.count(shown, size, quality, counts.probes);
+            self.tally
+                .count(shown, size, divisor, quality, counts.probes);
             match next {
                 Next::End(code) => return code,
-                Next::Toggle => has_hud = !has_hud,
+                Next::Toggle => self.has_hud = !self.has_hud,
                 Next::GoOn => {}
             }
             if !options.is_uncapped {
@@ -140,5 +166,38 @@ impl Playing<'_> {
                 clock.sleep_until(due.min(end));
             }
         }
+    }
+
+    /// Draws the frame of a time for a canvas of this size, with sides divided by `divisor`.
+    fn draw(
+        &mut self,
+        canvas: &mut [u32],
+        size: (usize, usize),
+        divisor: usize,
+        quality: usize,
+        time: u64,
+    ) -> Counts {
+        let [width, height] = [size.0, size.1].map(|side| side.div_ceil(divisor));
+        let pixels = match divisor {
+            1 => &mut *canvas,
+            _ => &mut *self.small,
+        };
+        let mut frame = Frame::new(width, height, pixels);
+        let (number, quality) = (self.tally.frames(), &NAMED[quality].1);
+        let counts = self.renderer.draw(time, number, quality, &mut frame);
+        if self.has_hud {
+            self.tally.write(&mut frame, size, counts.points);
+        }
+        if divisor > 1 {
+            let small = Small {
+                pixels: self.small,
+                width,
+                height,
+                factor: divisor as u32,
+                is_smooth: self.is_smooth,
+            };
+            small.enlarge(self.renderer.pool(), canvas, size.0);
+        }
+        counts
     }
 }

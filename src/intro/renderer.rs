@@ -72,6 +72,11 @@ impl ShowRenderer {
         self.renderer
             .render_valid(self.scene, quality, frame, &mut self.threads)
     }
+
+    /// Returns the threads, for other work between frames.
+    pub fn pool(&mut self) -> &mut Pool {
+        &mut self.threads.pool
+    }
 }
 
 struct PoolThreads {

@@ -22,8 +22,12 @@ pub struct Tally {
     /// All probes, and recent ones, whose weight halves every second.
     probes: Probes,
     recent: Probes,
+    /// The last frame's size, and the number that divided its sides.
     size: (usize, usize),
+    divisor: usize,
     used: [u64; NAMED.len()],
+    /// The time in `used` with sides divided by 2 and by 3.
+    divided: [u64; 2],
 }
 
 impl Tally {
@@ -31,13 +35,24 @@ impl Tally {
         self.frames
     }
 
-    /// Counts a frame that was shown at `time`. `quality` is an index in [`NAMED`].
-    pub fn count(&mut self, time: u64, size: (usize, usize), quality: usize, probes: Probes) {
+    /// Counts a frame that was shown at `time`, drawn with its sides divided by `divisor`. `quality` is an index in [`NAMED`].
+    pub fn count(
+        &mut self,
+        time: u64,
+        size: (usize, usize),
+        divisor: usize,
+        quality: usize,
+        probes: Probes,
+    ) {
         self.frames += 1;
         self.probes += probes;
         self.recent += probes;
         self.size = size;
+        self.divisor = divisor;
         self.used[quality] += time - self.time;
+        if divisor > 1 {
+            self.divided[divisor - 2] += time - self.time;
+        }
         self.time = time;
         let second = time / SECOND;
         if second != self.second {
@@ -53,11 +68,13 @@ impl Tally {
         self.frames_in_second += 1;
     }
 
-    /// Draws frame rate, points, and recent accuracy with its 95 % interval onto a frame.
-    pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
+    /// Draws frame rate, points, size, and recent accuracy with its 95 % interval onto a frame for a target of this `size`.
+    pub fn write(&self, frame: &mut Frame<'_>, size: (usize, usize), points: u64) {
+        let sizes = [frame.width, frame.height, size.0, size.1];
+        frame.write(&[line(b" #### X $$$$ OF %%%% X &&&&", 0.09)], sizes);
         let hud = [
             line(b" #### FPS $$$$$$$ POINTS", 0.04),
-            line(b"  %%.% / &&.& DB TO EXHAUSTIVE", 0.09),
+            line(b"  %%.% / &&.& DB TO EXHAUSTIVE", 0.14),
         ];
         let lines = 1 + usize::from(self.recent.squares > 0);
         let [psnr, margin] = accuracy(&self.recent);
@@ -77,11 +94,20 @@ impl Tally {
         output.tenths(mean).text(" fps, worst second ");
         output.tenths(worst).text(" fps");
         self.report_accuracy(output, mean, options);
-        output.text(", ").decimal(self.size.0 as u64);
-        output.text("x").decimal(self.size.1 as u64);
-        output.text(", threads ").decimal(threads as u64);
+        let sides = [self.size.0, self.size.1];
+        if self.divisor > 1 {
+            let drawn = sides.map(|side| side.div_ceil(self.divisor));
+            write_size(output.text(", at "), drawn).text(" of ");
+        } else {
+            output.text(", ");
+        }
+        write_size(output, sides)
+            .text(", threads ")
+            .decimal(threads as u64);
         output.text(", ").text(options.isa.name);
-        for ((name, _), &time) in NAMED.iter().zip(&self.used) {
+        let names = NAMED.iter().map(|&(name, _)| name);
+        let times = self.used.iter().chain(&self.divided);
+        for (name, &time) in names.chain(["halves", "thirds"]).zip(times) {
             if time > 0 {
                 output.text(", ").text(name);
                 output.text(" ").hundredths(hundredths(time)).text(" s");
@@ -110,6 +136,11 @@ impl Tally {
             _ => {}
         }
     }
+}
+
+fn write_size(output: &mut Writer, [width, height]: [usize; 2]) -> &mut Writer {
+    output.decimal(width as u64).text("x");
+    output.decimal(height as u64)
 }
 
 fn hundredths(time: u64) -> u64 {

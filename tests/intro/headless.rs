@@ -208,6 +208,33 @@ fn report_has_the_time_of_each_preset() {
     assert!(time > 0.5 * sum, "{hurried:?}");
 }
 
+/// Large frames start small, and no machine reaches 1000 frames per second with one thread.
+#[test]
+fn report_has_the_size_drawn() {
+    let play = |options: &str| {
+        let options = format!("--seconds 0.5 --threads 1 --fps 1000 {options}");
+        run(&mut headless(&options)).1
+    };
+    for (size, drawn) in [
+        ("3840x2160", "1280x720"),
+        ("3839x1079", "1280x360"),
+        ("1001x2160", "334x720"),
+    ] {
+        let said = play(&format!("--size {size}"));
+        let sizes = format!(", at {drawn} of {size}, threads 1, ");
+        assert!(
+            said.contains(&sizes) && said.contains(", thirds "),
+            "{said}"
+        );
+    }
+    // A fixed quality and a target accuracy keep the size.
+    for options in ["--quality fastest", "--uncapped", "--psnr 30"] {
+        let said = play(&format!("--size 3840x2160 {options}"));
+        assert!(said.contains(", 3840x2160, threads 1, "), "{said}");
+        assert!(!said.contains("thirds"), "{said}");
+    }
+}
+
 #[test]
 fn waiting_for_a_frame_uses_no_processor() {
     let intro = Process::start(&mut headless("--seconds 5 --size 16x16"));
