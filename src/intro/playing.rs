@@ -137,16 +137,16 @@ impl Playing<'_> {
                 self.tally.end(start);
                 return 0;
             }
-            let quality = kept.unwrap_or_else(|| match &by_accuracy {
-                Some(governor) => governor.preset(),
-                None => by_rate.preset(),
-            });
             let size = fit(target.size(), (MAX_WIDTH, MAX_HEIGHT));
             let (pixels, was_large) = (size.0 * size.1, is_large);
             is_large = pixels > LARGE;
             if is_large && !was_large {
                 by_rate.select_fastest();
             }
+            let quality = kept.unwrap_or_else(|| match &by_accuracy {
+                Some(governor) => governor.preset(),
+                None => by_rate.preset(),
+            });
             let can_divide = pixels > SMALLEST || !self.is_smooth;
             let divisor = if can_divide { by_rate.divisor() } else { 1 };
             let canvas = target.canvas(size.0, size.1);
