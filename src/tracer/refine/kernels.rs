@@ -5,7 +5,7 @@ use crate::lanes::{Baseline, Isa};
 use crate::picture::Band;
 use crate::prepare::{VisibleGroups, World};
 use crate::quality::Quality;
-use crate::trace::{self, Batch, Tracer};
+use crate::trace::{self, Batch, SeenPattern, Tracer};
 use fearless_simd::Level;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Avx2, Avx512};
@@ -17,6 +17,7 @@ pub(crate) struct Kernels {
     trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
     judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
     fill: fn(Level, &mut Band<'_>, &Run<'_>),
+    pattern: fn(Level, &SeenPattern<'_>, [usize; 2], usize, usize) -> [f32; 64],
 }
 
 impl Kernels {
@@ -60,6 +61,9 @@ impl Kernels {
                 verdict::judge(in_level::<S>(level), limits, squares, above, below)
             },
             fill: |level, band, run| fill::fill(in_level::<S>(level), band, run),
+            pattern: |level, pattern, start, width, count| {
+                pattern.at(in_level::<S>(level), start, width, count)
+            },
         }
     }
 
@@ -88,6 +92,17 @@ impl Kernels {
     /// See [`fill::fill`].
     pub(super) fn fill(&self, band: &mut Band<'_>, run: &Run<'_>) {
         (self.fill)(self.level, band, run);
+    }
+
+    /// See [`SeenPattern::at`].
+    pub fn pattern(
+        &self,
+        pattern: &SeenPattern<'_>,
+        start: [usize; 2],
+        width: usize,
+        count: usize,
+    ) -> [f32; 64] {
+        (self.pattern)(self.level, pattern, start, width, count)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::scene::camera::pixels;
 use crate::scene::{Light, Pattern, Sphere};
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{TexturePoint, plane, sphere};
-use fearless_simd::{Level, f32x4};
+use fearless_simd::f32x4;
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
@@ -68,9 +68,10 @@ impl<'a> SeenPattern<'a> {
 
     /// Returns the factors on the colour, 0 to 1, at the first `count` pixels in rows of `width` from (x, y) on; undefined at pixels that
     /// show other objects.
-    pub fn at(&self, isa: Level, start: [usize; 2], width: usize, count: usize) -> [f32; 64] {
+    #[inline(always)]
+    pub fn at<S: Isa>(&self, isa: S, start: [usize; 2], width: usize, count: usize) -> [f32; 64] {
         let mut shares = [0.0; 64];
-        by_isa!(isa, simd => self.evaluate(simd, start.map(pixels), width, &mut shares, count));
+        by_isa!(isa: self.evaluate(isa, start.map(pixels), width, &mut shares, count));
         shares
     }
 

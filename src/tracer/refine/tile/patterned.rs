@@ -7,9 +7,10 @@ use crate::lanes::*;
 use crate::observe::Observer;
 use crate::picture::Band;
 use crate::prepare::{Four, ObjectId, World};
+use crate::refine::Kernels;
 use crate::refine::verdict::Verdict;
 use crate::trace::{Layers, STEP, Sample, SeenPattern};
-use fearless_simd::{Level, f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
+use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
     /// Fills the squares of a row that show one patterned object with layers within the tolerance, and returns them. Removes all squares of
@@ -37,8 +38,16 @@ impl<O: Observer> Tile<'_, '_, O> {
             }
             let [left, top] = [self.area.left + (x << level), y << level];
             let (world, band) = (self.context.world, &mut *self.band);
-            let isa = self.context.plan.isa;
-            interpolate(isa, world, band, 1 << level, [left, top], layers, object);
+            let kernels = &self.context.kernels;
+            interpolate(
+                kernels,
+                world,
+                band,
+                1 << level,
+                [left, top],
+                layers,
+                object,
+            );
             // The traced corner keeps its exact bits.
             self.put(left, top, corner);
             filled.set(x);
@@ -57,7 +66,7 @@ pub(super) fn patterned_object(corners: &[Sample; 4]) -> Option<ObjectId> {
 /// Interpolates the corners' layers over the square at (left, top) of the band.
 #[inline(never)]
 fn interpolate(
-    isa: Level,
+    kernels: &Kernels,
     world: World<'_>,
     band: &mut Band<'_>,
     side: usize,
@@ -86,7 +95,7 @@ fn interpolate(
         let mut now = first;
         for (x, pixels) in (left..).step_by(8).zip(row.chunks_mut(8)) {
             if used == 0 {
-                shares = pattern.at(isa, [x, y], width, count);
+                shares = kernels.pattern(&pattern, [x, y], width, count);
             }
             let shares = shares[used..].windows(4).step_by(4);
             for ((x, pixels), shares) in (x..).step_by(4).zip(pixels.chunks_mut(4)).zip(shares) {

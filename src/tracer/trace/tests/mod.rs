@@ -23,7 +23,6 @@ use crate::prepare::{GroupSet, Prepared, World};
 use crate::quality::Quality;
 use crate::scene::{List, Material, Scene, Sphere};
 use core::array;
-#[cfg(target_arch = "x86_64")]
 use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;

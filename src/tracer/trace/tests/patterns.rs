@@ -44,7 +44,7 @@ fn patterned(angle: f32) -> Scene {
 
 fn assert_patterns_agree(by: &dyn Kernels, isa: &str) {
     let mut memory = Box::new(Prepared::new());
-    let level = Level::new();
+    let kernels = crate::refine::Kernels::narrow(Level::new());
     let (mut seen, mut far) = (0, 0);
     for turn in 0..6 {
         let scene = patterned(turn as f32);
@@ -62,8 +62,8 @@ fn assert_patterns_agree(by: &dyn Kernels, isa: &str) {
                     let side = [2, 4, 8][seen % 3];
                     let [column, row] = [x + lane, y].map(|it| it.min(it * 7 % side));
                     let start = [x + lane - column, y - row];
-                    let shares =
-                        SeenPattern::new(world, object).at(level, start, side, side * side);
+                    let pattern = SeenPattern::new(world, object);
+                    let shares = kernels.pattern(&pattern, start, side, side * side);
                     let is_share = |left| (0.0..=1.0).contains(left);
                     assert!(shares.iter().all(is_share), "{isa}: {shares:?}");
                     seen += 1;
