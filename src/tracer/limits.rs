@@ -78,7 +78,8 @@
 //! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
 //! | the same: crowds of 8 or 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480, except as below | 42 dB |
 //! | the same: crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
-//! | the same: floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, near and far, 480x270 | 42 dB |
+//! | the same: floors, spheres and blocks with patterns of any kind, edges of 0.5 to 40, warp to 3, with and without waves, near and far, 480x270 | 42 dB |
+//! | missed spots and veins of such patterns on floors without shapes, of 9 pixels and more | 0 |
 //!
 //! # Approximations
 //!

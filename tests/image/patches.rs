@@ -21,8 +21,7 @@ const TIMES: [f32; 4] = [0.1, 0.3, 0.5, 0.7];
 const ROOM: usize = 60;
 
 /// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2 pixels.
-fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
-    let [width, height] = SIZE;
+pub fn lost(exact: &[u32], drawn: &[u32], [width, height]: [usize; 2]) -> Vec<usize> {
     let is_alike =
         |i: usize, x: usize, y: usize| worst_channel(exact[i], drawn[y * width + x]) <= 32;
     let is_lost = |&i: &usize| {
@@ -41,7 +40,7 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
             let [exact, drawn] = [quality.reference(), quality]
                 .map(|quality| draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels);
             let psnr = Difference::between(&exact, &drawn).psnr;
-            let patches = patches(&lost(&exact, &drawn), SIZE[0]);
+            let patches = patches(&lost(&exact, &drawn, SIZE), SIZE[0]);
             let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
             println!(
                 "{name}: {psnr:.1} dB, a patch of {patch}, {}",

@@ -1,21 +1,19 @@
-use crate::drawn::{draw, isa_of, jagged};
+use crate::drawn::{draw, draw_best, isa_of, jagged};
 use crate::error::Difference;
-use eightfold_scenes::{Random, cases, materials_of, solids};
+use crate::errors::patches;
+use crate::patches::lost;
+use eightfold_scenes::{Random, cases, materials, materials_of, solids};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
+const SIZE: [usize; 2] = [480, 270];
+
+/// Returns a patterned floor, half the time with a patterned shape on it, near or far.
 fn patterned(random: &mut Random) -> Scene {
     let distance = random.power(-0.3, 1.5);
-    let waves = [Vec3::X, Vec3::Z, vec3(1.0, 0.0, 1.0), Vec3::Y, Vec3::ONE];
-    let pattern = Pattern {
-        waves: random.one_of(waves) * random.power(-0.7, 0.7),
-        depth: random.between(0.4, 1.0),
-        edge: random.power(-0.3, 1.6),
-        balance: random.between(-0.9, 0.9),
-        warp: random.zero_or(0.3, 1.5),
-        grain: random.between(0.3, 2.0),
-    };
+    let mut pattern = materials::pattern(random);
+    pattern.waves *= random.one_of([0.0, 1.0, 1.0, 1.0]) * random.power(-0.5, 0.5);
     let material = Material {
         pattern,
         ..Material::matt(random.colour(), 0.8)
@@ -30,12 +28,17 @@ fn patterned(random: &mut Random) -> Scene {
         background: random.colour(),
         ambient: Vec3::splat(0.3),
         planes: List::of(&[Plane::new(-Vec3::Y, 20.0, 20.0, material)]),
-        lights: List::of(&[Light::new(vec3(-3.0, 6.0, -4.0), Vec3::splat(0.7))]),
         ..Scene::default()
     };
-    match random.below(3) {
-        0 => {}
-        1 => scene.spheres.push(Sphere::new(Vec3::ZERO, 0.9, material)),
+    for _ in 0..=random.below(3) {
+        let position = random.vector(vec3(-6.0, 2.0, -6.0), vec3(6.0, 6.0, 6.0));
+        scene
+            .lights
+            .push(Light::new(position, random.colour() * 0.7));
+    }
+    match random.below(4) {
+        0 | 1 => {}
+        2 => scene.spheres.push(Sphere::new(Vec3::ZERO, 0.9, material)),
         _ => scene.blocks.push(solids::block(
             random,
             Vec3::ZERO,
@@ -46,36 +49,64 @@ fn patterned(random: &mut Random) -> Scene {
     scene
 }
 
-/// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp patterns.
-#[test]
-fn patterns_are_right_at_any_distance() {
-    let mut worst = f64::INFINITY;
-    let (mut points, mut plainly) = (0, 0);
-    for mut random in cases(40) {
+/// Draws random patterns, jagged and antialiased. Spots are lost where no drawn pixel nearby is similar; shadows of shapes can
+/// lose some, too.
+fn hold(cases: impl Iterator<Item = Random>) {
+    let (mut worst, mut below) = ((f64::INFINITY, 0), Vec::new());
+    for mut random in cases {
         let isa = isa_of(random.seed);
         let scene = patterned(&mut random);
-        let draw = |scene: &Scene, quality| draw(isa, 2, scene, &quality, 480, 270);
-        let pattern = &scene.planes[0].material.pattern;
-        let qualities = [jagged(Quality::DEFAULT), Quality::DEFAULT];
-        let drawn = qualities.map(|quality| draw(&scene, quality));
-        for (quality, drawn) in qualities.iter().zip(&drawn) {
-            let exact = draw(&scene, quality.reference());
-            let psnr = Difference::between(&exact.pixels, &drawn.pixels).psnr;
-            assert!(
-                psnr >= 42.0,
-                "case {}: {psnr:.1} dB of {pattern:?}",
-                random.seed
-            );
-            worst = worst.min(psnr);
-        }
-        if pattern.edge > 10.0 {
-            points += drawn[0].counts.points;
-            let mut plain = scene.clone();
-            let materials = materials_of(&mut plain);
-            materials.into_iter().for_each(|it| it.pattern.depth = 0.0);
-            plainly += draw(&plain, qualities[0]).counts.points;
+        let is_bare = scene.spheres.is_empty() && scene.blocks.is_empty();
+        for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
+            let [exact, drawn] = [quality.reference(), quality]
+                .map(|quality| draw(isa, 2, &scene, &quality, SIZE[0], SIZE[1]).pixels);
+            let psnr = Difference::between(&exact, &drawn).psnr;
+            let patches = patches(&lost(&exact, &drawn, SIZE), SIZE[0]);
+            let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
+            worst = if psnr < worst.0 {
+                (psnr, random.seed)
+            } else {
+                worst
+            };
+            if psnr < 42.0 || is_bare && patch > 8 {
+                let pattern = &scene.planes[0].material.pattern;
+                println!("{psnr:.1} dB, a patch of {patch}: {pattern:?}");
+                below.push(random.seed);
+            }
         }
     }
-    println!("{worst:.1} dB, {points} points, {plainly} without patterns");
+    println!("{:.1} dB in case {}", worst.0, worst.1);
+    assert!(below.is_empty(), "cases {below:?}");
+}
+
+#[test]
+fn patterns_are_right_at_any_distance() {
+    // Before patterns had bounds, the first ten had 32 to 39 dB, and lost spots of up to 136 pixels.
+    let known = [72, 263, 378, 407, 458, 688, 778, 853, 888, 893];
+    hold(known.map(Random::new).into_iter().chain(cases(6)));
+}
+
+#[test]
+#[ignore = "many scenes"]
+fn long_patterns_are_right_at_any_distance() {
+    hold(cases(4500));
+}
+
+/// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp patterns.
+#[test]
+fn sharp_patterns_split_few_squares() {
+    let quality = jagged(Quality::DEFAULT);
+    let (mut points, mut plainly) = (0, 0);
+    for mut random in cases(40) {
+        let mut scene = patterned(&mut random);
+        let pattern = scene.planes[0].material.pattern;
+        if pattern.edge > 10.0 && pattern.waves != Vec3::ZERO {
+            points += draw_best(&scene, &quality, SIZE[0], SIZE[1]).counts.points;
+            let materials = materials_of(&mut scene);
+            materials.into_iter().for_each(|it| it.pattern.depth = 0.0);
+            plainly += draw_best(&scene, &quality, SIZE[0], SIZE[1]).counts.points;
+        }
+    }
+    println!("{points} points, {plainly} without patterns");
     assert!(3 * points < 4 * plainly, "{points} of {plainly}");
 }

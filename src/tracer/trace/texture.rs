@@ -3,10 +3,11 @@
 use super::rays::to_picture;
 use crate::lanes::*;
 use crate::prepare::{Object, ObjectId, World};
-use crate::scene::Pattern;
+use crate::scene::camera::pixels;
+use crate::scene::{Light, Pattern, Sphere};
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{TexturePoint, plane, sphere};
-use fearless_simd::f32x4;
+use fearless_simd::{Level, f32x4};
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
@@ -32,7 +33,7 @@ impl<S: Isa> TexturePoint<S> {
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// Returns the pattern's factor on the colour, 0 to 1, negative where the pattern is [`FINE`], seen along `d` from the distance `t`
+    /// Returns the pattern's factor on the colour, 0 to 1, negative where the pattern is fine, seen along `d` from the distance `t`
     /// (times the length of `d`); and a hash of the field between the pattern's edges.
     #[inline(always)]
     pub fn reflectance(
@@ -65,50 +66,88 @@ impl<'a> SeenPattern<'a> {
         }
     }
 
-    /// Returns the factor on the colour, 0 to 1, at four points (x, y) of the picture, in pixels; undefined at points that show
-    /// other objects.
+    /// Returns the factors on the colour, 0 to 1, at the first `count` pixels in rows of `width` from (x, y) on; undefined at pixels that
+    /// show other objects.
+    pub fn at(&self, isa: Level, start: [usize; 2], width: usize, count: usize) -> [f32; 64] {
+        let mut shares = [0.0; 64];
+        by_isa!(isa, simd => self.evaluate(simd, start.map(pixels), width, &mut shares, count));
+        shares
+    }
+
     #[inline(always)]
-    pub fn at(&self, at: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
-        let (simd, world) = (baseline(), self.world);
-        let (d, t) = seen_points(world, &self.object, at);
+    fn evaluate<S: Isa>(
+        &self,
+        simd: S,
+        [x, y]: [f32; 2],
+        width: usize,
+        shares: &mut [f32; 64],
+        count: usize,
+    ) {
+        let world = self.world;
         let from = Vec3x::splat(simd, world.eye) - Vec3x::splat(simd, self.object.centre());
-        let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
-        let (share, _) = point.reflectance(simd, world, self.pattern, &d, t * d.dot(d));
-        share.abs()
+        for first in (0..count.min(64)).step_by(lanes::<S>()) {
+            let i = numbers(simd) + first as u32;
+            let columns = (i & (width as u32 - 1)).to_float::<F<S>>() + x;
+            let rows = (i >> width.trailing_zeros()).to_float::<F<S>>() + y;
+            let (d, t) = hits(simd, world, &self.object, [columns, rows]);
+            let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
+            let (share, _) = point.reflectance(simd, world, self.pattern, &d, t * d.dot(d));
+            share
+                .abs()
+                .store_slice(&mut shares[first..first + lanes::<S>()]);
+        }
     }
 }
 
-/// Returns the rays to four points (x, y) of the picture, in pixels, and the distances of their hits on the object, in lengths of
-/// the rays.
+/// Returns [`hits`] by the baseline, once for all callers.
 #[inline(never)]
 pub(crate) fn seen_points(
     world: World<'_>,
     object: &Object<'_>,
-    [x, y]: [f32x4<Baseline>; 2],
+    at: [f32x4<Baseline>; 2],
 ) -> (Vec3x<Baseline>, f32x4<Baseline>) {
-    let simd = baseline();
+    hits(baseline(), world, object, at)
+}
+
+/// Returns the rays to points (x, y) of the picture, in pixels, and the distances of their hits on the object, in lengths of the
+/// rays.
+#[inline(always)]
+fn hits<S: Isa>(
+    simd: S,
+    world: World<'_>,
+    object: &Object<'_>,
+    [x, y]: [F<S>; 2],
+) -> (Vec3x<S>, F<S>) {
     let o = Vec3x::splat(simd, world.eye);
     let d = to_picture(simd, world, x, y);
     let from = o - Vec3x::splat(simd, object.centre());
-    let ball = |radius| sphere::distance(simd, radius, &from, &d, d.dot(d));
     let t = match object {
-        Object::Sphere(it) => ball(it.radius),
-        Object::Light(it) => ball(it.drawn_radius),
-        Object::Block(block) => {
-            block::distance(simd, block, &o, &d, M::<Baseline>::splat(simd, false)).0
-        }
+        Object::Sphere(Sphere { radius, .. })
+        | Object::Light(Light {
+            drawn_radius: radius,
+            ..
+        }) => sphere::distance(simd, *radius, &from, &d, d.dot(d)),
+        Object::Block(block) => block::distance(simd, block, &o, &d, M::<S>::splat(simd, false)).0,
         Object::Plane(_) => plane::distance(&from, &d),
         Object::Background => splat(simd, f32::INFINITY),
     };
     (d, t)
 }
 
-/// A pattern is fine, and evaluated at each pixel, where a sharp edge is narrower than this number of pixels. Interpolating the
-/// others halves the time of the marble in the show's colonnade.
-const FINE: f32 = 5.0;
+/// The largest distance of a pixel from the nearest corner of a square of 8 pixels.
+const REACH: f32 = 5.7;
+
+/// The change of a pattern within [`REACH`], in halves of its range, that may be interpolated. 0.2 costs 1 % of the colonnade's time
+/// for 2 dB in the worst of 2,000 random patterns.
+const SMOOTH: f32 = 0.5;
+
+/// The slope of an octave of noise, divided by `warp * grain`. It is at most 3.8 where all octaves agree, but mostly below 1. In 2,000
+/// random patterns, 1.2 loses no spot of 9 pixels, and 0.7 two.
+const NOISE_SLOPE: f32 = 1.2;
 
 /// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long, and a hash of the
-/// field. The factor is negative where the pattern is [`FINE`].
+/// field. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`], and is not so far
+/// beyond its limits that it stays constant.
 ///
 /// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
 /// w)` of the waves w along the axes.
@@ -120,11 +159,8 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
         return (height, field);
     }
     let [along_x, along_y, along_z] = pattern.waves.to_array();
-    for v in [
-        own.x * along_x + turbulence(simd, pattern, *own),
-        own.y * along_y,
-        own.z * along_z,
-    ] {
+    let (noise, slope) = turbulence(simd, pattern, *own);
+    for v in [own.x * along_x + noise, own.y * along_y, own.z * along_z] {
         let halves: F<S> = v + v;
         let wave = off_integer::<S>(halves).abs() * -2.0 + 1.0;
         height = at_most::<S>(wave, height);
@@ -136,31 +172,32 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
     let one = splat(simd, 1.0);
     let height = flipped::<S>(height * edge, field << 31);
-    let height = at_most::<S>(height + at_least::<S>(edge, one) * pattern.balance, one);
-    let height = at_least::<S>(height, -one);
+    let height = height + at_least::<S>(edge, one) * pattern.balance;
+    let frequency = (along_x + slope).max(along_y).max(along_z);
+    let excess = at_least::<S>(height.abs() - 1.0, splat(simd, SMOOTH));
+    let fine = (excess * pixels).simd_lt(edge * (4.0 * REACH * frequency));
+    let height = clamp::<S>(height, -one, one);
     let share = (height - 1.0) * (0.5 * pattern.depth) + 1.0;
-    // Noise adds frequency, and the extrema of soft waves are as narrow as their slopes.
-    let frequency = pattern.waves.max_element() + 0.5 * pattern.warp * pattern.grain;
-    let edges = 1.0 + pattern.edge.max(1.0);
-    let fine = pixels.simd_lt(splat(simd, 2.0 * FINE * edges * frequency));
     let sign: U<S> = fine.to_vector().bitcast();
     (flipped::<S>(share, sign & (1 << 31)), field)
 }
 
-/// Returns the noise along x, in periods. It is constant along one oblique direction.
+/// Returns the noise along x, in periods, and its slope in periods per scene unit. It is constant along one oblique direction.
 #[inline(always)]
-fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
+fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> (F<S>, f32) {
     let mut u: F<S> = (p.z * 0.6 + p.x) * pattern.grain;
     let mut v: F<S> = (p.z * 0.8 + p.y) * pattern.grain;
     let mut sum = splat(simd, 0.0);
+    let mut slope = 0.0;
     let mut strength = pattern.warp.min(64.0);
     while strength > Pattern::LEAST_WARP {
         sum += noise::<S>(u, v) * strength;
+        slope += NOISE_SLOPE * pattern.warp * pattern.grain;
         strength *= 0.5;
         u += u;
         v += v;
     }
-    sum
+    (sum, slope)
 }
 
 #[inline(always)]

@@ -9,7 +9,7 @@ use crate::picture::Band;
 use crate::prepare::{Four, ObjectId, World};
 use crate::refine::verdict::Verdict;
 use crate::trace::{Layers, STEP, Sample, SeenPattern};
-use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
+use fearless_simd::{Level, f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
     /// Fills the squares of a row that show one patterned object with layers within the tolerance, and returns them. Removes all squares of
@@ -37,7 +37,8 @@ impl<O: Observer> Tile<'_, '_, O> {
             }
             let [left, top] = [self.area.left + (x << level), y << level];
             let (world, band) = (self.context.world, &mut *self.band);
-            interpolate(world, band, 1 << level, [left, top], layers, object);
+            let isa = self.context.plan.isa;
+            interpolate(isa, world, band, 1 << level, [left, top], layers, object);
             // The traced corner keeps its exact bits.
             self.put(left, top, corner);
             filled.set(x);
@@ -46,16 +47,17 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// Returns the object with a fine pattern at all corners. If the pattern is coarse at some corners, it is nearly coarse at all.
+/// Returns the object at all corners, if its pattern is fine at any.
 pub(super) fn patterned_object(corners: &[Sample; 4]) -> Option<ObjectId> {
     let object = corners[0].object()?;
-    let is_alike = |other: &Sample| other.object() == Some(object) && other.is_patterned();
-    corners.iter().all(is_alike).then_some(object)
+    let is_alike = corners.iter().all(|other| other.object() == Some(object));
+    (is_alike && corners.iter().any(|it| it.is_patterned())).then_some(object)
 }
 
 /// Interpolates the corners' layers over the square at (left, top) of the band.
 #[inline(never)]
 fn interpolate(
+    isa: Level,
     world: World<'_>,
     band: &mut Band<'_>,
     side: usize,
@@ -72,27 +74,36 @@ fn interpolate(
     let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
     let pattern = SeenPattern::new(world, object);
     let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
+    // Squares of up to 8 pixels are evaluated at once, larger ones by eight pixels.
+    let (width, count) = (side.min(8), if side > 8 { 8 } else { side * side });
+    let mut shares = [0.0; 64];
     for y in top..bottom {
+        let used = (y - top) * width % count;
         let row = y * band.stride;
         let row = &mut band.pixels[row + left..row + right];
         let y = band.top + y;
         let thresholds = film.thresholds(simd, left, y);
         let mut now = first;
-        for (x, pixels) in (left..).step_by(4).zip(row.chunks_mut(4)) {
-            let at = [x as f32 + columns, splat(simd, y as f32)];
-            let shares: [f32; 4] = pattern.at(at).into();
-            let mut four = shares.map(|share| {
-                let (rest, untextured) = now.split();
-                now += step;
-                rest + untextured * share
-            });
-            if !film.is_plain {
-                film.expose(simd, &mut four, at);
+        for (x, pixels) in (left..).step_by(8).zip(row.chunks_mut(8)) {
+            if used == 0 {
+                shares = pattern.at(isa, [x, y], width, count);
             }
-            let four = rounded(simd, four, thresholds);
-            match pixels.first_chunk_mut() {
-                Some(pixels) => *pixels = four,
-                None => pixels.copy_from_slice(&four[..pixels.len()]),
+            let shares = shares[used..].windows(4).step_by(4);
+            for ((x, pixels), shares) in (x..).step_by(4).zip(pixels.chunks_mut(4)).zip(shares) {
+                let mut four = [0, 1, 2, 3].map(|i| {
+                    let (rest, untextured) = now.split();
+                    now += step;
+                    rest + untextured * shares[i]
+                });
+                if !film.is_plain {
+                    let at = [x as f32 + columns, splat(simd, y as f32)];
+                    film.expose(simd, &mut four, at);
+                }
+                let four = rounded(simd, four, thresholds);
+                match pixels.first_chunk_mut() {
+                    Some(pixels) => *pixels = four,
+                    None => pixels.copy_from_slice(&four[..pixels.len()]),
+                }
             }
         }
         first += first_down;

@@ -3,12 +3,14 @@
 use super::Tile;
 use crate::counts::Counts;
 use crate::grid::{Bits, Pyramid, WORDS};
+use crate::lanes::*;
 use crate::observe::Observer;
 use crate::plan::Context;
 use crate::refine::verdict::Limit;
 use crate::refine::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::trace::BATCH;
 use core::array;
+use fearless_simd::f32x8;
 
 const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 
@@ -124,20 +126,26 @@ impl<O: Observer> Tile<'_, '_, O> {
             (Bits::EVEN, Pyramid::stride(level + 1))
         };
         let start = Pyramid::index(level + 1, 0, y / 2);
+        let has_patterns = self.context.world.has_patterns;
         (points & middles).for_each(|x| {
             let pyramid = &mut self.worker.pyramid;
-            let (from, to) = (start + x / 2, start + x / 2 + step);
-            let (a, b) = (pyramid.sample(from), pyramid.sample(to));
-            let key = pyramid.keys[from];
+            let ends = [start + x / 2, start + x / 2 + step];
+            let (a, b) = (pyramid.sample(ends[0]), pyramid.sample(ends[1]));
+            let key = pyramid.keys[ends[0]];
             // The ends do not determine a pattern at the midpoint.
             let is_patterned = a.is_patterned() | b.is_patterned();
-            let is_near = (key == pyramid.keys[to]) & limit.has(a, b) & !is_patterned;
+            let is_near = (key == pyramid.keys[ends[1]]) & limit.has(a, b) & !is_patterned;
             // Branch-free: the outcome is unpredictable. Tracing overwrites a rejected mean.
             averaged.0[x / 64] |= u64::from(is_near) << (x % 64);
             if level == 0 {
                 self.put(self.area.left + x, y, a.mean(b));
             } else {
-                pyramid.put(Pyramid::index(level, x, y), a.mean(b), key);
+                let to = Pyramid::index(level, x, y);
+                pyramid.put(to, a.mean(b), key);
+                if has_patterns {
+                    let [a, b] = ends.map(|i| f32x8::simd_from(baseline(), pyramid.layers[i]));
+                    pyramid.layers[to] = ((a + b) * 0.5).into();
+                }
             }
         });
         averaged
@@ -167,9 +175,11 @@ impl<O: Observer> Tile<'_, '_, O> {
             if plan.glitters && shows(&world.glitters) {
                 key = (y << 16 | x) as u32;
             }
-            if has_patterns && batch.results.is_fine(i) {
-                sample = sample.patterned();
+            if has_patterns {
                 pyramid.layers[target] = batch.results.layers(i);
+                if batch.results.is_fine(i) {
+                    sample = sample.patterned();
+                }
             }
             pyramid.put(target, sample, key);
         }

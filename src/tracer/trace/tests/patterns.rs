@@ -44,6 +44,7 @@ fn patterned(angle: f32) -> Scene {
 
 fn assert_patterns_agree(by: &dyn Kernels, isa: &str) {
     let mut memory = Box::new(Prepared::new());
+    let level = Level::new();
     let (mut seen, mut far) = (0, 0);
     for turn in 0..6 {
         let scene = patterned(turn as f32);
@@ -57,16 +58,16 @@ fn assert_patterns_agree(by: &dyn Kernels, isa: &str) {
                         continue;
                     }
                     let left = -left;
-                    // The pixel may be any of the four.
-                    let start = (x + lane).saturating_sub((x + y) % 4);
-                    let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);
-                    let four: [f32; 4] = SeenPattern::new(world, object)
-                        .at([columns, [y as f32; 4]].map(|c| c.simd_into(baseline())))
-                        .into();
+                    // The pixel may be any of a square.
+                    let side = [2, 4, 8][seen % 3];
+                    let [column, row] = [x + lane, y].map(|it| it.min(it * 7 % side));
+                    let start = [x + lane - column, y - row];
+                    let shares =
+                        SeenPattern::new(world, object).at(level, start, side, side * side);
                     let is_share = |left| (0.0..=1.0).contains(left);
-                    assert!(four.iter().all(is_share), "{isa}: {four:?}");
+                    assert!(shares.iter().all(is_share), "{isa}: {shares:?}");
                     seen += 1;
-                    far += usize::from((four[x + lane - start] - left).abs() > 1e-3);
+                    far += usize::from((shares[row * side + column] - left).abs() > 1e-3);
                 }
             }
         }
