@@ -134,7 +134,7 @@ fn assert_whole_light(count: u64, presets: &[usize]) {
             for &preset in presets {
                 let quality = jagged(Quality::LADDER[preset]);
                 let drawn = draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels;
-                let mut lost = lost(&exact, &drawn);
+                let mut lost = lost(&exact, &drawn, SIZE);
                 lost.retain(|&i| is_floor[i]);
                 let patches = patches(&lost, SIZE[0]);
                 let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
