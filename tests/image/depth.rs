@@ -6,7 +6,9 @@ use crate::error::Difference;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::{Kinds, cases, materials, materials_of};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::scene::{
+    Ambience, Block, Camera, Light, List, Material, Plane, Scene, Sphere,
+};
 use glam::{Vec3, vec3};
 
 /// Qualities of every depth, with all weights traced, few, and none.
@@ -65,6 +67,8 @@ fn furnace(scene: Scene) -> Scene {
         exposure: 1.0,
         lights: List::default(),
         film: Default::default(),
+        // Occluded light is lost where solids reflect less.
+        ambience: Ambience::UNIFORM,
         ..scene
     }
 }
