@@ -6,6 +6,7 @@
 //! | [`placed`] | objects in their own colours, placed and sized by pixels |
 //! | [`floor`] | a single shadow or image in a floor, or objects that rise from it |
 //! | [`Hidden`] | forty small objects that are easily missed, over a floor, above mirrors or behind glass |
+//! | [`artists`] | bars in the order of words, nets, fences and shelves, with their shadows and images |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
 //! | [`shiny()`] | highlights of all sizes |
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
@@ -13,6 +14,7 @@
 //!
 //! A new kind is a function from a [`Random`] to a scene, of parts from [`materials`], [`lights`] and [`solids`].
 
+pub mod artists;
 mod crowd;
 pub mod floor;
 pub mod hidden;

@@ -1,0 +1,487 @@
+//! Scenes as artists draw them first: bars in order, on a floor, in front of a mirror, behind glass, or casting shadows.
+
+use crate::{Random, lights, materials, solids};
+use eightfold_tracer::scene::{
+    Block, Camera, Light, MAX_BLOCKS, Material, Pattern, Plane, Scene, Shape, Sphere, Waves,
+};
+use glam::{Mat3, Quat, Vec2, Vec3, vec2, vec3};
+use std::f32::consts::{PI, TAU};
+
+type Add = fn(&mut Scene, &mut Random);
+/// Draws a light or a material at random.
+pub type Draw<T> = fn(&mut Random) -> T;
+
+/// A name, and a function that adds the kind's objects to a scene with a camera, a floor and a light.
+#[derive(Clone, Copy)]
+pub struct Kind(pub &'static str, Add);
+
+/// The first [`ON_FLOORS`] kinds have bars on a floor and nothing else.
+pub const KINDS: [Kind; 21] = [
+    Kind("rods", rods),
+    Kind("words", words),
+    Kind("nets", nets),
+    Kind("trusses", trusses),
+    Kind("spokes", spokes),
+    Kind("ropes", ropes),
+    Kind("pickets", pickets),
+    Kind("blinds", blinds),
+    Kind("grass", grass),
+    Kind("windows", windows),
+    Kind("stairs", stairs),
+    Kind("shelves", shelves),
+    Kind("rods in water", water),
+    Kind("mirror wall", mirror_wall),
+    Kind("behind glass", glass),
+    Kind("mirror balls", mirror_balls),
+    Kind("nets in balls", nets_in_balls),
+    Kind("shadows on balls", onto_balls),
+    Kind("shadows on boxes", onto_boxes),
+    Kind("shadows on a patterned wall", onto_wall),
+    Kind("strips of light on shelves", strips),
+];
+
+pub const ON_FLOORS: usize = 10;
+
+pub const LIGHTS: [(&str, Draw<Light>); 4] = [
+    ("point", point),
+    ("sun", |random| Light {
+        parallel: true,
+        ..point(random)
+    }),
+    ("spotlight", |random| {
+        lights::spotlight(
+            point(random),
+            random.between(0.2, 0.5),
+            random.between(0.5, 0.9),
+        )
+    }),
+    ("area light", |random| Light {
+        diameter: random.between(0.1, 0.6),
+        ..point(random)
+    }),
+];
+
+pub const FLOORS: [(&str, Draw<Material>); 3] = [
+    ("plain", |random| Material::matt(bright(random), 0.8)),
+    ("patterned", patterned),
+    ("mirror", |random| Material {
+        kr: random.between(0.3, 0.6),
+        ..Material::matt(bright(random), 0.5)
+    }),
+];
+
+impl Kind {
+    pub fn scene(&self, random: &mut Random, light: Draw<Light>, floor: Draw<Material>) -> Scene {
+        let eye = random.vector(vec3(-2.0, 0.8, 3.5), vec3(2.0, 3.0, 8.0));
+        let look_at = vec3(0.0, random.between(0.5, 1.0), 0.0);
+        let field_of_view = random.one_of([0.8, 0.7, 0.6, 0.2]);
+        let mut scene = Scene {
+            camera: Camera::new(eye, look_at, field_of_view),
+            background: vec3(0.35, 0.45, 0.6),
+            ambient: Vec3::splat(random.zero_or(0.05, 0.2)),
+            ..Scene::default()
+        };
+        let plane = Plane::new(Vec3::ZERO, 30.0, 30.0, floor(random));
+        scene.planes.push(plane);
+        scene.lights.push(light(random));
+        (self.1)(&mut scene, random);
+        scene
+    }
+}
+
+/// Returns a scene of any kind, light and floor.
+pub fn artists(random: &mut Random) -> Scene {
+    let kind = random.one_of(KINDS);
+    let ((_, light), (_, floor)) = (random.one_of(LIGHTS), random.one_of(FLOORS));
+    kind.scene(random, light, floor)
+}
+
+fn point(random: &mut Random) -> Light {
+    let position = random.vector(vec3(-3.0, 3.0, 1.0), vec3(3.0, 5.0, 4.5));
+    Light::new(position, vec3(0.9, 0.86, 0.78) * random.between(0.7, 1.1))
+}
+
+fn bright(random: &mut Random) -> Vec3 {
+    random.vector(Vec3::splat(0.3), Vec3::splat(0.9))
+}
+
+fn patterned(random: &mut Random) -> Material {
+    let checkers = Pattern::checkers(random.between(0.2, 1.0), random.between(0.3, 0.9));
+    let pattern = [checkers, materials::pattern(random)][random.below(2)];
+    Material::matt(bright(random), 0.8).with_pattern(pattern)
+}
+
+/// Bars of one shape, radius and material.
+struct Bars {
+    shape: Shape,
+    radius: f32,
+    material: Material,
+}
+
+impl Bars {
+    fn any(random: &mut Random) -> Self {
+        let matt = Material::matt(bright(random), 0.8);
+        Self {
+            shape: random.one_of(solids::SHAPES),
+            radius: random.one_of([0.005, 0.01, 0.02, 0.04, 0.08]),
+            material: random.one_of([Material::BLACK, matt]),
+        }
+    }
+
+    fn add(&self, scene: &mut Scene, from: Vec3, to: Vec3) {
+        let along = to - from;
+        let half = vec3(self.radius, 0.5 * along.length(), self.radius);
+        let half = solids::fitting(self.shape, half);
+        let turn = Quat::from_rotation_arc(Vec3::Y, along.normalize_or(Vec3::Y));
+        add(
+            scene,
+            Block {
+                axes: Mat3::from_quat(turn),
+                ..Block::new(self.shape, 0.5 * (from + to), half, self.material)
+            },
+        );
+    }
+}
+
+fn add(scene: &mut Scene, block: Block) {
+    if scene.blocks.len() < MAX_BLOCKS {
+        scene.blocks.push(block);
+    }
+}
+
+fn add_box(scene: &mut Scene, centre: Vec3, half: Vec3, material: Material) {
+    add(scene, Block::new(Shape::Box, centre, half, material));
+}
+
+/// A vertical plane at a random place and angle, `x` to the right and `y` up.
+fn upright(random: &mut Random) -> impl Fn(f32, f32) -> Vec3 + use<> {
+    let at = random.vector(vec3(-0.7, 0.0, -1.5), vec3(0.7, 0.0, 1.0));
+    let across = Mat3::from_rotation_y(random.between(-0.7, 0.7)) * Vec3::X;
+    move |x, y| at + across * x + Vec3::Y * y
+}
+
+fn rods(scene: &mut Scene, random: &mut Random) {
+    let bars = Bars::any(random);
+    for _ in 0..random.one_of([1, 2, 5, 12]) {
+        let foot = random.vector(vec3(-2.5, 0.0, -1.5), vec3(2.5, 0.0, 1.5));
+        let lean = random.vector(vec3(-0.4, 1.8, -0.4), vec3(0.4, 2.4, 0.4));
+        bars.add(scene, foot, foot + lean);
+    }
+}
+
+/// Letters of strokes between nine points.
+fn words(scene: &mut Scene, random: &mut Random) {
+    let (bars, at) = (Bars::any(random), upright(random));
+    let (letters, low) = (3 + random.below(4), random.between(0.1, 1.0));
+    for letter in 0..letters {
+        let left = 0.7 * (letter as f32 - 0.5 * letters as f32);
+        let mut node = || vec2(0.25 * random.below(3) as f32, 0.5 * random.below(3) as f32);
+        let mut from = node();
+        for _ in 0..4 {
+            let to = node();
+            if to != from {
+                bars.add(
+                    scene,
+                    at(left + from.x, low + from.y),
+                    at(left + to.x, low + to.y),
+                );
+            }
+            from = to;
+        }
+    }
+}
+
+fn nets(scene: &mut Scene, random: &mut Random) {
+    let (bars, at) = (Bars::any(random), upright(random));
+    let (wide, high) = (random.between(0.8, 2.0), random.between(0.8, 1.8));
+    let (step, slope) = (random.between(0.12, 0.35), random.one_of([0.0, 0.5, 1.0]));
+    for sign in [-1.0, 1.0] {
+        let mut start = -wide - high;
+        while start < wide + high {
+            let ends = [start, start + sign * slope * high].map(|x| x.clamp(-wide, wide));
+            if slope > 0.0 && ends[0] != ends[1] {
+                let height = |x: f32| sign * (x - start) / slope;
+                bars.add(
+                    scene,
+                    at(ends[0], height(ends[0])),
+                    at(ends[1], height(ends[1])),
+                );
+            } else if start.abs() < wide && sign > 0.0 {
+                bars.add(scene, at(start, 0.0), at(start, high));
+            } else if (0.0..high).contains(&start) {
+                bars.add(scene, at(-wide, start), at(wide, start));
+            }
+            start += step;
+        }
+    }
+}
+
+/// Girders: two chords with a zigzag between.
+fn trusses(scene: &mut Scene, random: &mut Random) {
+    for _ in 0..1 + random.below(3) {
+        let (bars, at) = (Bars::any(random), upright(random));
+        let (low, high) = (random.between(0.1, 1.2), random.between(0.2, 0.5));
+        let step = high * random.between(0.5, 1.0);
+        let ends = [low, low + high];
+        for y in ends {
+            bars.add(scene, at(-2.0, y), at(2.0, y));
+        }
+        for i in 0..(4.0 / step) as usize {
+            let x = -2.0 + step * i as f32;
+            bars.add(scene, at(x, ends[i % 2]), at(x + step, ends[(i + 1) % 2]));
+        }
+    }
+}
+
+/// Wheels: a rim, and spokes to it.
+fn spokes(scene: &mut Scene, random: &mut Random) {
+    for _ in 0..1 + random.below(3) {
+        let (bars, at) = (Bars::any(random), upright(random));
+        let count = 6 + random.below(18);
+        let (x, radius) = (random.between(-1.5, 1.5), random.between(0.4, 1.1));
+        let rim = |i: usize| {
+            let end = Vec2::from_angle(TAU * i as f32 / count as f32) * radius;
+            at(x + end.x, radius + end.y)
+        };
+        for i in 0..count {
+            bars.add(scene, at(x, radius), rim(i));
+            bars.add(scene, rim(i), rim(i + 1));
+        }
+    }
+}
+
+/// Sagging ropes of short bars, between posts.
+fn ropes(scene: &mut Scene, random: &mut Random) {
+    for _ in 0..1 + random.below(4) {
+        let (bars, at) = (Bars::any(random), upright(random));
+        let (high, sag) = (random.between(0.6, 2.0), random.between(0.1, 0.5));
+        let (wide, count) = (random.between(0.5, 2.5), 6 + random.below(18));
+        let place = |i: usize| {
+            let x = 2.0 * i as f32 / count as f32 - 1.0;
+            at(wide * x, high - sag * (1.0 - x * x))
+        };
+        for i in 0..count {
+            bars.add(scene, place(i), place(i + 1));
+        }
+        for x in [-wide, wide] {
+            bars.add(scene, at(x, 0.0), at(x, high));
+        }
+    }
+}
+
+fn pickets(scene: &mut Scene, random: &mut Random) {
+    let (bars, at) = (Bars::any(random), upright(random));
+    let (high, step) = (random.between(0.5, 1.6), random.between(0.08, 0.3));
+    let wide = (20.0 * step).min(2.5);
+    for i in 0..(2.0 * wide / step) as usize {
+        let x = step * i as f32 - wide;
+        bars.add(scene, at(x, 0.0), at(x, high));
+    }
+    for y in [0.3 * high, 0.8 * high] {
+        bars.add(scene, at(-wide, y), at(wide, y));
+    }
+}
+
+/// Tilted slats.
+fn blinds(scene: &mut Scene, random: &mut Random) {
+    let material = Bars::any(random).material;
+    let at = upright(random);
+    let (step, tilt) = (random.between(0.06, 0.25), random.between(0.0, PI));
+    let half = vec3(random.between(0.5, 1.8), 0.004, 0.4 * step);
+    for i in 0..random.between(0.8 / step, 2.0 / step) as usize {
+        let axes = Mat3::from_cols(at(1.0, 0.0) - at(0.0, 0.0), Vec3::Y, Vec3::ZERO);
+        let axes = Mat3 {
+            z_axis: axes.x_axis.cross(Vec3::Y),
+            ..axes
+        };
+        add(
+            scene,
+            Block {
+                axes: axes * Mat3::from_rotation_x(tilt),
+                ..Block::new(Shape::Box, at(0.0, 0.2 + step * i as f32), half, material)
+            },
+        );
+    }
+}
+
+fn grass(scene: &mut Scene, random: &mut Random) {
+    let mut bars = Bars::any(random);
+    bars.radius = random.one_of([0.004, 0.008, 0.015]);
+    for _ in 0..random.one_of([20, 60, 120]) {
+        let foot = random.vector(vec3(-2.5, 0.0, -1.5), vec3(2.5, 0.0, 2.0));
+        let lean = random.vector(vec3(-0.3, 0.3, -0.3), vec3(0.3, 1.0, 0.3));
+        bars.add(scene, foot, foot + lean);
+    }
+}
+
+/// A wall of window frames.
+fn windows(scene: &mut Scene, random: &mut Random) {
+    let (bars, at) = (Bars::any(random), upright(random));
+    let [columns, rows] = [0; 2].map(|_| 2 + random.below(6));
+    let (wide, high) = (random.between(0.2, 0.6), random.between(0.2, 0.5));
+    let [right, top] = [wide * columns as f32, high * rows as f32];
+    for x in (0..=columns).map(|i| wide * i as f32 - 0.5 * right) {
+        bars.add(scene, at(x, 0.0), at(x, top));
+    }
+    for y in (0..=rows).map(|i| high * i as f32) {
+        bars.add(scene, at(-0.5 * right, y), at(0.5 * right, y));
+    }
+}
+
+/// Stairs with a railing.
+fn stairs(scene: &mut Scene, random: &mut Random) {
+    let (bars, material) = (Bars::any(random), Material::matt(bright(random), 0.8));
+    let (deep, high) = (random.between(0.15, 0.35), random.between(0.1, 0.25));
+    let wide = random.between(0.4, 1.5);
+    let thick = random.one_of([0.02, 0.5 * high]);
+    for i in 0..4 + random.below(6) {
+        let at = vec3(0.0, high * i as f32 + high, 0.8 - deep * i as f32);
+        add_box(
+            scene,
+            at - Vec3::Y * thick,
+            vec3(wide, thick, 0.5 * deep),
+            material,
+        );
+        let rail = Vec3::Y * 0.7;
+        let next = at + vec3(0.0, high, -deep) + rail;
+        for foot in [-wide, wide].map(|x| Vec3::X * x) {
+            bars.add(scene, foot + at, foot + at + rail);
+            bars.add(scene, foot + at + rail, foot + next);
+        }
+    }
+}
+
+/// Shelves with narrow gaps between things.
+fn shelves(scene: &mut Scene, random: &mut Random) {
+    let material = Material::matt(bright(random), 0.8);
+    let (wide, high) = (random.between(0.6, 1.6), random.between(0.4, 0.7));
+    let (deep, back) = (random.between(0.15, 0.4), random.between(-1.2, 0.0));
+    for i in 0..2 + random.below(3) {
+        let board = vec3(0.0, high * i as f32 + 0.3, back);
+        add_box(scene, board, vec3(wide, 0.015, deep), material);
+        let mut left = random.between(0.02, 0.2) - wide;
+        while left < wide - 0.2 {
+            let half = random.vector(vec3(0.01, 0.1, 0.05), vec3(0.08, 0.45 * high, deep));
+            let shape = random.one_of(solids::SHAPES);
+            let half = solids::fitting(shape, half.with_z(half.z.min(deep)));
+            let centre = board + vec3(wide.min(left + half.x), 0.015 + half.y, 0.0);
+            add(
+                scene,
+                Block::new(shape, centre, half, Material::matt(bright(random), 0.8)),
+            );
+            left += 2.0 * half.x + random.between(0.002, 0.2);
+        }
+    }
+    for x in [-wide, wide] {
+        let half = vec3(0.015, high, deep);
+        add_box(scene, vec3(x, high, back), half, material);
+    }
+}
+
+/// Adds bars to be seen in something.
+fn some_bars(scene: &mut Scene, random: &mut Random) {
+    let kinds: [Add; 6] = [rods, rods, nets, words, pickets, windows];
+    random.one_of(kinds)(scene, random);
+}
+
+fn water(scene: &mut Scene, random: &mut Random) {
+    let colour = Material::matt(bright(random), 0.2);
+    scene.planes[0].material = Material {
+        kr: random.between(0.4, 0.8),
+        ..colour
+    };
+    scene.water = Waves {
+        slope: random.between(0.003, 0.04),
+        length: random.between(0.3, 2.0),
+        phase: random.between(-9.0, 9.0),
+    };
+    some_bars(scene, random);
+}
+
+fn mirror_wall(scene: &mut Scene, random: &mut Random) {
+    some_bars(scene, random);
+    let mirror = Material::mirror(random.between(0.5, 0.9));
+    add_box(scene, vec3(0.0, 1.5, -2.0), vec3(3.0, 1.5, 0.05), mirror);
+}
+
+fn glass(scene: &mut Scene, random: &mut Random) {
+    some_bars(scene, random);
+    let glass = Material::glass(random.one_of([1.0, 1.1, 1.3, 1.5]));
+    let centre = random.vector(vec3(-0.5, 0.8, 1.0), vec3(0.5, 1.2, 2.0));
+    if random.below(3) == 0 {
+        let radius = random.between(0.3, 0.6);
+        scene.spheres.push(Sphere::new(centre, radius, glass));
+    } else {
+        let half = random.vector(vec3(0.3, 0.4, 0.05), vec3(1.5, 0.8, 0.3));
+        let block = solids::block(random, centre, half, glass);
+        let axes = [block.axes, Mat3::from_rotation_y(random.between(-0.6, 0.6))];
+        add(
+            scene,
+            Block {
+                axes: random.one_of(axes),
+                ..block
+            },
+        );
+    }
+}
+
+fn add_balls(scene: &mut Scene, random: &mut Random, material: Material) {
+    for _ in 0..1 + random.below(4) {
+        let radius = random.between(0.25, 0.8);
+        let at = random.vector(vec3(-2.0, 0.0, -2.5), vec3(2.0, 0.3, -0.2));
+        scene
+            .spheres
+            .push(Sphere::new(at + Vec3::Y * radius, radius, material));
+    }
+}
+
+fn mirror_balls(scene: &mut Scene, random: &mut Random) {
+    some_bars(scene, random);
+    let mirror = Material::mirror(random.between(0.5, 0.9));
+    add_balls(scene, random, mirror);
+}
+
+fn nets_in_balls(scene: &mut Scene, random: &mut Random) {
+    nets(scene, random);
+    let mirror = Material::mirror(random.between(0.5, 0.9));
+    add_balls(scene, random, mirror);
+}
+
+fn onto_balls(scene: &mut Scene, random: &mut Random) {
+    some_bars(scene, random);
+    let matt = Material::matt(bright(random), 0.8);
+    add_balls(scene, random, matt);
+}
+
+fn onto_boxes(scene: &mut Scene, random: &mut Random) {
+    some_bars(scene, random);
+    let matt = Material::matt(bright(random), 0.8);
+    for _ in 0..1 + random.below(4) {
+        let half = random.vector(Vec3::splat(0.2), Vec3::splat(0.8));
+        let at = random.vector(vec3(-2.0, 0.0, -2.5), vec3(2.0, 0.0, -0.5));
+        add(
+            scene,
+            Block {
+                axes: Mat3::from_rotation_y(random.between(0.0, PI)),
+                ..Block::new(Shape::Box, at + Vec3::Y * half.y, half, matt)
+            },
+        );
+    }
+}
+
+fn onto_wall(scene: &mut Scene, random: &mut Random) {
+    some_bars(scene, random);
+    let wall = patterned(random);
+    add_box(scene, vec3(0.0, 2.2, -2.5), vec3(3.0, 2.2, 0.1), wall);
+}
+
+/// Shelves behind bars, whose gaps let strips of light through.
+fn strips(scene: &mut Scene, random: &mut Random) {
+    shelves(scene, random);
+    let bars = Bars::any(random);
+    let step = 2.0 * bars.radius + random.power(-2.0, -0.7);
+    for i in -6..=6 {
+        let x = step * i as f32;
+        bars.add(scene, vec3(x, 0.0, 1.0), vec3(x, 2.5, 1.0));
+    }
+}
