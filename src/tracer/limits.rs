@@ -75,6 +75,7 @@
 //! | the same of thin blocks, from a point light and from a sun | 2.5 % and 0.6 % |
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
+//! | patches of 20 pixels at `finest` (connected pixels that differ by more than 32/255 from all drawn pixels within 2 pixels) in bars and nets in wavy water, mirror walls, mirror balls and behind glass, their shadows on balls, boxes and patterned walls, and strips of light on stairs and shelves; 200 scenes of each kind at 640x360, 40 at 1280x720 | 0 |
 //! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
 //! | the same: crowds of 8 or 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480, except as below | 42 dB |
 //! | the same: crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
@@ -100,7 +101,7 @@
 //!   can be missed. Bright lights cause no misses. Other shadows on planes are rarely missed.
 //! - Holes of up to 8 connected pixels in wider objects, at a corner or in a narrow strip between occluders; and holes in thin
 //!   shadows from lights with a diameter, whose soft edges are unguarded.
-//! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
+//! - Shadows on spheres and blocks, and slits of light between these, except at `finest`: two of 1,000 crowds without mirrors have 41.0 dB, because of
 //!   a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
 //!   both. Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 54 pixels in
@@ -111,6 +112,8 @@
 //!   that mirrors the light, is hidden, in shadow, on the dark side, beyond an edge, or on a white surface. A corner identifies its
 //!   object, but neither face nor light: a slit of light between shadows, the lit rim of a sphere, or the narrow side of a flat
 //!   cylinder can lose its highlight, whatever its length.
-//! - Refractions, and reflections in anything but a first plane without waves: they are unguarded.
+//! - Refractions, and reflections in anything but a first plane without waves, except at `finest`: they are unguarded. Other presets
+//!   lose thin things there, at `default` a bar's whole image: `docs/accuracy.md` has a table and a picture of each kind. `finest`
+//!   traces each pixel with such light of a tenth or more; fainter images can have holes.
 //! - The position of hits on a sphere with a radius below the rounding error, about 1e-6 of its largest coordinate. Rays that leave
 //!   it still never hit it again.

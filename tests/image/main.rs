@@ -25,5 +25,6 @@ mod show;
 mod shown;
 mod soak;
 mod thin;
+mod unguarded;
 mod water;
 mod written;

@@ -21,8 +21,8 @@ const TIMES: [f32; 4] = [0.1, 0.3, 0.5, 0.7];
 const ROOM: usize = 60;
 
 /// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2 pixels.
-fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
-    let [width, height] = SIZE;
+fn lost(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
+    let height = exact.len() / width;
     let is_alike =
         |i: usize, x: usize, y: usize| worst_channel(exact[i], drawn[y * width + x]) <= 32;
     let is_lost = |&i: &usize| {
@@ -34,6 +34,12 @@ fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
     (0..exact.len()).filter(is_lost).collect()
 }
 
+/// Returns the largest patch of lost pixels, if any are lost.
+pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
+    let patches = patches(&lost(exact, drawn, width), width);
+    patches.into_iter().max_by_key(Vec::len).unwrap_or_default()
+}
+
 fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
     let (mut largest, mut least) = (0, f64::INFINITY);
     for (name, scene) in scenes {
@@ -41,8 +47,7 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
             let [exact, drawn] = [quality.reference(), quality]
                 .map(|quality| draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels);
             let psnr = Difference::between(&exact, &drawn).psnr;
-            let patches = patches(&lost(&exact, &drawn), SIZE[0]);
-            let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
+            let patch = self::largest(&exact, &drawn, SIZE[0]).len();
             println!(
                 "{name}: {psnr:.1} dB, a patch of {patch}, {}",
                 quality.antialias

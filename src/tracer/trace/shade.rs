@@ -50,7 +50,12 @@ pub(super) fn shade<S: Isa>(
         colour = reflected.specular.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
-        scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
+        // The guard knows the images in the first plane, but not the shadows there.
+        let much = splat(simd, quality.unguarded_weight);
+        let shadows = shaded & rays.mirrored(simd) & weight.simd_ge(much);
+        let unguarded =
+            shadows | scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
+        batch.results.mark_unguarded(rays, unguarded);
     }
     if let Some(air) = &air {
         colour = air.veil(colour);
@@ -66,7 +71,7 @@ pub(super) fn shade<S: Isa>(
     }
 }
 
-/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
+/// Pushes the transmitted and the reflected rays, and returns the lanes with unguarded ones. The weight of `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
 #[inline(always)]
 fn scatter<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -75,7 +80,7 @@ fn scatter<S: Isa>(
     point: &ShadingPoint<S>,
     marks: U<S>,
     stack: &mut RayStack,
-) {
+) -> M<S> {
     let (simd, quality) = (tracer.isa, tracer.quality);
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
@@ -129,6 +134,12 @@ fn scatter<S: Isa>(
         weight,
         slot_path: reflected | departure | marks,
     };
+    let much = splat(simd, quality.unguarded_weight);
+    let mut unguarded = back & weight.simd_ge(much);
+    if tracer.world.scene.water.are_calm() {
+        unguarded &= marks.simd_eq(U::<S>::splat(simd, 0));
+    }
+    unguarded |= through & transmitted.weight.simd_ge(much);
     // The reflected rays are on top of the stack.
     if through.any_true() {
         stack.push(simd, &transmitted, through);
@@ -136,4 +147,5 @@ fn scatter<S: Isa>(
     if back.any_true() {
         stack.push(simd, &reflected, back);
     }
+    unguarded
 }
