@@ -81,6 +81,7 @@
 //! | the same of thin blocks, from a point light and from a sun | 2.5 % and 0.6 % |
 //! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
 //! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
+//! | patches of 20 pixels at `finest` (connected pixels that differ by more than 32/255 from all drawn pixels within 2 pixels) in bars and nets in wavy water, mirror walls, mirror balls and behind glass, their shadows on balls, boxes and patterned walls, and strips of light on stairs and shelves; 200 scenes of each kind at 640x360, 40 at 1280x720 | 0 |
 //! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
 //! | the same: crowds of 8 or 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480, except as below | 42 dB |
 //! | the same: crowds of 20 spheres and 4 to 64 blocks without mirrors, 640x480, except as below | 42 dB |
@@ -112,8 +113,8 @@
 //!   units and 54 % at 6,000.
 //! - Light between bars on floors with patterns, at `fastest`, and from lights with a diameter. Where the end of a cylinder or capsule
 //!   meets its side, a thirteenth of its radius counts as dark in a shadow.
-//! - Shadows on spheres and blocks, and slits of light between these: two of 1,000 crowds without mirrors have 41.0 dB, because of
-//!   a bright slit on a block's face.
+//! - Shadows on spheres and blocks, and slits of light between these, except at `finest`: two of 1,000 crowds without mirrors have
+//!   41.0 dB, because of a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
 //!   both. Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 54 pixels in
 //!   the show.
@@ -126,6 +127,8 @@
 //! - Contact shadows and coincident faces on blocks: rays leave a block 1e-5 of its coordinates and size above its surface, or 1.2e-7
 //!   if the eye is nearer than 16 times the former. Lights and objects nearer to the surface than that are beyond it.
 //! - Light from below the horizon of a sphere by less than 2e-3 radians: it passes the sphere, whose shadow is smaller by the hit error.
-//! - Refractions, and reflections in anything but a first plane without waves: they are unguarded.
+//! - Refractions, and reflections in anything but a first plane without waves, except at `finest`: they are unguarded. Other presets
+//!   lose thin things there, at `default` a bar's whole image: `docs/accuracy.md` has a table and a picture of each kind. `finest`
+//!   traces each pixel with such light of a tenth or more; fainter images can have holes.
 //! - The position of hits on a sphere with a radius below the rounding error, about 1e-6 of its largest coordinate. Rays that leave
 //!   it still never hit it again.

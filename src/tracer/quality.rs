@@ -24,6 +24,10 @@ pub struct Quality {
     /// visible between its corners, except as [`limits`](crate::limits) lists, or if it lies between two split squares. All presets are
     /// guarded. The original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
+    /// The least weight of reflected and refracted rays, except images in a flat first plane, that split a square down to pixels; 0
+    /// to infinity. Below infinity a square is also split if a sphere or a block may be shadowed there by another, or if its corners
+    /// show several objects in one colour: nothing thin is missed, at the cost of these pixels. Unused without `guarded`.
+    pub unguarded_weight: f32,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
     /// The least weight of rays whose objects are part of the key, 0 to infinity, to exclude weak reflections of a floor. A ray's
@@ -61,6 +65,7 @@ impl Quality {
         tolerance_differing: 0.0,
         tolerance_side: 0.0,
         guarded: true,
+        unguarded_weight: f32::INFINITY,
         key_depth: 5,
         key_weight: 0.0,
         state_depth: 0,
@@ -91,7 +96,10 @@ impl Quality {
     ///
     /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
     pub const LADDER: &'static [Self; 7] = &[
-        Self::within(8, 2.0).antialiased(8),
+        Self {
+            unguarded_weight: 0.1,
+            ..Self::within(8, 2.0).antialiased(8)
+        },
         Self::within(8, 3.0).antialiased(12),
         Self::within(8, 5.0).antialiased(16),
         Self::DEFAULT,
@@ -167,6 +175,7 @@ impl Quality {
             ("tolerance_agreeing", self.tolerance_agreeing),
             ("tolerance_differing", self.tolerance_differing),
             ("tolerance_side", self.tolerance_side),
+            ("unguarded_weight", self.unguarded_weight),
             ("key_weight", self.key_weight),
             ("highlight", self.highlight),
             ("least_contribution", self.least_contribution),

@@ -27,5 +27,6 @@ mod show;
 mod shown;
 mod soak;
 mod thin;
+mod unguarded;
 mod water;
 mod written;

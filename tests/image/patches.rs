@@ -25,7 +25,8 @@ const ROOM: usize = 60;
 const FLOOR: usize = 8;
 
 /// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2 pixels.
-pub fn lost(exact: &[u32], drawn: &[u32], [width, height]: [usize; 2]) -> Vec<usize> {
+fn lost(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
+    let height = exact.len() / width;
     let is_alike =
         |i: usize, x: usize, y: usize| worst_channel(exact[i], drawn[y * width + x]) <= 32;
     let is_lost = |&i: &usize| {
@@ -37,6 +38,12 @@ pub fn lost(exact: &[u32], drawn: &[u32], [width, height]: [usize; 2]) -> Vec<us
     (0..exact.len()).filter(is_lost).collect()
 }
 
+/// Returns the largest patch of lost pixels, if any are lost.
+pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
+    let patches = patches(&lost(exact, drawn, width), width);
+    patches.into_iter().max_by_key(Vec::len).unwrap_or_default()
+}
+
 fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
     let (mut largest, mut least) = (0, f64::INFINITY);
     for (name, scene) in scenes {
@@ -44,8 +51,7 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
             let [exact, drawn] = [quality.reference(), quality]
                 .map(|quality| draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels);
             let psnr = Difference::between(&exact, &drawn).psnr;
-            let patches = patches(&lost(&exact, &drawn, SIZE), SIZE[0]);
-            let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
+            let patch = self::largest(&exact, &drawn, SIZE[0]).len();
             println!(
                 "{name}: {psnr:.1} dB, a patch of {patch}, {}",
                 quality.antialias
@@ -134,7 +140,7 @@ fn assert_whole_light(count: u64, presets: &[usize]) {
             for &preset in presets {
                 let quality = jagged(Quality::LADDER[preset]);
                 let drawn = draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels;
-                let mut lost = lost(&exact, &drawn, SIZE);
+                let mut lost = lost(&exact, &drawn, SIZE[0]);
                 lost.retain(|&i| is_floor[i]);
                 let patches = patches(&lost, SIZE[0]);
                 let patch = patches.iter().map(Vec::len).max().unwrap_or(0);

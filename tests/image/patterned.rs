@@ -1,7 +1,6 @@
 use crate::drawn::{draw, draw_best, isa_of, jagged};
 use crate::error::Difference;
-use crate::errors::patches;
-use crate::patches::lost;
+use crate::patches::largest;
 use eightfold_scenes::{Random, cases, materials, materials_of, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
@@ -61,8 +60,7 @@ fn hold(cases: impl Iterator<Item = Random>) {
             let [exact, drawn] = [quality.reference(), quality]
                 .map(|quality| draw(isa, 2, &scene, &quality, SIZE[0], SIZE[1]).pixels);
             let psnr = Difference::between(&exact, &drawn).psnr;
-            let patches = patches(&lost(&exact, &drawn, SIZE), SIZE[0]);
-            let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
+            let patch = largest(&exact, &drawn, SIZE[0]).len();
             worst = if psnr < worst.0 {
                 (psnr, random.seed)
             } else {

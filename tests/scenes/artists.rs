@@ -130,6 +130,10 @@ impl Bars {
 
     fn add(&self, scene: &mut Scene, from: Vec3, to: Vec3) {
         let along = to - from;
+        // A net's last bar may be a point at its corner.
+        if along == Vec3::ZERO {
+            return;
+        }
         let half = vec3(self.radius, 0.5 * along.length(), self.radius);
         let half = solids::fitting(self.shape, half);
         let turn = Quat::from_rotation_arc(Vec3::Y, along.normalize_or(Vec3::Y));

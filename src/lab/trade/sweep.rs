@@ -14,6 +14,7 @@ const SIDES: [f32; 4] = [0.0, 3.0, 5.0, 16.0];
 /// Depths of objects and of lights' states.
 const KEYS: [(u32, u32); 6] = [(0, 0), (1, 0), (1, 1), (2, 2), (5, 1), (5, 5)];
 const HIGHLIGHTS: [f32; 4] = [1.0 / 1024.0, 1.0 / 64.0, 0.25, f32::INFINITY];
+const UNGUARDED: [f32; 3] = [0.05, 0.1, 0.2];
 const EDGES: [u8; 5] = [4, 8, 12, 16, 40];
 const CONTRIBUTIONS: [f32; 6] = [0.0, 0.003, 0.02, 0.05, 0.1, 0.2];
 const FOLLOWED: [(u32, f32); 5] = [(5, 0.01), (5, 0.02), (4, 0.02), (3, 0.05), (2, 0.1)];
@@ -48,6 +49,11 @@ pub fn techniques(antialias: bool) -> Vec<Technique> {
             vary(&format!("side {to}"), &|it| it.tolerance_side = to);
         }
         vary("unguarded", &|it| it.guarded = false);
+        for to in UNGUARDED {
+            vary(&format!("unguarded weight {to}"), &|it| {
+                it.unguarded_weight = to
+            });
+        }
         for keys in KEYS {
             vary(&format!("keys {}/{}", keys.0, keys.1), &|it| {
                 (it.key_depth, it.state_depth) = keys;

@@ -12,6 +12,7 @@ use crate::grid::{Area, Bits, Pyramid, each};
 use crate::lanes::*;
 use crate::picture::TILE_HEIGHT;
 use crate::prepare::{ObjectId, World};
+use crate::quality::Quality;
 use crate::rounding::COLUMN;
 use crate::scene::camera::pixels;
 use crate::trace::{Sample, seen_points};
@@ -53,6 +54,7 @@ impl Guard {
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
+        quality: &Quality,
         all: &[Bits; TILE_HEIGHT],
         open: &mut [Bits; TILE_HEIGHT],
     ) {
@@ -85,6 +87,9 @@ impl Guard {
         }
         let rows = squares.rows;
         open[..rows].copy_from_slice(&search.open[..rows]);
+        if quality.unguarded_weight < f32::INFINITY {
+            squares.look_for_unguarded(all, &mut open[..rows]);
+        }
     }
 }
 
@@ -258,8 +263,8 @@ pub(crate) struct Squares<'a> {
     pub(super) coverage: &'a Coverage,
     pub(super) area: &'a Area,
     /// The samples of the corners, row by row.
-    grid: &'a [u64],
-    stride: usize,
+    pub(super) grid: &'a [u64],
+    pub(super) stride: usize,
     pub(super) level: usize,
     pub(super) columns: usize,
     pub(super) rows: usize,

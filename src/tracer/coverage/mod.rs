@@ -38,6 +38,12 @@
 //! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on
 //!   another face.
 //!
+//! # Light without a bound
+//!
+//! At `finest` ([`Quality::unguarded_weight`](crate::Quality::unguarded_weight)) a square is also split if a corner shows a reflection
+//! or a refraction without a bound, if an object lies between a light and the part of a sphere or a block that the corners show, or if
+//! the corners show several objects in one colour (`unguarded`).
+//!
 //! [`limits`](crate::limits) lists the rest in figures, and `cargo lab missed` counts it.
 
 mod guard;
@@ -50,6 +56,7 @@ mod shadow;
 mod sides;
 #[cfg(test)]
 mod tests;
+mod unguarded;
 mod view;
 
 pub(crate) use guard::{Guard, Squares};

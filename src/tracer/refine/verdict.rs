@@ -16,7 +16,7 @@ impl Limit {
         let limit = tolerance * STEP as f32;
         // 15 bits exceed any difference; NaN becomes 0.
         let limit = limit.clamp(0.0, 32_767.0) as u64;
-        Self((limit * 0x0001_0001_0001) | (0x7fff << 48))
+        Self((limit * 0x0001_0001_0001) | (0xffff << 48))
     }
 
     /// Returns whether two samples are within the limit, to 128th of a step. Sums of halved channels leave a word's highest bit for the

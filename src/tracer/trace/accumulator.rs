@@ -80,6 +80,18 @@ impl Accumulator {
         objects.store_slice(&mut self.objects[packet::<S>(first)]);
     }
 
+    /// Marks the points of rays as showing unguarded light.
+    #[inline(always)]
+    pub(super) fn mark_unguarded<S: Isa>(&mut self, rays: &Rays<S>, unguarded: M<S>) {
+        let slots = rays.slots();
+        let mut rest = unguarded.to_bitmask();
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize % lanes::<S>();
+            self.objects[slots.as_slice()[lane] as usize % BATCH] |= Sample::UNGUARDED_OBJECT;
+            rest &= rest - 1;
+        }
+    }
+
     /// Adds a packet's contribution to the sums of its points. Primary rays start the sums from point `first` on.
     #[inline(always)]
     pub(super) fn add<S: Isa>(

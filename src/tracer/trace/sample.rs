@@ -12,7 +12,8 @@ pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 pub(super) type Sum = [i32; 4];
 
 /// A traced point: from the low bits up, blue, green and red with 16 bits each, in 128ths of an output step, and the object's
-/// number plus one with 14 bits, 0 if it is unknown. Bit 62 is set if the object's pattern there is finer than squares.
+/// number plus one with 14 bits, 0 if it is unknown. Bit 62 is set if the object's pattern there is finer than squares, bit 63 if the
+/// point shows [unguarded](Sample::UNGUARDED) light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
@@ -26,6 +27,12 @@ impl Sample {
     pub const COLOUR: u64 = (1 << OBJECT) - 1;
 
     pub const PATTERN: u64 = 1 << 62;
+
+    /// See [`Quality::unguarded_weight`](crate::Quality::unguarded_weight).
+    pub const UNGUARDED: u64 = 1 << 63;
+
+    /// [`Sample::UNGUARDED`] beside an object's number.
+    pub(super) const UNGUARDED_OBJECT: u32 = (Self::UNGUARDED >> OBJECT) as u32;
 
     /// The threshold that rounds to the nearest step, see [`Sample::pixel`].
     pub const HALF_STEP: u64 = 0x0040_0040_0040;
@@ -43,7 +50,7 @@ impl Sample {
     }
 
     pub fn object(self) -> Option<ObjectId> {
-        let label = (self.0 & !Self::PATTERN) >> OBJECT;
+        let label = (self.0 & !(Self::PATTERN | Self::UNGUARDED)) >> OBJECT;
         label.checked_sub(1).map(|i| ObjectId::new(i as usize))
     }
 

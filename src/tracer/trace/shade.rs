@@ -60,7 +60,14 @@ pub(super) fn shade<S: Isa>(
         colour = reflected.specular.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
-        untraced = scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
+        let scattered = scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
+        untraced = scattered.untraced;
+        // The guard knows the images in the first plane, but not the shadows there.
+        let much = splat(simd, quality.unguarded_weight);
+        let shadows = shaded & rays.mirrored(simd) & weight.simd_ge(much);
+        batch
+            .results
+            .mark_unguarded(rays, shadows | scattered.unguarded);
     }
     if let Some(air) = &air {
         colour = air.veil(colour);
@@ -76,8 +83,15 @@ pub(super) fn shade<S: Isa>(
     }
 }
 
-/// Pushes the transmitted and the reflected rays, and returns the light of the ones beyond the quality's limits. The weight of
-/// `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
+/// The light of secondary rays.
+struct Scattered<S: Isa> {
+    /// The light of the rays beyond the quality's limits.
+    untraced: Vec3x<S>,
+    /// The lanes with rays that the guard does not know.
+    unguarded: M<S>,
+}
+
+/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
 #[inline(always)]
 fn scatter<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -86,7 +100,7 @@ fn scatter<S: Isa>(
     point: &ShadingPoint<S>,
     marks: U<S>,
     stack: &mut RayStack,
-) -> Vec3x<S> {
+) -> Scattered<S> {
     let (simd, quality) = (tracer.isa, tracer.quality);
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
@@ -142,6 +156,12 @@ fn scatter<S: Isa>(
         weight,
         slot_path: reflected | departure | marks,
     };
+    let much = splat(simd, quality.unguarded_weight);
+    let mut unguarded = back & weight.simd_ge(much);
+    if tracer.world.scene.water.are_calm() {
+        unguarded &= marks.simd_eq(U::<S>::splat(simd, 0));
+    }
+    unguarded |= through & transmitted.weight.simd_ge(much);
     // The reflected rays are on top of the stack.
     if through.any_true() {
         stack.push(simd, &transmitted, through);
@@ -149,8 +169,11 @@ fn scatter<S: Isa>(
     if back.any_true() {
         stack.push(simd, &reflected, back);
     }
-    untraced(tracer, &transmitted, refracted & !through)
-        + untraced(tracer, &reflected, point.shaded & !back)
+    Scattered {
+        untraced: untraced(tracer, &transmitted, refracted & !through)
+            + untraced(tracer, &reflected, point.shaded & !back),
+        unguarded,
+    }
 }
 
 /// Returns the light of rays that are not traced: the brighter of background and ambient light in each channel.

@@ -7,7 +7,7 @@ use crate::scene::camera::pixels;
 use crate::scene::{Light, Pattern, Sphere};
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{TexturePoint, plane, sphere};
-use fearless_simd::{Level, f32x4};
+use fearless_simd::f32x4;
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {

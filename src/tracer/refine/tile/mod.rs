@@ -96,10 +96,8 @@ impl<O: Observer> Tile<'_, '_, O> {
             if plan.quality.guarded {
                 let worker = &mut *self.worker;
                 let squares = Squares::new(*world, coverage, &self.area, &worker.pyramid, level);
-                let all = &worker.marks.squares[level];
-                worker
-                    .guard
-                    .look(&squares, all, &mut worker.marks.open[level]);
+                let (all, open) = (&worker.marks.squares[level], &mut worker.marks.open[level]);
+                worker.guard.look(&squares, &plan.quality, all, open);
             }
             let rows = self.area.rows(level);
             let mut split = [Bits::NONE; 3];

@@ -1,0 +1,146 @@
+//! Thin things in mirrors, glass and waves, their shadows on balls, boxes and walls, and strips of light: `finest` loses none.
+
+use crate::drawn::{draw_best, jagged};
+use crate::error::Difference;
+use crate::patches::largest;
+use eightfold_lab::arguments::Size;
+use eightfold_lab::sheet::{Tile, sheet};
+use eightfold_scenes::artists::{FLOORS, KINDS, Kind, LIGHTS, ON_FLOORS};
+use eightfold_scenes::{Random, cases};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
+use glam::{Vec3, vec3};
+
+const FINEST: Quality = Quality::LADDER[0];
+
+/// The size of a patch that counts.
+const PATCH: usize = 20;
+
+const SMALL: [usize; 2] = [640, 360];
+const LARGE: [usize; 2] = [1280, 720];
+
+fn scene(kind: Kind, mut random: Random) -> Scene {
+    let seed = random.seed as usize;
+    let (light, floor) = (LIGHTS[seed % LIGHTS.len()].1, seed / LIGHTS.len());
+    kind.scene(&mut random, light, FLOORS[floor % FLOORS.len()].1)
+}
+
+/// Draws a scene's every pixel, and its largest patch of lost pixels by each quality.
+fn draw<const N: usize>(
+    scene: &Scene,
+    [width, height]: [usize; 2],
+    qualities: [Quality; N],
+) -> (Vec<u32>, [(Vec<u32>, Vec<usize>); N]) {
+    let draw = |quality| draw_best(scene, &jagged(quality), width, height).pixels;
+    let exact = draw(Quality::EXHAUSTIVE);
+    let drawn = qualities.map(|quality| {
+        let drawn = draw(quality);
+        let patch = largest(&exact, &drawn, width);
+        (drawn, patch)
+    });
+    (exact, drawn)
+}
+
+/// Asserts that `finest` has no patch in scenes of each kind. Prints the patches of `default`.
+fn hold(seeds: impl Iterator<Item = u64> + Clone, size: [usize; 2]) {
+    let mut lost = Vec::new();
+    for kind in &KINDS[ON_FLOORS..] {
+        let (mut patches, mut least) = (Vec::new(), f64::INFINITY);
+        for seed in seeds.clone() {
+            let scene = scene(*kind, Random::new(seed));
+            let (exact, [(_, finest), (drawn, default)]) =
+                draw(&scene, size, [FINEST, Quality::DEFAULT]);
+            if finest.len() >= PATCH {
+                lost.push((kind.0, seed, finest.len()));
+            }
+            patches.push(default.len());
+            least = least.min(Difference::between(&exact, &drawn).psnr);
+        }
+        let most = patches.iter().max().unwrap_or(&0);
+        let (all, patched) = (patches.len(), patches.iter().filter(|&&it| it >= PATCH));
+        let (name, patched) = (kind.0, patched.count());
+        println!("{name} by default: {patched} of {all}, up to {most} pixels, {least:.1} dB");
+    }
+    assert!(lost.is_empty(), "{lost:?}");
+}
+
+/// At least one of these seeds has a patch in stairs, shelves, water, mirrors, glass, nets in balls and strips of light without
+/// `unguarded_weight`.
+#[test]
+fn finest_shows_thin_things_without_bounds() {
+    hold([0, 2, 7].into_iter(), SMALL);
+}
+
+#[test]
+#[ignore = "2,640 scenes"]
+fn long_finest_shows_thin_things_without_bounds() {
+    for (count, size) in [(200, SMALL), (40, LARGE)] {
+        let seeds: Vec<u64> = cases(count).map(|random| random.seed).collect();
+        hold(seeds.into_iter(), size);
+    }
+}
+
+/// Draws the worst patches by `default`: exhaustive to the left of it.
+#[test]
+#[ignore = "draws docs/unguarded.png"]
+fn sheet_of_unguarded_kinds() {
+    let size = Size {
+        width: 200,
+        height: 75,
+    };
+    let tiles: Vec<Tile> = KINDS[ON_FLOORS..]
+        .iter()
+        .map(|kind| {
+            let drawn = (0..24)
+                .map(|seed| draw(&scene(*kind, Random::new(seed)), SMALL, [Quality::DEFAULT]));
+            let worst = drawn.max_by_key(|(_, [(_, patch)])| patch.len());
+            let (exact, [(drawn, patch)]) = worst.expect("24 scenes");
+            let middle = patch
+                .get(patch.len() / 2)
+                .copied()
+                .unwrap_or(SMALL[0] * 180 + 320);
+            let (half, height) = (size.width / 2, size.height);
+            let left = (middle % SMALL[0])
+                .saturating_sub(half / 2)
+                .min(SMALL[0] - half);
+            let top = (middle / SMALL[0])
+                .saturating_sub(height / 2)
+                .min(SMALL[1] - height);
+            let rows = (top..top + height).flat_map(|y| {
+                [&exact, &drawn].map(|picture| &picture[y * SMALL[0] + left..][..half])
+            });
+            Tile {
+                pixels: rows.flatten().copied().collect(),
+                caption: format!("{}: {} pixels", kind.0, patch.len()),
+            }
+        })
+        .collect();
+    let sheet = sheet(size, 3, &tiles).expect("a sheet");
+    std::fs::write("docs/unguarded.png", sheet).expect("a picture");
+}
+
+/// A ball casts its shadow on a floor only, and no two objects have one colour.
+#[test]
+fn finest_traces_no_more_where_all_is_guarded() {
+    let matt = Material::matt(vec3(0.8, 0.6, 0.4), 0.7);
+    let mut scene = Scene {
+        background: Vec3::Z,
+        ambient: Vec3::splat(0.2),
+        ..Scene::default()
+    };
+    let floor = Material::matt(vec3(0.3, 0.5, 0.6), 0.7);
+    scene.planes.push(Plane::new(Vec3::ZERO, 9.0, 9.0, floor));
+    scene
+        .spheres
+        .push(Sphere::new(vec3(0.0, 1.0, 0.0), 1.0, matt));
+    scene
+        .lights
+        .push(Light::new(vec3(3.0, 5.0, -4.0), Vec3::ONE));
+    let plain = Quality {
+        unguarded_weight: f32::INFINITY,
+        ..FINEST
+    };
+    let [finest, plain] = [FINEST, plain].map(|quality| draw_best(&scene, &quality, 640, 360));
+    assert_eq!(finest.counts, plain.counts);
+    assert!(finest.pixels == plain.pixels);
+}
