@@ -25,12 +25,15 @@ fn scene(kind: Kind, mut random: Random) -> Scene {
     kind.scene(&mut random, light, FLOORS[floor % FLOORS.len()].1)
 }
 
+/// A picture, and its largest patch.
+type Drawn = (Vec<u32>, Vec<usize>);
+
 /// Draws a scene's every pixel, and its largest patch of lost pixels by each quality.
 fn draw<const N: usize>(
     scene: &Scene,
     [width, height]: [usize; 2],
     qualities: [Quality; N],
-) -> (Vec<u32>, [(Vec<u32>, Vec<usize>); N]) {
+) -> (Vec<u32>, [Drawn; N]) {
     let draw = |quality| draw_best(scene, &jagged(quality), width, height).pixels;
     let exact = draw(Quality::EXHAUSTIVE);
     let drawn = qualities.map(|quality| {
