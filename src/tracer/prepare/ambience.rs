@@ -56,7 +56,8 @@ impl Tap {
     };
 }
 
-/// The taps' heights as shares of the reach, and their weights, from the farthest: its range includes the next one's.
+/// The taps' heights as shares of the reach, and their weights, from the farthest. A point on whose normal the farthest tap is its own
+/// height or more away from a block is out of range of all taps.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 
 /// Slightly below 1, so that a convex block is out of range of its own points.
@@ -148,14 +149,14 @@ impl Ambience {
         let (mut half, mut ahead, mut turn) = (Vec3A::splat(farthest), 0.0, Mat3A::IDENTITY);
         if let Object::Block(block) = object {
             neighbour.taps = taps(block, reach);
-            let Tap { height, range, .. } = neighbour.taps[0];
+            let Tap { height, .. } = neighbour.taps[0];
             let axes = Mat3A::from(block.axes);
             turn = axes.transpose();
             ahead = height;
             half = axes.x_axis.abs() * block.half.x
                 + axes.y_axis.abs() * block.half.y
                 + axes.z_axis.abs() * block.half.z
-                + range;
+                + height;
         }
         let (low, high) = (node.centre - half, node.centre + half);
         for axis in 0..3 {

@@ -200,7 +200,8 @@ fn by_block<S: Isa>(
         let tap = p.add_scaled(n, splat(simd, height));
         let out = solid_distance::outside(simd, block, &tap).out;
         let distance: F<S> = out.dot(out).sqrt();
-        if i == 0 && !(near & distance.simd_lt(splat(simd, range))).any_true() {
+        // The other tap is in range only within the height of this one.
+        if i == 0 && !(near & distance.simd_lt(splat(simd, height))).any_true() {
             return None;
         }
         let closeness = at_least::<S>(one - distance * (1.0 / range), zero);
