@@ -244,7 +244,7 @@ fn report_has_the_time_of_each_preset() {
 #[test]
 fn report_has_the_size_drawn() {
     let play = |options: &str| {
-        let options = format!("--seconds 0.5 --threads 1 --fps 1000 {options}");
+        let options = format!("--seconds 0.5 --threads 1 {options}");
         run(&mut headless(&options)).1
     };
     for (size, drawn) in [
@@ -252,7 +252,7 @@ fn report_has_the_size_drawn() {
         ("3839x1079", "1280x360"),
         ("1001x2160", "334x720"),
     ] {
-        let said = play(&format!("--size {size}"));
+        let said = play(&format!("--fps 1000 --size {size}"));
         let sizes = format!(", at {drawn} of {size}, threads 1, ");
         assert!(
             said.contains(&sizes) && said.contains(", thirds "),
