@@ -1,6 +1,7 @@
 //! Solids that occlude ambient light, see [`scene::Ambience`].
 
 use super::object::{self, Object, ObjectId};
+use super::surface::bounded;
 use super::tree::BvhNode;
 use crate::lanes::MAX_LANES;
 use crate::scene::{self, Block, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
@@ -145,7 +146,8 @@ impl Ambience {
         neighbour.centre = node.centre;
         neighbour.per_radius = 1.0 / node.radius;
         neighbour.per_reach2 = 1.0 / (farthest * farthest);
-        neighbour.opacity = (1.0 - material.kt).max(0.0) * occlusion;
+        // Numbers that are not finite would spoil the lanes of a packet that the solid does not cover.
+        neighbour.opacity = bounded((1.0 - material.kt).max(0.0) * occlusion);
         let (mut half, mut ahead, mut turn) = (Vec3A::splat(farthest), 0.0, Mat3A::IDENTITY);
         if let Object::Block(block) = object {
             neighbour.taps = taps(block, reach);
@@ -165,17 +167,24 @@ impl Ambience {
         }
         self.bounds.ahead[i] = ahead;
         let colour = Vec3A::from(material.colour) * (bounce * material.kd);
-        neighbour.ambient = colour * self.sky * AMBIENT_SHARE;
+        neighbour.ambient = finite(colour * self.sky * AMBIENT_SHARE);
         for (to, light) in neighbour.lights.iter_mut().zip(scene.lights.iter()) {
             let l = (light.shadow_position() - node.centre).normalize_or(Vec3A::Y);
             let share = light.spot.map_or(1.0, |spot| spot.share(-l));
-            *to = [turn * l, colour * Vec3A::from(light.colour) * share];
+            *to = [
+                finite(turn * l),
+                finite(colour * Vec3A::from(light.colour) * share),
+            ];
         }
     }
 }
 
 /// See [`Ambience::contact`], as a share of the reach.
 const CONTACT: f32 = 0.2;
+
+fn finite(v: Vec3A) -> Vec3A {
+    Vec3A::from_array(v.to_array().map(bounded))
+}
 
 fn taps(block: &Block, reach: f32) -> [Tap; TAPS.len()] {
     let own = block.half;
