@@ -7,7 +7,7 @@ pub fn pixels() -> &'static mut [u32] {
     allocate(MOST_PIXELS)
 }
 
-/// Returns zeroed memory for a small picture, see [`allocate`].
+/// Returns zeroed memory for a small picture.
 pub fn small() -> &'static mut [u32] {
     allocate(MOST_SMALL)
 }
