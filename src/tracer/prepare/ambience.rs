@@ -1,5 +1,6 @@
 //! Solids that occlude ambient light, see [`scene::Ambience`].
 
+use super::light::PreparedLight;
 use super::object::{self, Object, ObjectId};
 use super::tree::BvhNode;
 use crate::lanes::MAX_LANES;
@@ -107,7 +108,7 @@ impl Ambience {
         count: 0,
     };
 
-    pub fn set(&mut self, scene: &Scene, nodes: &[BvhNode]) {
+    pub fn set(&mut self, scene: &Scene, nodes: &[BvhNode], lights: &[PreparedLight]) {
         let ambience = &scene.ambience;
         self.is_on = ambience.occlusion > 0.0;
         self.count = 0;
@@ -123,13 +124,13 @@ impl Ambience {
             .map_or(f32::MIN, |plane| plane.centre.y);
         self.contact = CONTACT * ambience.reach;
         for node in nodes.iter().filter(|node| !node.is_bound) {
-            self.add(scene, node);
+            self.add(scene, node, lights);
         }
         let padded = self.count.next_multiple_of(MAX_LANES);
         self.bounds.low[0][self.count..padded].fill(f32::INFINITY);
     }
 
-    fn add(&mut self, scene: &Scene, node: &BvhNode) {
+    fn add(&mut self, scene: &Scene, node: &BvhNode, lights: &[PreparedLight]) {
         let scene::Ambience {
             occlusion,
             reach,
@@ -166,10 +167,9 @@ impl Ambience {
         self.bounds.ahead[i] = ahead;
         let colour = Vec3A::from(material.colour) * (bounce * material.kd);
         neighbour.ambient = colour * self.sky * AMBIENT_SHARE;
-        for (to, light) in neighbour.lights.iter_mut().zip(scene.lights.iter()) {
-            let l = (light.shadow_position() - node.centre).normalize_or(Vec3A::Y);
-            let share = light.spot.map_or(1.0, |spot| spot.share(-l));
-            *to = [turn * l, colour * Vec3A::from(light.colour) * share];
+        for (to, light) in neighbour.lights.iter_mut().zip(lights) {
+            let l = (light.position - node.centre).normalize_or(Vec3A::Y);
+            *to = [turn * l, colour * light.colour * light.cone.share(-l)];
         }
     }
 }
