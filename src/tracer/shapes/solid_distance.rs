@@ -6,8 +6,7 @@ use crate::lanes::*;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Returns how far rays are outside a block where they come nearest to it, negative inside, and the distances along the rays, 0 to
-/// `limit`.
+/// Returns the distances along rays, 0 to `limit`, where they come nearest to a block, and their depths there, negative outside.
 ///
 /// The place is approximate: the middle of the ray's interval between the block's faces, moved once to the place nearest to the
 /// block's point there. For rays that miss the block along a face, that interval may be far away.
@@ -35,7 +34,7 @@ pub(crate) fn approach<S: Isa>(
         distance = outside.distance;
         moved = t - d.dot(outside.out);
     }
-    (distance, t)
+    (t, -distance)
 }
 
 pub(crate) struct Outside<S: Isa> {
