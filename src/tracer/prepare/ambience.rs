@@ -4,7 +4,7 @@ use super::light::PreparedLight;
 use super::object::{self, Object, ObjectId};
 use super::tree::BvhNode;
 use crate::lanes::MAX_LANES;
-use crate::scene::{self, Block, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
+use crate::scene::{self, Block, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use glam::{Mat3A, Vec3A};
 
 pub(crate) const CAPACITY: usize = MAX_SOLIDS.next_multiple_of(MAX_LANES);
@@ -179,11 +179,7 @@ const CONTACT: f32 = 0.2;
 
 fn taps(block: &Block, reach: f32) -> [Tap; TAPS.len()] {
     let own = block.half;
-    let (most, least) = (own.max_element(), own.min_element());
-    let middle = match block.shape {
-        Shape::Box => own.element_sum() - most - least,
-        Shape::Cylinder | Shape::Capsule => own.x,
-    };
+    let middle = own.x.min(own.y).max(own.x.max(own.y).min(own.z));
     let reach = reach.min(BLOCK_REACH * middle);
     TAPS.map(|[share, weight]| {
         let height = reach * share;

@@ -313,6 +313,14 @@ impl BvhNode {
         (from.length_squared() - radius * radius) as f32
     }
 
+    /// Sets the powers of points. Not compiled for each lane and instruction set: it is rarely called.
+    #[inline(never)]
+    pub fn powers(&self, [x, y, z]: [&[f32]; 3], powers: &mut [f32]) {
+        for (power, ((&x, &y), &z)) in powers.iter_mut().zip(x.iter().zip(y).zip(z)) {
+            *power = self.power(Vec3A::new(x, y, z));
+        }
+    }
+
     pub fn group(&self) -> usize {
         self.groups.trailing_zeros() as usize
     }
