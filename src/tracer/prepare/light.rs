@@ -57,7 +57,7 @@ impl SpotCone {
     /// Returns the share of the light in a direction of length 1.
     pub fn share(&self, d: Vec3A) -> f32 {
         let inward = d.dot(self.aim.into()) - self.cos_outer;
-        smooth_step((inward / (self.cos_inner - self.cos_outer)).clamp(0.0, 1.0))
+        smooth_step(inward / (self.cos_inner - self.cos_outer))
     }
 }
 
