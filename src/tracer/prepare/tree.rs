@@ -197,6 +197,7 @@ impl Tree {
         self.nodes[at].skip = (self.len - at) as u16;
     }
 
+    #[inline(never)]
     fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut BvhNode {
         let node = &mut self.nodes[self.len];
         self.len += 1;
