@@ -31,6 +31,8 @@ pub fn cos(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU + 0.25)
 }
 
+// Small code: nothing calls it in a loop over pixels.
+#[inline(never)]
 fn sin_turns(turns: f64) -> f32 {
     let half = if turns < 0.0 { -0.5 } else { 0.5 };
     // Reduced to -1/2 to 1/2 turns, then to -1/4 to 1/4 by sin(1/2 - t) = sin(t).

@@ -55,12 +55,12 @@ impl Sides {
         let ends = if shape == Shape::Capsule { half.x } else { 0.0 };
         let inside = half - slack - Vec3A::Y * ends;
         let inner = if inside.min_element() > 0.0 {
-            Silhouette::new(shape, centre, inside, SINE).terms(&rays)
+            silhouette_terms(shape, centre, inside, SINE, &rays)
         } else {
             [[Vec4::ZERO, Vec4::ZERO, Vec4::NEG_ONE]; 2]
         };
         Self::Flat {
-            outer: Silhouette::new(shape, centre, half + slack, 1.0).terms(&rays),
+            outer: silhouette_terms(shape, centre, half + slack, 1.0, &rays),
             inner,
         }
     }
@@ -222,6 +222,29 @@ struct Silhouette {
     pub has_none: BVec4A,
 }
 
+/// Returns the depths of rays inside the planes through the edges of a block's silhouette, see [`Silhouette::new`].
+#[inline(never)]
+fn silhouette_terms(
+    shape: Shape,
+    centre: Vec3A,
+    half: Vec3A,
+    hexagon: f32,
+    rays: &[[Vec4; 2]; 3],
+) -> [Terms; 2] {
+    let silhouette = Silhouette::new(shape, centre, half, hexagon);
+    let has_none = silhouette.has_none;
+    [1.0, -1.0].map(|sign| {
+        let [x, y] = silhouette.ends(sign);
+        let scale = Vec4::select(has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
+        let mut terms = rays.map(|[a, b]| {
+            // NaN inside a cylinder.
+            Vec4::select(has_none, Vec4::ZERO, (b * x - a * y) * scale)
+        });
+        terms[2] += Vec4::select(has_none, Vec4::ONE, Vec4::ZERO);
+        terms
+    })
+}
+
 impl Silhouette {
     /// Returns a block's silhouette from the origin. All vectors are along its own axes; its centre is at `centre`. Seen along its axis a
     /// cylinder or capsule is a circle; across, it has the sides of a hexagon of the inner radius `hexagon` radii.
@@ -241,20 +264,6 @@ impl Silhouette {
             is_beside,
             has_none: !(is_beside | b.abs().cmpgt(half_b)),
         }
-    }
-
-    /// Returns the depths of rays inside the planes through the silhouette edges.
-    fn terms(&self, rays: &[[Vec4; 2]; 3]) -> [Terms; 2] {
-        [1.0, -1.0].map(|sign| {
-            let [x, y] = self.ends(sign);
-            let scale = Vec4::select(self.has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
-            let mut terms = rays.map(|[a, b]| {
-                // NaN inside a cylinder.
-                Vec4::select(self.has_none, Vec4::ZERO, (b * x - a * y) * scale)
-            });
-            terms[2] += Vec4::select(self.has_none, Vec4::ONE, Vec4::ZERO);
-            terms
-        })
     }
 
     /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1.

@@ -1,10 +1,11 @@
 //! Solids that occlude ambient light, see [`scene::Ambience`].
 
+use super::light::PreparedLight;
 use super::object::{self, Object, ObjectId};
 use super::surface::bounded;
 use super::tree::BvhNode;
 use crate::lanes::MAX_LANES;
-use crate::scene::{self, Block, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
+use crate::scene::{self, Block, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use glam::{Mat3A, Vec3A};
 
 pub(crate) const CAPACITY: usize = MAX_SOLIDS.next_multiple_of(MAX_LANES);
@@ -108,7 +109,7 @@ impl Ambience {
         count: 0,
     };
 
-    pub fn set(&mut self, scene: &Scene, nodes: &[BvhNode]) {
+    pub fn set(&mut self, scene: &Scene, nodes: &[BvhNode], lights: &[PreparedLight]) {
         let ambience = &scene.ambience;
         self.is_on = ambience.occlusion > 0.0;
         self.count = 0;
@@ -124,13 +125,13 @@ impl Ambience {
             .map_or(f32::MIN, |plane| plane.centre.y);
         self.contact = CONTACT * ambience.reach;
         for node in nodes.iter().filter(|node| !node.is_bound) {
-            self.add(scene, node);
+            self.add(scene, node, lights);
         }
         let padded = self.count.next_multiple_of(MAX_LANES);
         self.bounds.low[0][self.count..padded].fill(f32::INFINITY);
     }
 
-    fn add(&mut self, scene: &Scene, node: &BvhNode) {
+    fn add(&mut self, scene: &Scene, node: &BvhNode, lights: &[PreparedLight]) {
         let scene::Ambience {
             occlusion,
             reach,
@@ -168,13 +169,9 @@ impl Ambience {
         self.bounds.ahead[i] = ahead;
         let colour = Vec3A::from(material.colour) * (bounce * material.kd);
         neighbour.ambient = finite(colour * self.sky * AMBIENT_SHARE);
-        for (to, light) in neighbour.lights.iter_mut().zip(scene.lights.iter()) {
-            let l = (light.shadow_position() - node.centre).normalize_or(Vec3A::Y);
-            let share = light.spot.map_or(1.0, |spot| spot.share(-l));
-            *to = [
-                finite(turn * l),
-                finite(colour * Vec3A::from(light.colour) * share),
-            ];
+        for (to, light) in neighbour.lights.iter_mut().zip(lights) {
+            let l = (light.position - node.centre).normalize_or(Vec3A::Y);
+            *to = [turn * l, colour * light.colour * light.cone.share(-l)].map(finite);
         }
     }
 }
@@ -188,11 +185,7 @@ fn finite(v: Vec3A) -> Vec3A {
 
 fn taps(block: &Block, reach: f32) -> [Tap; TAPS.len()] {
     let own = block.half;
-    let (most, least) = (own.max_element(), own.min_element());
-    let middle = match block.shape {
-        Shape::Box => own.element_sum() - most - least,
-        Shape::Cylinder | Shape::Capsule => own.x,
-    };
+    let middle = own.x.min(own.y).max(own.x.max(own.y).min(own.z));
     let reach = reach.min(BLOCK_REACH * middle);
     TAPS.map(|[share, weight]| {
         let height = reach * share;

@@ -3,7 +3,7 @@
 use super::object::ObjectId;
 use super::surface::bounded;
 use super::tree::{BvhNode, MAX_NODES};
-use crate::maths::{cos, sqrt, unit};
+use crate::maths::{cos, smooth_step, sqrt, unit};
 use crate::rounding::{BOUND, COSINE, hit_error};
 use crate::scene::{Block, Light, Spot};
 use glam::{Mat3A, Vec3, Vec3A};
@@ -52,6 +52,12 @@ impl SpotCone {
             cos_inner: cos(spot.inner_angle),
             cos_outer: cos(spot.outer_angle),
         }
+    }
+
+    /// Returns the share of the light in a direction of length 1.
+    pub fn share(&self, d: Vec3A) -> f32 {
+        let inward = d.dot(self.aim.into()) - self.cos_outer;
+        smooth_step(inward / (self.cos_inner - self.cos_outer))
     }
 }
 

@@ -134,7 +134,6 @@ impl Prepared {
         self.light_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
-        self.ambience.set(scene, self.tree.solid_nodes());
         self.has_patterns = false;
         self.has_details = !scene.blocks.is_empty();
         for i in 0..=self.background() {
@@ -150,6 +149,8 @@ impl Prepared {
         for (prepared, light) in self.lights.iter_mut().zip(scene.lights.iter()) {
             prepared.set(light, self.tree.solid_nodes(), scene.spheres.len());
         }
+        let lights = &self.lights[..self.light_count];
+        self.ambience.set(scene, self.tree.solid_nodes(), lights);
         World {
             scene,
             prepared: self,

@@ -197,6 +197,7 @@ impl Tree {
         self.nodes[at].skip = (self.len - at) as u16;
     }
 
+    #[inline(never)]
     fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut BvhNode {
         let node = &mut self.nodes[self.len];
         self.len += 1;
@@ -311,6 +312,14 @@ impl BvhNode {
         let from = point.as_dvec3() - self.centre.as_dvec3();
         let radius = f64::from(self.radius);
         (from.length_squared() - radius * radius) as f32
+    }
+
+    /// Sets the powers of points. Not compiled for each lane and instruction set: it is rarely called.
+    #[inline(never)]
+    pub fn powers(&self, [x, y, z]: [&[f32]; 3], powers: &mut [f32]) {
+        for (power, ((&x, &y), &z)) in powers.iter_mut().zip(x.iter().zip(y).zip(z)) {
+            *power = self.power(Vec3A::new(x, y, z));
+        }
     }
 
     pub fn group(&self) -> usize {

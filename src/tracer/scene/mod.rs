@@ -26,7 +26,6 @@ pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
-use crate::maths::{cos, smooth_step, unit};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::PI;
 use glam::{Mat3, Vec3, Vec3A};
@@ -532,13 +531,6 @@ impl Spot {
             inner_angle: 0.75 * outer_angle,
             outer_angle,
         }
-    }
-
-    /// Returns the share of the light in a direction of length 1.
-    pub(crate) fn share(&self, d: Vec3A) -> f32 {
-        let inward = d.dot(unit(self.aim.into()));
-        let [outer, inner] = [self.outer_angle, self.inner_angle].map(cos);
-        smooth_step(((inward - outer) / (inner - outer)).clamp(0.0, 1.0))
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {

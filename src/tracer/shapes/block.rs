@@ -100,13 +100,16 @@ pub(crate) fn hit_error(block: &Block, eye: Vec3A) -> f32 {
 fn above(block: &Block, point: Vec3A) -> f32 {
     let own = Mat3A::from(block.axes).transpose() * (point - Vec3A::from(block.centre));
     let half = Vec3A::from(block.half);
-    let round = |own: Vec3A| own.length() - half.x;
-    let core = half.y - half.x;
-    match block.shape {
-        Shape::Box => (own.abs() - half).max_element(),
-        Shape::Cylinder => (own.y.abs() - half.y).max(round(own * Vec3A::new(1.0, 0.0, 1.0))),
-        Shape::Capsule => round(own - Vec3A::Y * own.y.min(core).max(-core)),
+    let flat = own.abs() - half;
+    if block.shape == Shape::Box {
+        return flat.max_element();
     }
+    let core = match block.shape {
+        Shape::Capsule => half.y - half.x,
+        _ => f32::INFINITY,
+    };
+    let out = own - Vec3A::Y * own.y.min(core).max(-core);
+    flat.y.max(out.length() - half.x)
 }
 
 pub(crate) fn bounding_radius(block: &Block) -> f32 {

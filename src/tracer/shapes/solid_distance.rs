@@ -6,8 +6,7 @@ use crate::lanes::*;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Returns how far rays are outside a block where they come nearest to it, negative inside, and the distances along the rays, 0 to
-/// `limit`.
+/// Returns the distances along rays, 0 to `limit`, where they come nearest to a block, and their depths there, negative outside.
 ///
 /// The place is approximate: the middle of the ray's interval between the block's faces, moved once to the place nearest to the
 /// block's point there. For rays that miss the block along a face, that interval may be far away.
@@ -26,11 +25,16 @@ pub(crate) fn approach<S: Isa>(
         Shape::Box => cuboid::span(simd, block.half, &o, &d),
         Shape::Cylinder | Shape::Capsule => cylinder::span(simd, block.half, &o, &d),
     };
-    let middle = clamp::<S>((span.near + span.far) * 0.5, zero, limit);
-    let at_middle = outside(simd, block, &o.add_scaled(d, middle));
-    let moved = middle - d.dot(at_middle.out);
-    let t = clamp::<S>(moved, zero, limit);
-    (outside(simd, block, &o.add_scaled(d, t)).distance, t)
+    let mut moved = (span.near + span.far) * 0.5;
+    let (mut distance, mut t) = (zero, zero);
+    // A loop, so that the distance is compiled once.
+    for _ in 0..2 {
+        t = clamp::<S>(moved, zero, limit);
+        let outside = outside(simd, block, &o.add_scaled(d, t));
+        distance = outside.distance;
+        moved = t - d.dot(outside.out);
+    }
+    (t, -distance)
 }
 
 pub(crate) struct Outside<S: Isa> {
@@ -44,43 +48,36 @@ pub(crate) struct Outside<S: Isa> {
 pub(crate) fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S> {
     let zero = splat(simd, 0.0);
     let half = block.half;
-    let y = p.y.abs() - half.y;
-    match block.shape {
-        Shape::Box => {
-            let out = Vec3x {
-                x: beyond(simd, p.x, half.x),
-                y: beyond(simd, p.y, half.y),
-                z: beyond(simd, p.z, half.z),
-            };
-            let deepest = (p.x.abs() - half.x).max(y.max(p.z.abs() - half.z));
-            Outside {
-                out,
-                distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero),
-            }
-        }
-        Shape::Cylinder | Shape::Capsule => {
-            let is_capsule = block.shape == Shape::Capsule;
-            let end = if is_capsule { half.y - half.x } else { half.y };
-            let upright = beyond(simd, p.y, end);
-            // From the axis, or a capsule's core.
-            let core = if is_capsule { upright } else { zero };
-            let length = at_least::<S>(
-                (p.x * p.x + p.z * p.z + core * core).sqrt(),
-                splat(simd, f32::MIN_POSITIVE),
-            );
-            let over = length - half.x;
-            let share = at_least::<S>(over, zero) / length;
-            let out = Vec3x {
-                x: p.x * share,
-                y: if is_capsule { upright * share } else { upright },
-                z: p.z * share,
-            };
-            let deepest = if is_capsule { over } else { over.max(y) };
-            Outside {
-                out,
-                distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero),
-            }
-        }
+    let is_capsule = block.shape == Shape::Capsule;
+    let end = if is_capsule { half.y - half.x } else { half.y };
+    let upright = beyond(simd, p.y, end);
+    let (out, deepest) = if block.shape == Shape::Box {
+        let out = Vec3x {
+            x: beyond(simd, p.x, half.x),
+            y: upright,
+            z: beyond(simd, p.z, half.z),
+        };
+        (out, (p.x.abs() - half.x).max(p.z.abs() - half.z))
+    } else {
+        // From the axis, or a capsule's core.
+        let core = if is_capsule { upright } else { zero };
+        let length = at_least::<S>(
+            (p.x * p.x + p.z * p.z + core * core).sqrt(),
+            splat(simd, f32::MIN_POSITIVE),
+        );
+        let over = length - half.x;
+        let share = at_least::<S>(over, zero) / length;
+        let out = Vec3x {
+            x: p.x * share,
+            y: if is_capsule { upright * share } else { upright },
+            z: p.z * share,
+        };
+        (out, over)
+    };
+    let deepest = deepest.max(p.y.abs() - half.y);
+    Outside {
+        out,
+        distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero),
     }
 }
 

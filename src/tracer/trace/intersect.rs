@@ -6,7 +6,6 @@ use crate::lanes::*;
 use crate::prepare::{BvhNode, GroupSet, Object, ObjectId, World};
 use crate::shapes::sphere::Chord;
 use crate::shapes::{block, plane};
-use glam::Vec3A;
 
 const NO_HIT: f32 = 1e30;
 
@@ -83,7 +82,9 @@ pub(crate) fn nearest<S: Isa>(
 fn power<S: Isa>(rays: &Rays<S>, node: &BvhNode) -> F<S> {
     let simd = rays.weight.token();
     let [x, y, z] = [&rays.o.x, &rays.o.y, &rays.o.z].map(|c| c.as_slice());
-    let power = F::<S>::from_fn(simd, |i| node.power(Vec3A::new(x[i], y[i], z[i])));
+    let mut powers = [0.0; MAX_LANES];
+    node.powers([x, y, z], &mut powers);
+    let power = F::<S>::from_slice(simd, &powers[..lanes::<S>()]);
     let [outward, inward] = departing(simd, rays.slot_path, node.object);
     let power = outward.select(splat(simd, 0.0), power);
     inward.select(splat(simd, -f32::MIN_POSITIVE), power)

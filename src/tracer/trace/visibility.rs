@@ -7,7 +7,6 @@ use super::shadow::ShadowRays;
 use crate::counts::Counts;
 use crate::lanes::*;
 use crate::prepare::{Object, PreparedLight, SpotCone, World};
-use crate::scene::{Block, Sphere};
 use crate::shapes::{block, solid_distance, sphere};
 use glam::Vec3A;
 
@@ -87,22 +86,33 @@ fn transmittance<S: Isa>(
     };
     for &candidate in solids.iter() {
         let (object, material) = world.object(candidate.object);
-        let covered = match object {
-            Object::Block(block) if light.is_soft_around(block) => {
-                let [outward, inward] = departing(simd, rays.departure, candidate.object);
-                let covered = block_covers(simd, light, block, rays);
-                let covered = inward.select(splat(simd, 1.0), covered);
-                outward.select(zero, covered)
-            }
+        let mut outward = M::<S>::splat(simd, false);
+        let mut certain = outward;
+        let passed = match object {
             Object::Block(block) => {
-                let [outward, inward] = departing(simd, rays.departure, candidate.object);
-                let t = block::distance(simd, block, &rays.o, &rays.d, inward).0;
-                let is_met = t.simd_lt(rays.distance) & !outward;
-                is_met.select(splat(simd, 1.0), zero)
+                let [leaving, inward] = departing(simd, rays.departure, candidate.object);
+                outward = leaving;
+                if light.is_soft_around(block) {
+                    certain = inward;
+                    let (o, d) = (&rays.o, &rays.d);
+                    Some(solid_distance::approach(simd, block, o, d, rays.distance))
+                } else {
+                    let t = block::distance(simd, block, &rays.o, &rays.d, inward).0;
+                    certain = t.simd_lt(rays.distance);
+                    None
+                }
             }
-            Object::Sphere(sphere) => sphere_covers(simd, light, sphere, rays),
+            Object::Sphere(sphere) => {
+                let (o, d) = (rays.o, rays.d);
+                Some(sphere::deepest(simd, sphere, o, d, rays.distance))
+            }
             Object::Plane(_) | Object::Light(_) | Object::Background => continue,
         };
+        let covered = match passed {
+            Some((a, depth)) => penumbra(simd, light, rays, a, depth),
+            None => zero,
+        };
+        let covered = outward.select(zero, certain.select(splat(simd, 1.0), covered));
         // A NaN tint counts as black, so that it cannot spoil the lanes that are not in shadow.
         let mut absorbed = Vec3A::ONE;
         if light.diameter > 0.0 {
@@ -117,34 +127,11 @@ fn transmittance<S: Isa>(
     passing
 }
 
-/// Returns the share of a light that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
+/// Returns the share of a light that an occluder covers, 0 to 1, if rays pass it at the depth `depth` (after Parker, Shirley and Smits:
+/// Single Sample Soft Shadows, 1998).
 ///
-/// The cone from the point to the light has the width `b = a diameter / distance` at the distance `a` of the sphere. While the
-/// sphere's edge crosses it, the share rises from 0 to 1.
-#[inline(always)]
-fn sphere_covers<S: Isa>(
-    simd: S,
-    light: &PreparedLight,
-    sphere: &Sphere,
-    rays: &ShadowRays<S>,
-) -> F<S> {
-    let (a, depth) = sphere::deepest(simd, sphere, rays.o, rays.d, rays.distance);
-    penumbra(simd, light, rays, a, depth)
-}
-
-/// Returns the share of a light that a block covers, as [`sphere_covers`] does.
-#[inline(always)]
-fn block_covers<S: Isa>(
-    simd: S,
-    light: &PreparedLight,
-    block: &Block,
-    rays: &ShadowRays<S>,
-) -> F<S> {
-    let (off, a) = solid_distance::approach(simd, block, &rays.o, &rays.d, rays.distance);
-    penumbra(simd, light, rays, a, -off)
-}
-
-/// Returns the covered share of a light if rays pass an occluder at the depth `depth`, at the distance `a`.
+/// The cone from the point to the light has the width `b = a diameter / distance` at the distance `a` of the occluder. While the
+/// occluder's edge crosses it, the share rises from 0 to 1.
 #[inline(always)]
 fn penumbra<S: Isa>(
     simd: S,
