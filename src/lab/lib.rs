@@ -10,7 +10,6 @@ pub mod flip;
 pub mod interrupt;
 pub mod markdown;
 pub mod measure;
-pub mod missed;
 pub mod output;
 pub mod overlay;
 pub mod picture;

@@ -6,7 +6,7 @@ use std::io::{Write, stderr};
 use std::process::exit;
 use std::{fs, panic};
 
-/// The minimum stack in kB. `missed` overflows 384 kB.
+/// The minimum stack in kB; 384 kB overflowed.
 const STACK: u64 = 1024;
 
 /// Prints a message. Ignores errors: a closed terminal shows none.
