@@ -16,7 +16,6 @@ pub mod picture;
 pub mod plot;
 pub mod progress;
 pub mod render;
-pub mod report;
 pub mod resources;
 pub mod row;
 pub mod scenes;
