@@ -141,14 +141,16 @@ impl Moving {
         times.into_iter().chain(between)
     }
 
-    /// Returns the time of a distance's minimum. `size` is the distance at the ends. Refuses a direction that vanishes up to rounding.
+    /// Returns the time of a distance's minimum. `size` is the distance at the ends.
     fn closest(&self, i: usize, mut from: f32, mut to: f32, size: f32) -> Result<f32, Mistake> {
+        let window = to - from;
         let distance = |time| Ok(distances(&mut self.valid(time)?)[i]);
         loop {
             let third = (to - from) / 3.0;
             let [a, b] = [from + third, to - third];
             if !(from < a && a < b && b < to) {
-                break;
+                self.check_turn(i, a, window, size)?;
+                return Ok(a);
             }
             if distance(a)? < distance(b)? {
                 to = b;
@@ -156,13 +158,27 @@ impl Moving {
                 from = a;
             }
         }
-        let mut scene = self.valid(from)?;
-        if let Some((end, start)) = directions(&mut scene).into_iter().nth(i)
-            && end.distance(start) < 1e-5 * size + 1e-6 * start.length()
+    }
+
+    /// Refuses a direction that turns back within a hundred thousandth of a window in seconds, and so passes 0 up to rounding.
+    fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
+        let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
+        let direction = |time| {
+            let mut scene = self.valid(time)?;
+            let ends = directions(&mut scene).into_iter().nth(i);
+            Ok(ends.map_or(Vec3::ZERO, |(end, start)| *end - start))
+        };
+        let (before, after) = (direction(time - step)?, direction(time + step)?);
+        let turns = before.normalize_or_zero().dot(after.normalize_or_zero()) < 0.0;
+        let mut scene = self.valid(time)?;
+        // Motions may jump.
+        if turns
+            && before.distance(after) <= 0.01 * size
+            && let Some((end, start)) = directions(&mut scene).into_iter().nth(i)
         {
             *end = start;
         }
         let checked = scene.validate();
-        checked.map_or_else(|error| Err(self.mistake(from, &error)), |()| Ok(from))
+        checked.map_err(|error| self.mistake(time, &error))
     }
 }
