@@ -2,7 +2,7 @@ use clap::error::{ContextKind, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use eightfold_lab::arguments::{BAD_INPUT, Exit};
 use eightfold_lab::resources::{self, Heap, complain};
-use eightfold_lab::{bench, capture, figures, missed, render, report, size, trade, truth, view};
+use eightfold_lab::{bench, capture, figures, render, size, trade, truth, view};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -22,9 +22,7 @@ enum Command {
     Bench(bench::Arguments),
     Capture(capture::Arguments),
     Figures(figures::Arguments),
-    Missed(missed::Arguments),
     Render(render::Arguments),
-    Report(report::Arguments),
     Size(size::Arguments),
     Trade(trade::Arguments),
     Truth(truth::Arguments),
@@ -44,9 +42,7 @@ fn main() -> ExitCode {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
-        Command::Missed(arguments) => missed::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
-        Command::Report(arguments) => report::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
         Command::Truth(arguments) => truth::run(&arguments),

@@ -6,7 +6,7 @@ use std::io::{Write, stderr};
 use std::process::exit;
 use std::{fs, panic};
 
-/// The minimum stack in kB. `missed` overflows 384 kB.
+/// The minimum stack in kB; 384 kB overflowed.
 const STACK: u64 = 1024;
 
 /// Prints a message. Ignores errors: a closed terminal shows none.
@@ -40,30 +40,18 @@ pub fn start() {
 /// The system's heap. The process ends if it is full.
 pub struct Heap;
 
-fn checked(block: *mut u8, bytes: usize) -> *mut u8 {
-    if block.is_null() {
-        // Without allocation.
-        let _ = writeln!(stderr(), "memory is full; {bytes} bytes more must be free");
-        exit(1);
-    }
-    block
-}
-
 // SAFETY: all calls go to the system's allocator.
 unsafe impl GlobalAlloc for Heap {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: the caller's contract is the same.
-        checked(unsafe { System.alloc(layout) }, layout.size())
-    }
-
-    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: the caller's contract is the same.
-        checked(unsafe { System.alloc_zeroed(layout) }, layout.size())
-    }
-
-    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        // SAFETY: the caller's contract is the same.
-        checked(unsafe { System.realloc(block, layout, size) }, size)
+        let block = unsafe { System.alloc(layout) };
+        if block.is_null() {
+            // Without allocation.
+            let bytes = layout.size();
+            let _ = writeln!(stderr(), "memory is full; {bytes} bytes more must be free");
+            exit(1);
+        }
+        block
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {

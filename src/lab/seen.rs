@@ -1,16 +1,19 @@
 use crate::arguments::{Size, processors};
-use crate::error::{Difference, pops};
+use crate::error::{Difference, pops, worst_channel};
 use crate::flip::Flip;
 use crate::interrupt;
-use crate::missed::Visible;
 use crate::picture::Mean;
 use crate::technique::Technique;
 use crate::threaded_renderer::ThreadedRenderer;
+use eightfold_oracle::{Object, Oracle};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 const GRID: usize = 8;
+/// A pixel is wrong if a channel differs by more than this, in 255ths.
+const MAX_ERROR: u32 = 8;
 
 #[derive(Clone, Default)]
 pub struct Seen {
@@ -95,4 +98,31 @@ fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Sc
     renderer.set_offset(0.0, 0.0);
     mean.write(&mut pixels);
     pixels
+}
+
+/// Pixels by object, without the background.
+struct Visible(BTreeMap<Object, Vec<u32>>);
+
+impl Visible {
+    fn new(scene: &Scene, width: usize, height: usize) -> Self {
+        let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, width, height);
+        let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
+        let objects: Vec<Object> = (0..width * height).into_par_iter().map(at).collect();
+        let mut pixels: BTreeMap<Object, Vec<u32>> = BTreeMap::new();
+        for (i, object) in objects.into_iter().enumerate() {
+            if object != Object::Background {
+                pixels.entry(object).or_default().push(i as u32);
+            }
+        }
+        Self(pixels)
+    }
+
+    /// Counts objects with over three quarters of their pixels wrong: wrong lighting or reflections should not count.
+    fn missed(&self, exhaustive: &[u32], picture: &[u32]) -> usize {
+        let is_wrong =
+            |&&i: &&u32| worst_channel(exhaustive[i as usize], picture[i as usize]) > MAX_ERROR;
+        let is_missed =
+            |pixels: &&Vec<u32>| 4 * pixels.iter().filter(is_wrong).count() > 3 * pixels.len();
+        self.0.values().filter(is_missed).count()
+    }
 }

@@ -13,33 +13,32 @@ const STEPS: u8 = 8;
 /// Seconds after a scene's length that commands draw, at most.
 const AFTER: f32 = 1.0;
 
-/// The directions of a scene, which must not vanish.
-fn directions(scene: &Scene) -> impl Iterator<Item = Vec3> {
-    let camera = &scene.camera;
-    let aims = scene.lights.iter().filter_map(|light| light.spot);
-    let fixed = [camera.look_at - camera.eye, camera.up];
-    fixed.into_iter().chain(aims.map(|spot| spot.aim))
+/// Returns the end and the start of each direction, which must not vanish.
+fn directions(scene: &mut Scene) -> Vec<(&mut Vec3, Vec3)> {
+    let camera = &mut scene.camera;
+    let mut ends = vec![
+        (&mut camera.look_at, camera.eye),
+        (&mut camera.up, Vec3::ZERO),
+    ];
+    let spots = scene.lights.iter_mut().filter_map(|it| it.spot.as_mut());
+    ends.extend(spots.map(|spot| (&mut spot.aim, Vec3::ZERO)));
+    ends
 }
 
 /// Returns numbers near 0 where a rule for several fields is nearly broken. The lengths of directions are the first.
-fn distances(scene: &Scene) -> Vec<f32> {
+fn distances(scene: &mut Scene) -> Vec<f32> {
+    let ends = directions(scene).into_iter();
+    let mut distances: Vec<f32> = ends.map(|(end, start)| end.distance(start)).collect();
     let camera = &scene.camera;
     let sight = (camera.look_at - camera.eye).normalize_or_zero();
+    distances.push(sight.cross(camera.up.normalize_or_zero()).length());
+    distances.push((scene.background + scene.sky).min_element());
     let spots = scene.lights.iter().filter_map(|light| light.spot);
-    let capsules = scene
-        .blocks
-        .iter()
-        .filter(|block| block.shape == Shape::Capsule);
-    let others = [
-        sight.cross(camera.up.normalize_or_zero()).length(),
-        (scene.background + scene.sky).min_element(),
-    ];
-    directions(scene)
-        .map(Vec3::length)
-        .chain(others)
-        .chain(spots.map(|spot| spot.outer_angle - spot.inner_angle))
-        .chain(capsules.map(|block| block.half.y - block.half.x))
-        .collect()
+    distances.extend(spots.map(|spot| spot.outer_angle - spot.inner_angle));
+    let capsules = scene.blocks.iter();
+    let capsules = capsules.filter(|block| block.shape == Shape::Capsule);
+    distances.extend(capsules.map(|block| block.half.y - block.half.x));
+    distances
 }
 
 impl Moving {
@@ -97,36 +96,32 @@ impl Moving {
     }
 
     fn check_alone(&self, length: f32) -> Result<(), Mistake> {
-        let mut samples = Vec::new();
-        for time in self.times(length) {
-            samples.push((time, distances(&self.valid(time)?)));
-        }
-        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let sample = |time| Ok((time, distances(&mut self.valid(time)?)));
+        let mut samples: Vec<_> = self.times(length).map(sample).collect::<Result<_, _>>()?;
         for i in 0..samples[0].1.len() {
+            samples.sort_by(|a, b| a.0.total_cmp(&b.0));
             let mut more = Vec::new();
             for three in samples.windows(3) {
                 let [a, b, c] = [0, 1, 2].map(|j| three[j].1[i]);
                 // The sides of a minimum at 0 are at least as steep.
                 let fall = (a - b).max(c - b);
                 if b <= a && b <= c && b <= 2.0 * fall && fall > 0.0 {
-                    let [from, _, to] = [0, 1, 2].map(|j| three[j].0);
-                    let time = self.closest(i, from, to)?;
-                    self.check_turn(i, time, to - from, a.max(c))?;
+                    let (from, to) = (three[0].0, three[2].0);
+                    let time = self.closest(i, from, to, a.max(c))?;
                     // Other distances change quickly near a small one.
                     let steps = (1..12).map(|k| (to - from) * 0.25_f32.powi(k));
                     more.extend(steps.flat_map(|step| [time - step, time + step]));
                 }
             }
             for time in more {
-                samples.push((time, distances(&self.valid(time)?)));
+                samples.push(sample(time)?);
             }
-            samples.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
         Ok(())
     }
 
     /// Returns the times of keys and extremes, then others between them.
-    fn times(&self, length: f32) -> Vec<f32> {
+    fn times(&self, length: f32) -> impl Iterator<Item = f32> {
         let ends = self.motions.iter().map(|motion| motion.end());
         let until = ends.fold(length + AFTER, f32::max);
         // A single motion repeats itself.
@@ -143,20 +138,21 @@ impl Moving {
                 .chain([last])
         };
         let between: Vec<f32> = times.windows(2).flat_map(between).collect();
-        times.extend(between);
-        times
+        times.into_iter().chain(between)
     }
 
-    /// Returns the time of a distance's minimum.
-    fn closest(&self, i: usize, mut from: f32, mut to: f32) -> Result<f32, Mistake> {
+    /// Returns the time of a distance's minimum. `size` is the distance at the ends.
+    fn closest(&self, i: usize, mut from: f32, mut to: f32, size: f32) -> Result<f32, Mistake> {
+        let window = to - from;
+        let distance = |time| Ok(distances(&mut self.valid(time)?)[i]);
         loop {
             let third = (to - from) / 3.0;
             let [a, b] = [from + third, to - third];
             if !(from < a && a < b && b < to) {
+                self.check_turn(i, a, window, size)?;
                 return Ok(a);
             }
-            let [at_a, at_b] = [a, b].map(|time| Ok(distances(&self.valid(time)?)[i]));
-            if at_a? < at_b? {
+            if distance(a)? < distance(b)? {
                 to = b;
             } else {
                 from = a;
@@ -164,34 +160,23 @@ impl Moving {
         }
     }
 
-    /// Refuses a direction that turns back within a hundred thousandth of a window in seconds, and so passes 0 up to rounding. `size` is
-    /// its length at the window's ends.
+    /// Refuses a direction that turns back within a hundred thousandth of a window in seconds, and so passes 0 up to rounding.
     fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
         let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
         let direction = |time| {
-            let scene = self.valid(time)?;
-            Ok(directions(&scene).nth(i).unwrap_or_default())
+            let mut scene = self.valid(time)?;
+            let ends = directions(&mut scene).into_iter().nth(i);
+            Ok(ends.map_or(Vec3::ZERO, |(end, start)| *end - start))
         };
         let (before, after) = (direction(time - step)?, direction(time + step)?);
         let turns = before.normalize_or_zero().dot(after.normalize_or_zero()) < 0.0;
-        // Motions may jump.
-        if !turns || before.distance(after) > 0.01 * size {
-            return Ok(());
-        }
         let mut scene = self.valid(time)?;
-        match i {
-            0 => scene.camera.look_at = scene.camera.eye,
-            1 => scene.camera.up = Vec3::ZERO,
-            _ => {
-                let spots = scene
-                    .lights
-                    .iter_mut()
-                    .filter_map(|light| light.spot.as_mut());
-                spots
-                    .skip(i - 2)
-                    .take(1)
-                    .for_each(|spot| spot.aim = Vec3::ZERO);
-            }
+        // Motions may jump.
+        if turns
+            && before.distance(after) <= 0.01 * size
+            && let Some((end, start)) = directions(&mut scene).into_iter().nth(i)
+        {
+            *end = start;
         }
         let checked = scene.validate();
         checked.map_err(|error| self.mistake(time, &error))

@@ -72,25 +72,19 @@ impl Motion {
                 Some(last) => (last.time, last.numbers.len()),
                 None => (f32::NEG_INFINITY, numbers.len()),
             };
-            if !(-MAX_TIME..=MAX_TIME).contains(&time) {
-                let message = format!("time is {time}; must be -1e6 to 1e6");
-                return Err(Mistake::new(at, message));
-            }
-            if time <= before {
-                let message = format!("time is {time}; must be above {before}");
-                return Err(Mistake::new(at, message));
-            }
-            if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
-                return Err(Mistake::new(
-                    at,
-                    format!("value is {number}; must be finite"),
-                ));
-            }
-            if numbers.len() != count {
-                let message = format!("value length is {}; must be {count}", numbers.len());
-                return Err(Mistake::new(at, message));
-            }
-            motion.keys.push(Key { at, time, numbers });
+            let message = if !(-MAX_TIME..=MAX_TIME).contains(&time) {
+                format!("time is {time}; must be -1e6 to 1e6")
+            } else if time <= before {
+                format!("time is {time}; must be above {before}")
+            } else if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
+                format!("value is {number}; must be finite")
+            } else if numbers.len() != count {
+                format!("value length is {}; must be {count}", numbers.len())
+            } else {
+                motion.keys.push(Key { at, time, numbers });
+                continue;
+            };
+            return Err(Mistake::new(at, message));
         }
         if motion.keys.is_empty() {
             return Err(Mistake::new(node.at, "keys are missing"));

@@ -40,27 +40,23 @@ impl Moving {
         let is_set = |motion: &&Motion| steps(&motion.of).zip(steps(&path)).all(|(a, b)| a == b);
         let is_cause = |motion: &&Motion| {
             let mut other = self.clone();
-            let motions = other.motions.iter_mut();
-            motions
-                .filter(|it| it.index == motion.index)
-                .for_each(|it| *it = motion.frozen());
-            other
-                .scene(time)
-                .is_ok_and(|scene| scene.validate().is_ok())
+            let mut motions = other.motions.iter_mut();
+            if let Some(it) = motions.find(|it| it.index == motion.index) {
+                *it = motion.frozen();
+            }
+            let scene = other.scene(time);
+            scene.is_ok_and(|scene| scene.validate().is_ok())
         };
-        let set = || self.motions.iter().filter(is_set);
-        let motion = set().find(is_cause).or(set().next());
-        let is_direct = motion.is_some();
-        let others = || self.motions.iter().filter(|_| time != 0.0);
-        let motion = motion.or(others().find(is_cause)).or(others().next());
-        let Some(motion) = motion else {
+        let motions = self.motions.iter();
+        let motions = motions.filter(|motion| time != 0.0 || is_set(motion));
+        let Some(motion) = motions.min_by_key(|it| (!is_set(it), !is_cause(it))) else {
             let at = |tree: Node| Mistake::new(tree.nearest(&path).at, text);
             return self.tree_at(time).map_or_else(|mistake| mistake, at);
         };
         let (at, numbers) = motion.at(time);
         let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();
         let (i, range) = (motion.index, error.range);
-        let (value, rule) = match (is_direct, &numbers[..]) {
+        let (value, rule) = match (is_set(&motion), &numbers[..]) {
             (true, _) => (format!("{path} to {}", error.found), String::new()),
             (_, [number]) => (format!("{} to {number}", motion.of), path + " "),
             _ => (

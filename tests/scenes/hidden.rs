@@ -1,29 +1,20 @@
-use crate::materials::{self, bright};
+use crate::materials::bright;
 use crate::{Random, solids};
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Things {
     Spheres,
     Blocks,
-    /// Larger spheres and blocks with highlights.
-    Shiny,
     Both,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Host {
-    Floor(Material),
-    Balls(Material),
-    Pane,
-}
-
-/// Forty small objects, their host and the light.
+/// Forty small objects, the material of their floor, and the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hidden {
     pub things: Things,
-    pub host: Host,
+    pub floor: Material,
     pub light: Option<Light>,
 }
 
@@ -35,65 +26,18 @@ const COUNT: usize = 40;
 impl Hidden {
     pub const POINT: Self = Self {
         things: Things::Spheres,
-        host: Host::Floor(GREY),
+        floor: GREY,
         light: Some(LIGHT),
-    };
-    pub const AREA: Self = Self {
-        light: Some(Light {
-            diameter: 0.5,
-            ..LIGHT
-        }),
-        ..Self::POINT
-    };
-    pub const SUN: Self = Self {
-        light: Some(Light {
-            parallel: true,
-            ..LIGHT
-        }),
-        ..Self::POINT
     };
     pub const BLOCKS: Self = Self {
         things: Things::Blocks,
         ..Self::POINT
     };
-    pub const BALLS: Self = Self {
-        host: Host::Balls(GREY),
-        ..Self::POINT
-    };
     pub const MIRROR: Self = Self {
         things: Things::Both,
-        host: Host::Floor(Material::mirror(0.5)),
+        floor: Material::mirror(0.5),
         light: None,
     };
-    pub const MIRRORS: Self = Self {
-        things: Things::Spheres,
-        host: Host::Balls(Material::mirror(0.8)),
-        light: None,
-    };
-    pub const GLASS: Self = Self {
-        host: Host::Pane,
-        ..Self::MIRRORS
-    };
-    pub const SHINY: Self = Self {
-        things: Things::Shiny,
-        host: Host::Floor(Material {
-            ks: 0.5,
-            exponent: 100.0,
-            ..GREY
-        }),
-        ..Self::POINT
-    };
-    pub const ALL: [Self; 9] = [
-        Self::POINT,
-        Self::AREA,
-        Self::SUN,
-        Self::BLOCKS,
-        Self::BALLS,
-        Self::MIRROR,
-        Self::MIRRORS,
-        Self::GLASS,
-        Self::SHINY,
-    ];
 
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = floor(random, GREY);
@@ -101,26 +45,7 @@ impl Hidden {
         for number in 0..COUNT {
             self.add_thing(&mut scene, random, number);
         }
-        match self.host {
-            Host::Floor(material) => scene.planes = floor(random, material).planes,
-            Host::Balls(material) => {
-                for _ in 0..20 {
-                    let centre = random.vector(vec3(-6.0, -2.0, -6.0), vec3(6.0, -0.5, 6.0));
-                    let radius = random.between(0.7, 1.5);
-                    scene.spheres.push(Sphere::new(centre, radius, material));
-                }
-            }
-            Host::Pane => {
-                let glass = Material {
-                    kt: 0.9,
-                    index: 1.3,
-                    ..Material::BLACK
-                };
-                let (centre, half) = (scene.camera.eye * 0.6, vec3(20.0, 20.0, 0.1));
-                let pane = Block::new(Shape::Box, centre, half, glass);
-                scene.blocks.push(pane);
-            }
-        }
+        scene.planes = floor(random, self.floor).planes;
         let position = light_place(random);
         if let Some(light) = self.light {
             scene.lights.push(Light { position, ..light });
@@ -132,21 +57,21 @@ impl Hidden {
         let centre = random.vector(vec3(-5.0, 0.5, -5.0), vec3(5.0, 3.0, 5.0));
         let is_odd = number % 2 == 1;
         let small = random.power(-2.0, -0.3);
-        let (size, material, is_block) = match self.things {
-            Things::Spheres => (small, bright(number), false),
-            Things::Blocks => (small, bright(number), true),
-            Things::Both => (small, bright(number), is_odd),
-            Things::Shiny => (random.between(0.1, 0.8), materials::shiny(random), is_odd),
+        let material = bright(number);
+        let is_block = match self.things {
+            Things::Spheres => false,
+            Things::Blocks => true,
+            Things::Both => is_odd,
         };
         if is_block {
             let thin = random
                 .vector(Vec3::splat(0.03), Vec3::splat(0.3))
                 .with_y(1.0);
-            let half = 2.0 * size * thin;
+            let half = 2.0 * small * thin;
             let block = solids::block(random, centre, half, material);
             scene.blocks.push(block);
         } else {
-            let sphere = Sphere::new(centre, size, material);
+            let sphere = Sphere::new(centre, small, material);
             scene.spheres.push(sphere);
         }
     }

@@ -1,11 +1,11 @@
-//! Random scenes, by seed, for tests and `lab missed`.
+//! Random scenes, by seed, for tests.
 //!
 //! | kind | scenes |
 //! | --- | --- |
 //! | [`Kinds`] | all shapes, materials and lights, scattered around the origin |
 //! | [`placed`] | objects in their own colours, placed and sized by pixels |
 //! | [`floor`] | a single shadow or image in a floor, or objects that rise from it |
-//! | [`Hidden`] | forty small objects that are easily missed, over a floor, above mirrors or behind glass |
+//! | [`Hidden`] | forty small objects that are easily missed, over a floor or a mirror |
 //! | [`artists`] | bars in the order of words, nets, fences and shelves, with their shadows and images |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
 //! | [`shiny()`] | highlights of all sizes |

@@ -4,7 +4,7 @@ pub mod allocations;
 pub mod reader;
 mod tools;
 
-pub use tools::{DISPLAY, lacks, missing, tool};
+pub use tools::{DISPLAY, lacks, tool};
 
 use eightfold_lab::cargo::Build;
 use eightfold_tracer::Quality;

@@ -52,14 +52,6 @@ macro_rules! needs {
     };
 }
 
-fn packages() -> impl Iterator<Item = (&'static str, &'static str)> {
-    PACKAGES.lines().filter_map(|line| line.split_once(' '))
-}
-
-pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
-    packages().filter(|(tool, _)| !is_there(tool))
-}
-
 /// Returns a command that runs a tool of `tools.txt`.
 ///
 /// # Panics
@@ -74,7 +66,8 @@ pub fn tool(name: &str) -> Command {
 }
 
 fn package(tool: &str) -> &'static str {
-    let found = packages().find(|(name, _)| *name == tool);
+    let mut packages = PACKAGES.lines().filter_map(|line| line.split_once(' '));
+    let found = packages.find(|(name, _)| *name == tool);
     found.unwrap_or_else(|| panic!("tools.txt lacks {tool}")).1
 }
 

@@ -73,6 +73,7 @@ const VALID: &str = r#"
 (of: "camera.eye", between: Hold, keys: [(0, (0, 1, 5)), (1, (0, -1, -5)), (2, (0, 1, 5))])
 (of: "camera.eye", repeat: true, keys: [(0, (0, 1, 5)), (1, (0, 1, 1)), (1.0001, (0, -1, -5)), (1.1, (0, -1, -5))])
 (of: "camera.eye", keys: [(0, (0, 0.1, 5)), (1, (0.1, 0, -5))])
+(of: "camera.eye", keys: [(0, (0, 1, 1e4)), (1, (0, 0, 1e-3)), (2, (0, 1, 1e4))])
 (of: "camera.eye", keys: [(0, (0.1, 5, 5)), (1, (0.1, 5, -4))])
 (of: "blocks[0].turn", between: Spline, keys: [(0, (1e6, 2, 1)), (1, (1, -1, 1)), (2, (9, 2, 2))])
 (of: "lights[1].drawn_radius", keys: [(0, 0), (1, 1)])

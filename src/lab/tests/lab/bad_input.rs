@@ -17,7 +17,6 @@ render --out - --scene show:end | show:finale
 render --out - --isa mmx | --isa is 'mmx'; must be one of
 bench --frames 1.5 | --frames is '1.5'; must be 1 to 100000
 bench --json | --json has no value
-missed --seeds 0 | --seeds is '0'; must be 1 to
 truth --out - --samples 1 | --samples is '1'; must be 2 to 1048576
 truth --out picture.jpg | --out is 'picture.jpg'; must be a .png file or -
 view --time -1 | --time is '-1'; must be 0 to

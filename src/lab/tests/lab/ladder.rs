@@ -24,9 +24,7 @@ fn tolerance(cell: &str, share: f64) -> f64 {
 #[ignore = "many frames"]
 fn errors_match_documentation_and_increase() {
     const PAGE: &str = include_str!("../../../../docs/accuracy.md");
-    let (_, part) = PAGE
-        .split_once("<!-- lab report ladder -->")
-        .expect("a part");
+    let (_, part) = PAGE.split_once("<!-- report ladder -->").expect("a part");
     let documented = cells(part.split("<!--").next().expect("its text"));
     // One view saves time: views are not compared.
     let text = printed("trade --ladder --frames 9 --views 1");

@@ -3,7 +3,6 @@ mod bench;
 mod capture;
 mod figures;
 mod ladder;
-mod missed;
 mod report;
 mod resources;
 mod scene;

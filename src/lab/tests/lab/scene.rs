@@ -152,7 +152,6 @@ fn every_command_reports_mistake_in_one_line() {
         "trade",
         "figures",
         "view",
-        "missed",
         "render --out -",
         "truth --out -",
         "capture --png OUT",
