@@ -7,7 +7,7 @@
 //! | 80 | addresses of the stub's functions, filled in by Windows |
 //! | 172 | the stub's first section, which verifies the rest |
 //! | 3,800 | the stub |
-//! | 140 | the functions' names |
+//! | 200 | the functions' names |
 //! | the rest | the packed program |
 //!
 //! A section `.bss` reserves the program's memory at a fixed address, so it needs no relocations. After unpacking, code becomes
