@@ -32,33 +32,29 @@ pub fn run(arguments: Arguments) -> i32 {
             return MISUSE;
         }
     };
-    match (options.task, options.isa) {
-        (Task::Help, _) => print(flags::write_help),
-        (Task::Version, _) => print(|output| _ = output.text(flags::VERSION).text("\n")),
-        (Task::Play, Some(isa)) => playing::play(&options, isa),
-        (Task::Still(time), Some(isa)) => still::write(time, &options, isa),
+    let mut output = Writer::new(line::OUTPUT);
+    let code = match (options.task, options.isa) {
+        (Task::Help, _) => {
+            flags::write_help(&mut output);
+            0
+        }
+        (Task::Version, _) => {
+            output.text(flags::VERSION).text("\n");
+            0
+        }
+        (Task::Play, Some(isa)) => playing::play(&options, isa, &mut output),
+        (Task::Still(time), Some(isa)) => still::write(time, &options, isa, &mut output),
         (_, None) => {
-            line::complaint()
-                .text("this processor lacks AVX2; build with: cargo build --release -p eightfold --features sse2\n")
-                .flush();
+            line::complain(
+                "this processor lacks AVX2; build with: cargo build --release -p eightfold --features sse2",
+                "",
+            );
             FAILURE
         }
+    };
+    if output.flush() {
+        return code;
     }
-}
-
-fn print(write: impl FnOnce(&mut Writer)) -> i32 {
-    let mut output = Writer::new(line::OUTPUT);
-    write(&mut output);
-    exit_code(output.flush())
-}
-
-/// Returns the exit code, and reports an error on standard error.
-fn exit_code(is_written: bool) -> i32 {
-    if is_written {
-        return 0;
-    }
-    line::complaint()
-        .text("standard output: cannot write\n")
-        .flush();
-    FAILURE
+    line::complain("standard output: cannot write", "");
+    if code == 0 { FAILURE } else { code }
 }

@@ -67,19 +67,18 @@ pub enum Misuse {
 
 impl Misuse {
     pub fn write(&self, errors: &mut Writer) {
-        match *self {
+        let (place, is, given, then, flag): (_, _, &[u8], _, _) = match *self {
             Misuse::UnknownFlag(given) => {
-                errors.text("flag is '").printable(given);
-                errors.text("'; must be one that --help lists");
+                let then = "'; must be one that --help lists";
+                ("flag", " is '", given, then, None)
             }
-            Misuse::NoValue(flag) => {
-                flag.write_range(errors.text(flag.name).text(" has no value"));
-            }
-            Misuse::BadValue(flag, given) => {
-                errors.text(flag.name).text(" is '").printable(given);
-                flag.write_range(errors.text("'"));
-            }
-            Misuse::Conflict(flags) => _ = errors.text(flags),
+            Misuse::NoValue(flag) => (flag.name, " has no value", b"", "", Some(flag)),
+            Misuse::BadValue(flag, given) => (flag.name, " is '", given, "'", Some(flag)),
+            Misuse::Conflict(flags) => (flags, "", b"", "", None),
+        };
+        errors.text(place).text(is).printable(given).text(then);
+        if let Some(flag) = flag {
+            flag.write_range(errors);
         }
         errors.text("\n").flush();
     }

@@ -5,7 +5,7 @@ use eightfold_window::{
     clock::SECOND,
     cpu::Isa,
     enlarge::{self, Small},
-    line,
+    line::{self, Writer},
     render_target::{Headless, Next, RenderTarget, fit},
     sound::{Player, Source},
     static_cell::StaticCell,
@@ -16,7 +16,6 @@ use eightfold_window::{
 use super::{
     SHOW_NANOSECONDS,
     options::Options,
-    print,
     qualities::{self, NAMED},
     renderer::ShowRenderer,
     tally::Tally,
@@ -40,7 +39,7 @@ impl Source for Music {
 }
 
 /// Plays the show and prints its statistics. Returns the exit code.
-pub fn play(options: &Options, isa: Isa) -> i32 {
+pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let (width, height) = options.size;
     let open = if options.has_size {
@@ -51,16 +50,11 @@ pub fn play(options: &Options, isa: Isa) -> i32 {
     let window = open(c"Eightfold", width, height);
     if let Err(why) = &window {
         let place = if Terminal::is_there() {
-            "in the terminal"
+            "; playing in the terminal"
         } else {
-            "without a screen"
+            "; playing without a screen"
         };
-        line::complaint()
-            .text(why)
-            .text("; playing ")
-            .text(place)
-            .text("\n")
-            .flush();
+        line::complain(why, place);
     }
     let mut playing = Playing {
         options,
@@ -94,8 +88,8 @@ pub fn play(options: &Options, isa: Isa) -> i32 {
     let Playing {
         renderer, tally, ..
     } = &playing;
-    let reported = print(|output| tally.report(output, renderer, options));
-    if code != 0 { code } else { reported }
+    tally.report(output, renderer, options);
+    code
 }
 
 struct Playing<'a> {

@@ -1,3 +1,4 @@
+use core::mem::ManuallyDrop;
 use eightfold::show;
 use eightfold_tracer::{
     Band, Counts, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene,
@@ -36,6 +37,7 @@ pub struct ShowRenderer {
 }
 
 impl ShowRenderer {
+    #[inline(never)]
     pub fn new(options: &Options, isa: Isa) -> ShowRenderer {
         let Workspace {
             scene,
@@ -48,7 +50,7 @@ impl ShowRenderer {
             renderer: renderer(isa, memory),
             scene,
             threads: PoolThreads {
-                pool: Pool::new(threads.min(MAX_THREADS)),
+                pool: ManuallyDrop::new(Pool::new(threads.min(MAX_THREADS))),
                 workers,
             },
         }
@@ -60,6 +62,7 @@ impl ShowRenderer {
     }
 
     /// Draws the frame at a time in nanoseconds, and returns the work done. The show repeats. `number` selects the pixels to probe.
+    #[inline(never)]
     pub fn draw(
         &mut self,
         time: u64,
@@ -93,7 +96,8 @@ fn renderer(isa: Isa, memory: &'static mut Memory) -> Renderer<&'static mut Memo
 }
 
 struct PoolThreads {
-    pool: Pool,
+    /// The process ends without its threads.
+    pool: ManuallyDrop<Pool>,
     workers: &'static mut [Worker],
 }
 

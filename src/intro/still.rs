@@ -8,18 +8,19 @@ use eightfold_window::{
 };
 
 use super::{
-    MISUSE, exit_code,
+    MISUSE,
     options::Options,
     qualities::{self, NAMED},
     renderer::ShowRenderer,
 };
 
 /// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
-pub fn write(time: u64, options: &Options, isa: Isa) -> i32 {
+pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     if line::is_terminal(line::OUTPUT) {
-        line::complaint()
-            .text("standard output is a terminal; must be a file or a pipe\n")
-            .flush();
+        line::complain(
+            "standard output is a terminal; must be a file or a pipe",
+            "",
+        );
         return MISUSE;
     }
     let (_, quality) = &NAMED[options.quality.unwrap_or(qualities::DEFAULT)];
@@ -28,23 +29,11 @@ pub fn write(time: u64, options: &Options, isa: Isa) -> i32 {
     let pixels = target.canvas(width, height);
     let mut frame = Frame::new(width, height, &mut *pixels);
     ShowRenderer::new(options, isa).draw(time, 0, quality, &mut frame);
-    exit_code(write_ppm(width, height, pixels))
-}
-
-/// Writes a picture of `0x00RRGGBB` pixels in row-major order.
-fn write_ppm(width: usize, height: usize, pixels: &[u32]) -> bool {
-    let mut head = Writer::new(line::OUTPUT);
-    head.text("P6\n").decimal(width as u64);
-    head.text(" ").decimal(height as u64).text("\n255\n");
-    let mut is_written = head.flush();
-    let mut part = [[0; 3]; 1024];
-    for pixels in pixels.chunks(part.len()) {
-        for (to, pixel) in part.iter_mut().zip(pixels) {
-            let [_, red, green, blue] = pixel.to_be_bytes();
-            *to = [red, green, blue];
+    output.format("P6\n# #\n255\n", &[width as u64, height as u64]);
+    for pixel in pixels {
+        for byte in &pixel.to_be_bytes()[1..] {
+            output.byte(*byte);
         }
-        let bytes = part[..pixels.len()].as_flattened();
-        is_written = is_written && line::write(line::OUTPUT, bytes);
     }
-    is_written
+    0
 }

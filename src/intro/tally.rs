@@ -4,10 +4,7 @@ use eightfold_window::{
     terminal::Terminal,
 };
 
-use eightfold_tracer::{
-    Frame, Probes,
-    scene::{Caption, List},
-};
+use eightfold_tracer::{Frame, Probes, scene::Caption};
 
 use super::{options::Options, qualities::NAMED, renderer::ShowRenderer};
 
@@ -93,28 +90,27 @@ impl Tally {
     pub fn report(&self, output: &mut Writer, renderer: &ShowRenderer, options: &Options) {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);
-        output.decimal(self.frames).text(" frames in ");
-        output.hundredths(hundredths(self.time)).text(" s: ");
-        output.tenths(mean).text(" fps, worst second ");
-        output.tenths(worst).text(" fps");
+        output.format(
+            "# frames in % s: $ fps, worst second $ fps",
+            &[self.frames, hundredths(self.time), mean, worst],
+        );
         self.report_accuracy(output, options);
-        let sides = [self.size.0, self.size.1];
+        let [width, height] = [self.size.0, self.size.1];
+        let drawn = [width, height].map(|side| side.div_ceil(self.divisor.max(1)));
+        let numbers = [drawn[0], drawn[1], width, height, renderer.threads()];
+        let numbers = numbers.map(|number| number as u64);
         if self.divisor > 1 {
-            let drawn = sides.map(|side| side.div_ceil(self.divisor));
-            write_size(output.text(", at "), drawn).text(" of ");
+            output.format(", at #x# of #x#, threads #, ", &numbers);
         } else {
-            output.text(", ");
+            output.format(", #x#, threads #, ", &numbers[2..]);
         }
-        write_size(output, sides)
-            .text(", threads ")
-            .decimal(renderer.threads() as u64);
-        output.text(", ").text(renderer.isa.name);
+        output.text(renderer.isa.name);
         let names = NAMED.iter().map(|&(name, _)| name);
         let times = self.used.iter().chain(&self.divided);
         for (name, &time) in names.chain(["halves", "thirds"]).zip(times) {
             if time > 0 {
                 output.text(", ").text(name);
-                output.text(" ").hundredths(hundredths(time)).text(" s");
+                output.format(" % s", &[hundredths(time)]);
             }
         }
         output.text("\n");
@@ -124,31 +120,30 @@ impl Tally {
     fn report_accuracy(&self, output: &mut Writer, options: &Options) {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
-            output.text(", ").tenths(psnr);
             let is_latin = line::is_terminal(line::OUTPUT) && !Terminal::is_utf8();
-            output.text(if is_latin { " +- " } else { " ± " });
-            output.tenths(margin).text(" dB to exhaustive");
+            let text = if is_latin {
+                ", $ +- $ dB to exhaustive"
+            } else {
+                ", $ ± $ dB to exhaustive"
+            };
+            output.format(text, &[psnr, margin]);
         }
         if let Some(asked) = options.psnr
             && psnr.saturating_add(margin) < 10 * asked
         {
-            output.text(", short of ").decimal(asked).text(" dB");
+            output.format(", short of # dB", &[asked]);
         }
     }
-}
-
-fn write_size(output: &mut Writer, [width, height]: [usize; 2]) -> &mut Writer {
-    output.decimal(width as u64).text("x");
-    output.decimal(height as u64)
 }
 
 fn hundredths(time: u64) -> u64 {
     time / (SECOND / 100)
 }
 
-fn line<const N: usize>(letters: &[u8; N], middle: f32) -> Caption {
+#[inline(never)]
+fn line(letters: &[u8], middle: f32) -> Caption {
     Caption {
-        letters: List::of(letters),
+        letters: letters.iter().copied().collect(),
         middle,
         size: 0.03,
         brightness: 1.0,

@@ -40,7 +40,7 @@ use std::error;
 
 pub use costs::costs;
 use encoder::Encoder;
-pub use executable::{System, Version, pack_executable, strip, unpack_executable};
+pub use executable::{System, pack_executable, strip, unpack_executable};
 use model::Model;
 
 pub type Error = Box<dyn error::Error>;

@@ -36,7 +36,7 @@ impl Writer {
         !self.has_failed
     }
 
-    fn byte(&mut self, byte: u8) {
+    pub fn byte(&mut self, byte: u8) {
         if self.length == self.buffer.len() {
             self.flush();
         }
@@ -61,21 +61,29 @@ impl Writer {
         self
     }
 
-    pub fn decimal(&mut self, number: u64) -> &mut Writer {
-        if number >= 10 {
-            self.decimal(number / 10);
+    fn decimal(&mut self, number: u64, decimals: u8) {
+        if number >= 10 || decimals > 0 {
+            self.decimal(number / 10, decimals.saturating_sub(1));
+        }
+        if decimals == 1 {
+            self.byte(b'.');
         }
         self.byte(b'0' + (number % 10) as u8);
+    }
+
+    /// Adds text with numbers in place of signs: `#` an integer, `$` tenths, `%` hundredths.
+    #[inline(never)]
+    pub fn format(&mut self, text: &str, numbers: &[u64]) -> &mut Writer {
+        let mut numbers = numbers.iter();
+        for byte in text.bytes() {
+            let decimals = byte.wrapping_sub(b'#');
+            if decimals > 2 {
+                self.byte(byte);
+            } else if let Some(&number) = numbers.next() {
+                self.decimal(number, decimals);
+            }
+        }
         self
-    }
-
-    pub fn tenths(&mut self, number: u64) -> &mut Writer {
-        self.decimal(number / 10).text(".").decimal(number % 10)
-    }
-
-    /// Adds hundredths with two decimals: 101 as `1.01`.
-    pub fn hundredths(&mut self, number: u64) -> &mut Writer {
-        self.tenths(number / 10).decimal(number % 10)
     }
 }
 
@@ -85,6 +93,12 @@ pub fn complaint() -> Writer {
     let mut errors = Writer::new(ERROR);
     errors.text("eightfold: ");
     errors
+}
+
+/// Writes an error message of two parts.
+#[inline(never)]
+pub fn complain(what: &str, then: &str) {
+    complaint().text(what).text(then).text("\n").flush();
 }
 
 /// Returns bytes as text if they are ASCII.
@@ -97,6 +111,7 @@ pub fn ascii(bytes: &[u8]) -> Option<&str> {
 }
 
 #[must_use]
+#[inline(never)]
 pub fn is_terminal(file: i32) -> bool {
     system::is_terminal(file)
 }
@@ -124,11 +139,11 @@ mod tests {
     #[test]
     fn decimals_keep_leading_zeros() {
         for (hundredths, expected) in [(0, "0.00"), (7, "0.07"), (123, "1.23"), (2513, "25.13")] {
-            let shown = written(|writer| _ = writer.hundredths(hundredths));
+            let shown = written(|writer| _ = writer.format("%", &[hundredths]));
             assert_eq!(shown, expected);
         }
-        let shown = written(|writer| _ = writer.tenths(0).text(" ").tenths(u64::MAX));
-        assert_eq!(shown, "0.0 1844674407370955161.5");
+        let shown = written(|writer| _ = writer.format("$ $, #%", &[0, u64::MAX, 10, 9]));
+        assert_eq!(shown, "0.0 1844674407370955161.5, 100.09");
     }
 
     #[test]
@@ -140,7 +155,7 @@ mod tests {
     #[test]
     fn text_longer_than_buffer_is_written() {
         let long = "x".repeat(5000);
-        let shown = written(|writer| _ = writer.text(&long).text("y").decimal(1));
+        let shown = written(|writer| _ = writer.text(&long).format("y#", &[1]));
         assert_eq!(shown, long + "y1");
     }
 

@@ -260,7 +260,7 @@ fn report_has_the_size_drawn() {
         );
     }
     // A fixed quality and a target accuracy keep the size.
-    for options in ["--quality fastest", "--uncapped", "--psnr 30"] {
+    for options in ["--fps 1000 --quality fastest", "--uncapped", "--psnr 30"] {
         let said = play(&format!("--size 3840x2160 {options}"));
         assert!(said.contains(", 3840x2160, threads 1, "), "{said}");
         assert!(!said.contains("thirds"), "{said}");

@@ -9,7 +9,7 @@ use std::{
 };
 
 use super::{at, order, redirect, variable};
-use crate::{Error, System, Version, executable::packed_size, pack_executable};
+use crate::{Error, System, executable::packed_size, pack_executable};
 
 const LIMIT: usize = 65_536;
 
@@ -29,10 +29,7 @@ struct Settings {
 impl Settings {
     fn from_environment() -> Result<Settings, Error> {
         let system = match &*variable(SYSTEM_VARIABLE)? {
-            "windows" => System::Windows(Version {
-                name: variable("CARGO_PKG_DESCRIPTION")?,
-                number: variable("CARGO_PKG_VERSION")?,
-            }),
+            "windows" => System::Windows,
             _ => System::Linux,
         };
         Ok(Settings {
@@ -42,7 +39,7 @@ impl Settings {
     }
 
     fn is_for_windows(&self) -> bool {
-        matches!(self.system, System::Windows(_))
+        self.system == System::Windows
     }
 
     fn is_lld(&self) -> bool {

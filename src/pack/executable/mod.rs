@@ -4,11 +4,9 @@ mod linux;
 mod strip;
 #[cfg(test)]
 mod tests;
-mod version;
 mod windows;
 
 pub use strip::strip;
-pub use version::Version;
 
 use crate::{
     Error, LONGEST, decode,
@@ -16,9 +14,10 @@ use crate::{
     encode,
 };
 
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub enum System {
     Linux,
-    Windows(Version),
+    Windows,
 }
 
 /// The addresses of a program's segments, from the beginning of a page to the last byte's end.
@@ -50,7 +49,7 @@ pub fn pack_executable(program: &[u8], stub: &[u8], system: &System) -> Result<V
     let stripped = strip(program)?;
     match system {
         System::Linux => linux::pack(&stripped, stub),
-        System::Windows(version) => windows::pack(&stripped, stub, version),
+        System::Windows => windows::pack(&stripped, stub),
     }
 }
 

@@ -7,7 +7,7 @@
 //! | 80 | addresses of the stub's functions, filled in by Windows |
 //! | 172 | the stub's first section, which verifies the rest |
 //! | 3,800 | the stub |
-//! | 640 | the functions' names, and the version information |
+//! | 200 | the functions' names |
 //! | the rest | the packed program |
 //!
 //! A section `.bss` reserves the program's memory at a fixed address, so it needs no relocations. After unpacking, code becomes
@@ -15,11 +15,9 @@
 
 use std::collections::HashMap;
 
-use object::pe::{
-    IMAGE_DIRECTORY_ENTRY_IAT, IMAGE_DIRECTORY_ENTRY_IMPORT, IMAGE_DIRECTORY_ENTRY_RESOURCE,
-};
+use object::pe::{IMAGE_DIRECTORY_ENTRY_IAT, IMAGE_DIRECTORY_ENTRY_IMPORT};
 
-use super::{Memory, Version, encode_both};
+use super::{Memory, encode_both};
 use crate::{
     DAMAGED, Error, checksum, decode,
     elf::{self, PAGE, number},
@@ -72,7 +70,7 @@ impl Memory {
     }
 }
 
-pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, Error> {
+pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [stripped, &loader].concat();
     let packed = encode_both(&unpacked)?;
@@ -80,9 +78,7 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
     let entry = START + addresses_size(FUNCTIONS.len());
     let names_at = entry + stub.size().next_multiple_of(4) as u64;
     let imports = Imports::new(LIBRARY, &FUNCTIONS, START, names_at);
-    let version_at = names_at + imports.names.len() as u64;
-    let version = version.to_resources(version_at as u32);
-    let packed_at = version_at + version.len() as u64;
+    let packed_at = names_at + imports.names.len() as u64;
     let end = packed_at + packed.len() as u64;
     let memory = Memory::of(&elf::segments(stripped)?)?;
     let base = memory.base(end)?;
@@ -99,7 +95,6 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
     bytes.extend(stub.link(base + entry, &names)?);
     bytes.resize((names_at - START) as usize, 0);
     bytes.extend(&imports.names);
-    bytes.extend(&version);
     bytes.extend(&packed);
     let checked_at = (entry - START) as usize + stub.first_size();
     let record: [usize; RECORD] = [
@@ -133,7 +128,6 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
                 IMAGE_DIRECTORY_ENTRY_IMPORT,
                 names_at..names_at + Imports::DIRECTORY,
             ),
-            (IMAGE_DIRECTORY_ENTRY_RESOURCE, version_at..packed_at),
         ],
     }
     .to_bytes(&record.map(|number| (number as u32).to_le_bytes()).concat())

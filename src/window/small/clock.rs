@@ -2,6 +2,7 @@ use core::ptr::null_mut;
 
 use crate::clock::SECOND;
 
+#[inline(never)]
 pub fn sleep_until(end: u64) {
     let end = libc::timespec {
         tv_sec: (end / SECOND) as libc::time_t,

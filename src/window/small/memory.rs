@@ -13,6 +13,7 @@ pub fn small() -> &'static mut [u32] {
 }
 
 /// Returns zeroed pixels, committed when they are written. Ends the process if no address space is left.
+#[inline(never)]
 pub fn allocate(count: usize) -> &'static mut [u32] {
     // SAFETY: the mapping is new, and is never unmapped.
     unsafe {
@@ -25,7 +26,7 @@ pub fn allocate(count: usize) -> &'static mut [u32] {
             0,
         );
         if memory == libc::MAP_FAILED {
-            line::complaint().text("memory is exhausted\n").flush();
+            line::complain("memory is exhausted", "");
             libc::_exit(1);
         }
         slice::from_raw_parts_mut(memory.cast(), count)

@@ -51,9 +51,9 @@ fn futex(word: &AtomicU32, operation: i32, value: u32) {
 #[must_use]
 pub fn processors() -> usize {
     // Bits for 8192 processors, more than `cpu_set_t` has.
-    let mut set = [0_u64; 128];
+    let mut set = [0_u8; 1024];
     // SAFETY: the set has this size.
-    unsafe { libc::sched_getaffinity(0, size_of_val(&set), set.as_mut_ptr().cast()) };
-    let count: u32 = set.iter().map(|word| word.count_ones()).sum();
-    usize::max(count as usize, 1)
+    unsafe { libc::sched_getaffinity(0, set.len(), set.as_mut_ptr().cast()) };
+    let bits = (0..8 * set.len()).filter(|bit| set[bit / 8] >> (bit % 8) & 1 != 0);
+    usize::max(bits.count(), 1)
 }

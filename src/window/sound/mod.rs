@@ -40,9 +40,9 @@ const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 /// the lead is left: waking up for each chunk would take four times as long as the synthesis.
 const SLACK: u64 = LATENCY as u64 * 1500;
 
-/// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz. A null device reports
+/// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz, rounded to a power of two. A null device reports
 /// everything as played, and cannot serve as a clock.
-const FASTEST: u64 = 1000;
+const FASTEST: u64 = 1024;
 
 pub trait Source: Send {
     /// Returns the next few milliseconds of samples: left and right, full scale 1.
@@ -137,10 +137,7 @@ fn nanoseconds(samples: i64) -> i64 {
 }
 
 fn say_silent(why: &str) {
-    line::complaint()
-        .text(why)
-        .text("; playing silently\n")
-        .flush();
+    line::complain(why, "; playing silently");
 }
 
 /// Waits until [`play`] has opened the device or failed, or for three seconds. Returns [`OPENED`].

@@ -29,8 +29,8 @@ const UPPER_HALF: &str = "\u{2580}";
 /// Characters by brightness, for terminals without colours.
 const RAMP: &[u8; 10] = b" .:-=+*#%@";
 
-const FOREGROUND: &str = "\x1b[38;";
-const BACKGROUND: &str = "\x1b[48;";
+const FOREGROUND: u64 = 38;
+const BACKGROUND: u64 = 48;
 
 const CLEAR: &str = "\x1b[0m\x1b[2J";
 
@@ -48,11 +48,11 @@ const HARMLESS: u64 = bits(&[
 /// Signals of errors in the process, which cannot continue.
 const MISTAKES: u64 = bits(&[SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS]);
 
-/// Returns a set of signals, from bit 0 for signal 1 on.
+/// Returns a set of signals. Bit 0 is unused, and stands for signal 64.
 const fn bits(signals: &[c_int]) -> u64 {
     let (mut set, mut i) = (0, 0);
     while i < signals.len() {
-        set |= 1 << (signals[i] - 1);
+        set |= 1 << signals[i];
         i += 1;
     }
     set
@@ -93,6 +93,7 @@ impl Terminal {
     /// Returns whether standard output is a terminal that [`Terminal::open`] takes over. `TERM=dumb` is not: it has neither colours
     /// nor cursor positions.
     #[must_use]
+    #[inline(never)]
     pub fn is_there() -> bool {
         line::is_terminal(line::OUTPUT) && variable(c"TERM") != b"dumb"
     }
@@ -118,19 +119,28 @@ impl Terminal {
         let pixels = pixels();
         let name = variable(c"TERM");
         let [screen, tmux] = [c"STY", c"TMUX"].map(|name| !variable(name).is_empty());
+        const VT: u16 = u16::from_le_bytes(*b"vt");
+        const VTE: u32 = u32::from_le_bytes(*b"\0vte");
+        const M: u16 = u16::from_be_bytes(*b"-m");
+        const MONO: u64 = u64::from_be_bytes(*b"-mono\0\0\0");
+        const SCREEN: u64 = u64::from_le_bytes(*b"\0\0screen");
+        const MUX: u32 = u32::from_le_bytes(*b"tmux");
+        // The first characters from the lowest byte up, and the last ones from the highest byte down.
+        let join = |word, &byte: &u8| word << 8 | u64::from(byte);
+        let [start, end] = [name.iter().rev().fold(0, join), name.iter().fold(0, join)];
         // Monochrome are DEC's terminals such as `vt100`, unlike `vte`, and variants such as `xterm-mono` and `linux-m`.
-        let is_dec = name.starts_with(b"vt") & !name.starts_with(b"vte");
-        let has_colours = !(is_dec | name.ends_with(b"-m") | name.ends_with(b"-mono"));
+        let is_dec = start as u16 == VT && (start as u32) << 8 != VTE;
+        let has_colours = !(is_dec || end as u16 == M || end << 24 == MONO);
         // GNU screen misreads the parts of a 24-bit colour as commands. tmux, which may have the same TERM, converts colours. COLORTERM is
         // no sign: programs in GNU screen inherit it from the outer terminal.
-        let is_screen = screen | (name.starts_with(b"screen") & !tmux);
+        let is_screen = screen || start << 16 == SCREEN && !tmux;
         let terminal = Terminal {
             keys: KeyParser::default(),
             pixels,
             size: (0, 0),
             shown: (0, 0),
             has_colours,
-            is_coarse: is_screen & !name.starts_with(b"tmux"),
+            is_coarse: is_screen && start as u32 != MUX,
             is_plain: !(has_colours & Terminal::is_utf8()),
         };
         SAVED.take_over();
@@ -145,7 +155,7 @@ impl Terminal {
         }
         let (width, height) = self.size;
         for row in 0..height / 2 {
-            text.text("\x1b[").decimal(row as u64 + 1).text(";1H");
+            text.format("\x1b[#;1H", &[row as u64 + 1]);
             // No pixel has all bits set, so each row begins with its colours.
             let (mut foreground, mut background) = (u32::MAX, u32::MAX);
             for x in 0..width {
@@ -175,22 +185,18 @@ impl Terminal {
         }
     }
 
-    fn set_colour(&self, text: &mut Writer, which: &str, set: &mut u32, colour: u32) {
+    #[inline(never)]
+    fn set_colour(&self, text: &mut Writer, which: u64, set: &mut u32, colour: u32) {
         if *set == colour {
             return;
         }
         *set = colour;
-        text.text(which);
+        let [_, red, green, blue] = colour.to_be_bytes().map(u64::from);
         if self.is_coarse {
-            text.text("5;").decimal(coarse(colour));
+            text.format("\x1b[#;5;#m", &[which, coarse(colour)]);
         } else {
-            let [_, channels @ ..] = colour.to_be_bytes();
-            text.text("2");
-            for channel in channels {
-                text.text(";").decimal(channel.into());
-            }
+            text.format("\x1b[#;2;#;#;#m", &[which, red, green, blue]);
         }
-        text.text("m");
     }
 }
 
@@ -324,7 +330,7 @@ pub(crate) fn signal() -> c_int {
 }
 
 extern "C" fn note(signal: c_int) {
-    if MISTAKES >> (signal - 1) & 1 == 0 {
+    if MISTAKES >> (signal % 64) & 1 == 0 {
         SIGNAL.store(signal, Relaxed);
         return;
     }
@@ -340,6 +346,7 @@ extern "C" fn note(signal: c_int) {
 ///
 /// # Safety
 /// The action has to be `SIG_IGN`, `SIG_DFL`, or a function that is async-signal-safe.
+#[inline(never)]
 pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
     // SAFETY: zero is valid for all fields. Without SA_RESTART, signals interrupt blocked writes.
     unsafe {
@@ -371,7 +378,7 @@ impl Saved {
         // SAFETY: `note` is async-signal-safe. `mode` is written while `active` is not set.
         unsafe {
             // The last are real-time signals; invalid numbers are refused.
-            for signal in (1..=64).filter(|signal| HARMLESS >> (signal - 1) & 1 == 0) {
+            for signal in (1..65).filter(|signal| HARMLESS >> (signal % 64) & 1 == 0) {
                 on_signal(signal, note as extern "C" fn(c_int) as libc::sighandler_t);
             }
             PATIENCE.store(1000, Relaxed);
@@ -397,6 +404,7 @@ impl Saved {
         (self.keyboard() >= 0).then(|| unsafe { (*self.mode.get()).assume_init() })
     }
 
+    #[inline(never)]
     fn enter(&self) {
         if let Some(mut mode) = self.mode() {
             // Keys without delay and echo, including Ctrl-C.
@@ -416,6 +424,7 @@ pub(crate) fn resume() {
 }
 
 /// Restores the terminal, if it was taken over. Async-signal-safe.
+#[inline(never)]
 pub(crate) fn restore() {
     if SAVED.active.swap(false, AcqRel) {
         // A pending signal must not interrupt these writes.

@@ -38,9 +38,10 @@ pub unsafe fn start() {
         libc::getrlimit(libc::RLIMIT_STACK, &mut stack);
         if stack.rlim_cur < STACK {
             line::complaint()
-                .text("stack limit in kB is ")
-                .decimal(stack.rlim_cur >> 10)
-                .text("; must be 96 or more\n")
+                .format(
+                    "stack limit in kB is #; must be 96 or more\n",
+                    &[stack.rlim_cur >> 10],
+                )
                 .flush();
             libc::_exit(1);
         }

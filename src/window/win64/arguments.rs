@@ -26,7 +26,7 @@ impl Arguments {
             // The functions for the start and the message come first in the table.
             system::start();
             if let Err(name) = loaded {
-                line::complaint().text(name).text(" is missing\n").flush();
+                line::complain(name, " is missing");
                 end(1);
             }
             timeBeginPeriod(1);

@@ -134,6 +134,7 @@ impl Toplevel {
 
     /// Returns a window's position in its parent, and the events that any client selects on it: a window manager that has ended may
     /// leave properties behind, but not its selection.
+    #[inline(never)]
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is valid for all fields, and the window exists.
         unsafe {
@@ -173,6 +174,7 @@ impl Toplevel {
         }
     }
 
+    #[inline(never)]
     pub fn move_to(&self, place: Place) {
         let (width, height) = (place.width as c_uint, place.height as c_uint);
         let (display, window) = (self.display, self.window);
