@@ -32,57 +32,30 @@ const LIGHT: Light = Light::new(Vec3::ZERO, Vec3::ONE);
 
 const COUNT: usize = 40;
 
+const AREA: Light = Light {
+    diameter: 0.5,
+    ..LIGHT
+};
+const SUN: Light = Light {
+    parallel: true,
+    ..LIGHT
+};
+const SHINY: Material = Material {
+    ks: 0.5,
+    exponent: 100.0,
+    ..GREY
+};
+
 impl Hidden {
-    pub const POINT: Self = Self {
-        things: Things::Spheres,
-        host: Host::Floor(GREY),
-        light: Some(LIGHT),
-    };
-    pub const AREA: Self = Self {
-        light: Some(Light {
-            diameter: 0.5,
-            ..LIGHT
-        }),
-        ..Self::POINT
-    };
-    pub const SUN: Self = Self {
-        light: Some(Light {
-            parallel: true,
-            ..LIGHT
-        }),
-        ..Self::POINT
-    };
-    pub const BLOCKS: Self = Self {
-        things: Things::Blocks,
-        ..Self::POINT
-    };
-    pub const BALLS: Self = Self {
-        host: Host::Balls(GREY),
-        ..Self::POINT
-    };
-    pub const MIRROR: Self = Self {
-        things: Things::Both,
-        host: Host::Floor(Material::mirror(0.5)),
-        light: None,
-    };
-    pub const MIRRORS: Self = Self {
-        things: Things::Spheres,
-        host: Host::Balls(Material::mirror(0.8)),
-        light: None,
-    };
-    pub const GLASS: Self = Self {
-        host: Host::Pane,
-        ..Self::MIRRORS
-    };
-    pub const SHINY: Self = Self {
-        things: Things::Shiny,
-        host: Host::Floor(Material {
-            ks: 0.5,
-            exponent: 100.0,
-            ..GREY
-        }),
-        ..Self::POINT
-    };
+    pub const POINT: Self = Self::new(Things::Spheres, Host::Floor(GREY), Some(LIGHT));
+    pub const AREA: Self = Self::new(Things::Spheres, Host::Floor(GREY), Some(AREA));
+    pub const SUN: Self = Self::new(Things::Spheres, Host::Floor(GREY), Some(SUN));
+    pub const BLOCKS: Self = Self::new(Things::Blocks, Host::Floor(GREY), Some(LIGHT));
+    pub const BALLS: Self = Self::new(Things::Spheres, Host::Balls(GREY), Some(LIGHT));
+    pub const MIRROR: Self = Self::new(Things::Both, Host::Floor(Material::mirror(0.5)), None);
+    pub const MIRRORS: Self = Self::new(Things::Spheres, Host::Balls(Material::mirror(0.8)), None);
+    pub const GLASS: Self = Self::new(Things::Spheres, Host::Pane, None);
+    pub const SHINY: Self = Self::new(Things::Shiny, Host::Floor(SHINY), Some(LIGHT));
     pub const ALL: [Self; 9] = [
         Self::POINT,
         Self::AREA,
@@ -94,6 +67,14 @@ impl Hidden {
         Self::GLASS,
         Self::SHINY,
     ];
+
+    const fn new(things: Things, host: Host, light: Option<Light>) -> Self {
+        Self {
+            things,
+            host,
+            light,
+        }
+    }
 
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = floor(random, GREY);
@@ -139,10 +120,8 @@ impl Hidden {
             Things::Shiny => (random.between(0.1, 0.8), materials::shiny(random), is_odd),
         };
         if is_block {
-            let thin = random
-                .vector(Vec3::splat(0.03), Vec3::splat(0.3))
-                .with_y(1.0);
-            let half = 2.0 * size * thin;
+            let thin = random.vector(Vec3::splat(0.03), Vec3::splat(0.3));
+            let half = 2.0 * size * thin.with_y(1.0);
             let block = solids::block(random, centre, half, material);
             scene.blocks.push(block);
         } else {
