@@ -4,16 +4,13 @@ use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene
 use glam::{Mat3, Vec3, vec3};
 
 fn floor(camera: Camera, centre: Vec3, [half_x, half_z]: [f32; 2], size: [usize; 2]) -> View {
-    View {
-        scene: Scene {
-            camera,
-            ambient: Vec3::ONE,
-            planes: List::of(&[Plane::new(centre, half_x, half_z, numbered(0, 28))]),
-            ..Scene::default()
-        },
-        width: size[0],
-        height: size[1],
-    }
+    let scene = Scene {
+        camera,
+        ambient: Vec3::ONE,
+        planes: List::of(&[Plane::new(centre, half_x, half_z, numbered(0, 28))]),
+        ..Scene::default()
+    };
+    View::new(scene, size)
 }
 
 fn ahead(height: f32, right: f32, up: f32, field_of_view: f32) -> Camera {
