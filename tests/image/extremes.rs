@@ -11,7 +11,7 @@ use eightfold_scenes::scaled;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::text::Text;
 use eightfold_tracer::scene::{
-    Block, Camera, Caption, CopperBar, Light, List, Material, Scene, Sphere, Waves,
+    Block, Camera, Caption, CopperBar, Light, List, Scene, Sphere, Waves,
 };
 use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Quality, Renderer, Worker};
 use glam::{Mat3, Vec3, vec3};
@@ -72,11 +72,7 @@ fn assert_bounded(scene: &Scene, usual: &[[u64; 4]], case: usize, what: &str) {
     let [one, two] = [1, 2].map(|threads| draw(isa, threads, scene, &quality, 64, 48));
     assert!(one.pixels == two.pixels, "{what}");
     // Without a tolerance all squares split, as in the first refinement.
-    let number = if what.starts_with("tolerance") {
-        0
-    } else {
-        number
-    };
+    let number = number * usize::from(!what.starts_with("tolerance"));
     let (rays, usual) = (rays(&one), usual[seed % usual.len()][number]);
     assert!(2 * rays <= 5 * usual, "{what}: {rays} for {usual}");
 }
@@ -191,18 +187,17 @@ fn scene_or_quality_out_of_range_is_refused() {
         let source = core::error::Error::source(&error).expect("the number's range");
         assert_eq!(source.to_string(), text);
     }
-    let squares = [0, 3, 12, 64, usize::MAX].map(|square| of_side(square, Quality::THESIS));
-    let depths = [8, u32::MAX].map(|depth| Quality {
-        depth,
-        ..Quality::THESIS
-    });
-    let tolerance = Quality {
-        tolerance_side: f32::NAN,
-        ..Quality::THESIS
-    };
-    let wrong = squares.map(|quality| ("square", quality)).into_iter();
-    let wrong = wrong.chain(depths.map(|quality| ("depth", quality)));
-    for (name, quality) in wrong.chain([("tolerance_side", tolerance)]) {
+    let mut wrong = [0, 3, 12, 64, usize::MAX]
+        .map(|square| ("square", of_side(square, Quality::THESIS)))
+        .to_vec();
+    let mut tolerance = Quality::THESIS;
+    tolerance.tolerance_side = f32::NAN;
+    wrong.push(("tolerance_side", tolerance));
+    for depth in [8, u32::MAX] {
+        let thesis = Quality::THESIS;
+        wrong.push(("depth", Quality { depth, ..thesis }));
+    }
+    for (name, quality) in wrong {
         let error = refusal(&scene, &quality, size, (64, 64 * 48)).expect(name);
         let start = format!("quality.{name} is ");
         assert!(error.to_string().starts_with(&start), "{error}");
@@ -235,18 +230,22 @@ fn frame_in_a_larger_picture_has_the_same_bits() {
     }
 }
 
-fn alone(block: Option<Block>) -> Scene {
+/// Returns the model scene's lights, nearer, and a solid of its first material ahead, by its number.
+fn alone(number: usize) -> Scene {
     let mut scene = show::model_scene(0.0);
     let material = scene.spheres[0].material;
     (scene.spheres, scene.planes) = (List::default(), List::default());
     scene.camera = Camera::default();
-    match block {
-        Some(block) => scene.blocks.push(Block { material, ..block }),
+    match SHAPES.get(number) {
+        Some(&shape) => scene.blocks.push(Block {
+            axes: Mat3::from_rotation_x(0.5),
+            ..Block::new(shape, Vec3::NEG_Z, Vec3::ONE, material)
+        }),
         None => {
             let sphere = Sphere::new(Vec3::NEG_Z, 1.0, material);
-            scene.spheres.push(sphere)
+            scene.spheres.push(sphere);
         }
-    };
+    }
     for light in scene.lights.iter_mut() {
         light.position *= 0.125;
         light.drawn_radius = 0.0;
@@ -256,12 +255,7 @@ fn alone(block: Option<Block>) -> Scene {
 
 #[test]
 fn scene_of_any_scale_is_the_same_picture() {
-    let block = |shape| Block {
-        axes: Mat3::from_rotation_x(0.5),
-        ..Block::new(shape, Vec3::NEG_Z, Vec3::ONE, Material::BLACK)
-    };
-    let blocks = SHAPES.map(|shape| Some(block(shape)));
-    let ends = blocks.into_iter().chain([None]).map(alone);
+    let ends = (0..4).map(alone);
     let ends = ends.map(|scene| (scene, [2e-9, 1e-8, 1e-4, 1e6, 1e8, 1e9]));
     let far = (scaled(&rich(), 0.7), [1e-8, 1e-4, 0.1, 3.0, 1e4, 1e8]);
     let whole = [show::model_scene(2.0), show::field(60, 2.0)];
@@ -285,13 +279,8 @@ fn scene_of_any_scale_is_the_same_picture() {
 /// Scene units from the origin, and the least PSNR in dB against the oracle; [`eightfold_tracer::limits`] has both.
 #[test]
 fn scene_far_from_the_origin_is_as_exact_as_stated() {
-    for (distance, least) in [
-        (0.0, 80.0),
-        (1e2, 55.0),
-        (1e3, 50.0),
-        (1e4, 41.0),
-        (1e5, 31.0),
-    ] {
+    let limits = [0.0, 1e2, 1e3, 1e4, 1e5].into_iter();
+    for (distance, least) in limits.zip([80.0, 55.0, 50.0, 41.0, 31.0]) {
         let by = distance / 3.0 * vec3(2.0, 1.0, -2.0);
         for time in [0.0, 2.5] {
             let mut scene = show::model_scene(time);

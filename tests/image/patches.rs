@@ -1,6 +1,7 @@
 //! Patches of lost pixels: no drawn pixel nearby is similar.
 
-use crate::drawn::{draw_best, jagged};
+use crate::cpu::{self, Isa};
+use crate::drawn::{draw, draw_best, jagged};
 use crate::error::{Difference, worst_channel};
 use crate::errors::patches;
 use eightfold_lab::scenes::SceneName;
@@ -44,14 +45,19 @@ pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
     patches.into_iter().max_by_key(Vec::len).unwrap_or_default()
 }
 
+/// Returns the PSNR against the exhaustive picture in dB, and the size of the largest patch.
+pub fn compared(isa: Isa, scene: &Scene, quality: Quality, size: [usize; 2]) -> (f64, usize) {
+    let [exact, drawn] = [quality.reference(), quality]
+        .map(|quality| draw(isa, 2, scene, &quality, size[0], size[1]).pixels);
+    let patch = largest(&exact, &drawn, size[0]).len();
+    (Difference::between(&exact, &drawn).psnr, patch)
+}
+
 fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
     let (mut largest, mut least) = (0, f64::INFINITY);
     for (name, scene) in scenes {
         for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
-            let [exact, drawn] = [quality.reference(), quality]
-                .map(|quality| draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels);
-            let psnr = Difference::between(&exact, &drawn).psnr;
-            let patch = self::largest(&exact, &drawn, SIZE[0]).len();
+            let (psnr, patch) = compared(cpu::best(), &scene, quality, SIZE);
             println!(
                 "{name}: {psnr:.1} dB, a patch of {patch}, {}",
                 quality.antialias

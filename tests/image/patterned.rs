@@ -1,6 +1,5 @@
-use crate::drawn::{draw, draw_best, isa_of, jagged};
-use crate::error::Difference;
-use crate::patches::largest;
+use crate::drawn::{draw_best, isa_of, jagged};
+use crate::patches::compared;
 use eightfold_scenes::{Random, cases, materials, materials_of, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
@@ -18,12 +17,9 @@ fn patterned(random: &mut Random) -> Scene {
         ..Material::matt(random.colour(), 0.8)
     };
     let eye = vec3(0.0, random.between(0.4, 3.0), -distance);
+    let turn = Mat3::from_rotation_y(random.between(0.0, 6.0));
     let mut scene = Scene {
-        camera: Camera::new(
-            Mat3::from_rotation_y(random.between(0.0, 6.0)) * eye,
-            Vec3::ZERO,
-            0.6,
-        ),
+        camera: Camera::new(turn * eye, Vec3::ZERO, 0.6),
         background: random.colour(),
         ambient: Vec3::splat(0.3),
         planes: List::of(&[Plane::new(-Vec3::Y, 20.0, 20.0, material)]),
@@ -31,19 +27,17 @@ fn patterned(random: &mut Random) -> Scene {
     };
     for _ in 0..=random.below(3) {
         let position = random.vector(vec3(-6.0, 2.0, -6.0), vec3(6.0, 6.0, 6.0));
-        scene
-            .lights
-            .push(Light::new(position, random.colour() * 0.7));
+        let light = Light::new(position, random.colour() * 0.7);
+        scene.lights.push(light);
     }
     match random.below(4) {
         0 | 1 => {}
         2 => scene.spheres.push(Sphere::new(Vec3::ZERO, 0.9, material)),
-        _ => scene.blocks.push(solids::block(
-            random,
-            Vec3::ZERO,
-            vec3(0.5, 0.8, 0.5),
-            material,
-        )),
+        _ => {
+            let half = vec3(0.5, 0.8, 0.5);
+            let block = solids::block(random, Vec3::ZERO, half, material);
+            scene.blocks.push(block);
+        }
     }
     scene
 }
@@ -57,15 +51,10 @@ fn hold(cases: impl Iterator<Item = Random>) {
         let scene = patterned(&mut random);
         let is_bare = scene.spheres.is_empty() && scene.blocks.is_empty();
         for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
-            let [exact, drawn] = [quality.reference(), quality]
-                .map(|quality| draw(isa, 2, &scene, &quality, SIZE[0], SIZE[1]).pixels);
-            let psnr = Difference::between(&exact, &drawn).psnr;
-            let patch = largest(&exact, &drawn, SIZE[0]).len();
-            worst = if psnr < worst.0 {
-                (psnr, random.seed)
-            } else {
-                worst
-            };
+            let (psnr, patch) = compared(isa, &scene, quality, SIZE);
+            if psnr < worst.0 {
+                worst = (psnr, random.seed);
+            }
             if psnr < 42.0 || is_bare && patch > 8 {
                 let pattern = &scene.planes[0].material.pattern;
                 println!("{psnr:.1} dB, a patch of {patch}: {pattern:?}");

@@ -36,9 +36,8 @@ fn errors(scene: &Scene) -> [f64; 2] {
     for (i, &pixel) in drawn.pixels.iter().enumerate() {
         let coordinate = |i: usize| (i as f32 + 0.5) / size as f32 * 2.0 - 1.0;
         let (x, z) = (-coordinate(i / size) * half, coordinate(i % size) * half);
-        let is_hidden = oracle.object_at((i % size) as isize, (i / size) as isize)
-            != eightfold_oracle::Object::Plane(0);
-        if is_hidden {
+        let seen = oracle.object_at((i % size) as isize, (i / size) as isize);
+        if seen != eightfold_oracle::Object::Plane(0) {
             continue;
         }
         let p = vec3(x, 0.0, z).as_dvec3();
@@ -54,12 +53,7 @@ fn errors(scene: &Scene) -> [f64; 2] {
 
 #[test]
 fn penumbrae_match_sampled_light() {
-    let floor = Plane {
-        half_x: 9.0,
-        half_z: 9.0,
-        material: Material::matt(Vec3::ONE, 1.0),
-        ..Plane::default()
-    };
+    let floor = Plane::new(Vec3::ZERO, 9.0, 9.0, Material::matt(Vec3::ONE, 1.0));
     let camera = Camera {
         up: Vec3::X,
         ..Camera::new(vec3(0.0, 30.0, 0.0), Vec3::ZERO, 0.2)
@@ -75,21 +69,20 @@ fn penumbrae_match_sampled_light() {
         spheres: List::of(&[Sphere::new(centre, 0.6, Material::BLACK)]),
         ..scene.clone()
     };
-    let [mean, largest] = errors(&sphere);
-    assert!(
-        mean < 0.01 && largest < 0.1,
-        "mean {mean}, largest {largest}"
-    );
+    let assert_within = |scene: &Scene, limits: [f64; 2]| {
+        let errors = errors(scene);
+        let is_within = errors[0] < limits[0] && errors[1] < limits[1];
+        assert!(is_within, "mean and largest: {errors:?}");
+    };
+    assert_within(&sphere, [0.01, 0.1]);
     for (shape, half) in [
         (Shape::Box, vec3(0.6, 0.4, 0.5)),
         (Shape::Box, vec3(0.1, 1.5, 0.8)),
         (Shape::Cylinder, vec3(0.5, 1.2, 0.5)),
         (Shape::Capsule, vec3(0.3, 1.3, 0.3)),
     ] {
-        for axes in [
-            Mat3::IDENTITY,
-            Mat3::from_rotation_z(0.7) * Mat3::from_rotation_x(0.5),
-        ] {
+        let turned = Mat3::from_rotation_z(0.7) * Mat3::from_rotation_x(0.5);
+        for axes in [Mat3::IDENTITY, turned] {
             let block = Block {
                 axes,
                 ..Block::new(shape, centre, half, Material::BLACK)
@@ -98,11 +91,7 @@ fn penumbrae_match_sampled_light() {
                 blocks: List::of(&[block]),
                 ..scene.clone()
             };
-            let [mean, largest] = errors(&scene);
-            assert!(
-                mean < 0.02 && largest < 0.5,
-                "mean {mean}, largest {largest}"
-            );
+            assert_within(&scene, [0.02, 0.5]);
         }
     }
 }

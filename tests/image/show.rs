@@ -132,10 +132,8 @@ fn is_framed(camera: &Camera, width: usize, height: usize, centre: Vec3, radius:
 }
 
 fn balls(scene: &Scene) -> Vec<(Vec3, f32)> {
-    let spheres = scene.spheres.iter();
-    let mut balls: Vec<_> = spheres
-        .map(|sphere| (sphere.centre, sphere.radius))
-        .collect();
+    let spheres = scene.spheres.iter().map(|it| (it.centre, it.radius));
+    let mut balls: Vec<_> = spheres.collect();
     for block in scene.blocks.iter() {
         for corner in 0..8 {
             let sign = |axis: u32| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
@@ -156,19 +154,10 @@ fn subject(name: &str, scene: &Scene) -> Vec<(Vec3, f32)> {
         }
         // Crystal, scarlet and silver. The columns extend beyond the picture; the camera passes the golden sphere.
         "colonnade" => vec![balls[0], balls[2], balls[3]],
-        // The middle ball and the light. The camera passes the other balls; the columns extend beyond the picture.
-        "mirrors" => {
+        // The middle ball and the light. The camera passes other balls; columns and arms extend beyond the picture.
+        "mirrors" | "finale" => {
             let light = scene.lights[0];
-            balls.truncate(1);
-            balls.push((light.position, light.drawn_radius));
-            balls
-        }
-        // The glass ball and the sun. The arms extend beyond the picture.
-        "finale" => {
-            let sun = scene.lights[0];
-            balls.truncate(1);
-            balls.push((sun.position, sun.drawn_radius));
-            balls
+            vec![balls[0], (light.position, light.drawn_radius)]
         }
         _ => balls,
     }

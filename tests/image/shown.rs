@@ -18,11 +18,7 @@ use glam::{DMat2, DVec2, DVec3, Vec3, dvec2};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub fn sized(scene: Scene) -> View {
-    View {
-        scene,
-        width: 320,
-        height: 240,
-    }
+    View::new(scene, [320, 240])
 }
 
 pub fn pixels(isa: Isa, view: &View, quality: Quality) -> Vec<u32> {
@@ -157,11 +153,8 @@ fn of_the_show_at_any_time(random: &mut Random) -> View {
         blocks: scene.blocks,
         ..Scene::default()
     };
-    View {
-        scene: coloured(&objects, 28),
-        width: 1 + random.below(160),
-        height: 1 + random.below(120),
-    }
+    let size = [160, 120].map(|side| 1 + random.below(side));
+    View::new(coloured(&objects, 28), size)
 }
 
 /// Returns small blocks that stick out of a large one, which hides most of each.
@@ -182,11 +175,7 @@ fn sunk(random: &mut Random) -> View {
         let small = solids::block(random, centre, half, Material::BLACK);
         scene.blocks.push(small);
     }
-    View {
-        scene: coloured(&scene, 28),
-        width: 160,
-        height: 120,
-    }
+    View::new(coloured(&scene, 28), [160, 120])
 }
 
 #[track_caller]
@@ -265,7 +254,9 @@ const DARK: u32 = 0x12_1212;
 
 /// Returns the only shadow of a view. A difference of 1/255 can be rounding.
 fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
-    let lit = pixels(isa, &view.without_spheres(), Quality::EXHAUSTIVE);
+    let mut lit = view.clone();
+    lit.scene.spheres.clear();
+    let lit = pixels(isa, &lit, Quality::EXHAUSTIVE);
     let is_shaded = |&i: &usize| exhaustive[i] == DARK && lit[i] != DARK;
     let shaded: Vec<usize> = (0..lit.len()).filter(is_shaded).collect();
     let is_seen = shaded.iter().any(|&i| worst_channel(lit[i], DARK) >= 2);
@@ -279,7 +270,7 @@ fn thin_and_near_shadows_are_shown() {
     let known = known::thin_shadows().into_iter().enumerate();
     let random = cases(150).map(|mut random| (random.seed as usize, floor::shadow(&mut random)));
     for (seed, view) in known.chain(random) {
-        let glaring = view.glaring();
+        let glaring = view.clone().glaring();
         let views = [view, glaring.clone(), glaring.with_box()];
         for (i, view) in views.into_iter().enumerate() {
             let isa = isa_of((seed + i) as u64);
@@ -305,11 +296,8 @@ fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     for (image, pixels) in by_colour(exhaustive) {
         let all: BTreeSet<usize> = pixels.iter().copied().collect();
         let mut corners = pixels.iter().filter(|&&i| i % width + 1 < width);
-        let is_wide = corners.any(|i| {
-            [1, width, width + 1]
-                .iter()
-                .all(|step| all.contains(&(i + step)))
-        });
+        let steps = [1, width, width + 1];
+        let is_wide = corners.any(|i| steps.iter().all(|step| all.contains(&(i + step))));
         if is_image(image) && is_wide {
             let digit = |shift: u32| ((image >> shift & 0xff) as usize - 64) / 15;
             let number = digit(16) + 4 * digit(8) + 16 * digit(0);
@@ -383,9 +371,8 @@ fn show_mirror_point(view: &View, shape: Shape, pixels: &[usize]) -> bool {
         let far = if light.parallel { Light::FAR } else { 1.0 };
         let light = (light.position * far).as_dvec3();
         let is_near = |step: DVec2| step.abs().max_element() <= 1.0;
-        let mut places = pixels
-            .iter()
-            .map(|i| dvec2((i % view.width) as f64, (i / view.width) as f64));
+        let place = |i: &usize| dvec2((i % view.width) as f64, (i / view.width) as f64);
+        let mut places = pixels.iter().map(place);
         places.any(|at| step(at, light).is_some_and(is_near))
     })
 }

@@ -8,7 +8,7 @@ use eightfold_lab::sheet::{Tile, sheet};
 use eightfold_scenes::artists::{FLOORS, KINDS, Kind, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{Random, cases};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
+use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
 const FINEST: Quality = Quality::LADDER[0];
@@ -98,17 +98,14 @@ fn sheet_of_unguarded_kinds() {
                 .map(|seed| draw(&scene(*kind, Random::new(seed)), SMALL, [Quality::DEFAULT]));
             let worst = drawn.max_by_key(|(_, [(_, patch)])| patch.len());
             let (exact, [(drawn, patch)]) = worst.expect("24 scenes");
-            let middle = patch
-                .get(patch.len() / 2)
-                .copied()
-                .unwrap_or(SMALL[0] * 180 + 320);
+            let middle = patch.get(patch.len() / 2);
+            let middle = middle.copied().unwrap_or(SMALL[0] * 180 + 320);
             let (half, height) = (size.width / 2, size.height);
-            let left = (middle % SMALL[0])
-                .saturating_sub(half / 2)
-                .min(SMALL[0] - half);
-            let top = (middle / SMALL[0])
-                .saturating_sub(height / 2)
-                .min(SMALL[1] - height);
+            let start = |middle: usize, part: usize, whole: usize| {
+                middle.saturating_sub(part / 2).min(whole - part)
+            };
+            let left = start(middle % SMALL[0], half, SMALL[0]);
+            let top = start(middle / SMALL[0], height, SMALL[1]);
             let rows = (top..top + height).flat_map(|y| {
                 [&exact, &drawn].map(|picture| &picture[y * SMALL[0] + left..][..half])
             });
@@ -126,19 +123,15 @@ fn sheet_of_unguarded_kinds() {
 #[test]
 fn finest_traces_no_more_where_all_is_guarded() {
     let matt = Material::matt(vec3(0.8, 0.6, 0.4), 0.7);
-    let mut scene = Scene {
+    let floor = Material::matt(vec3(0.3, 0.5, 0.6), 0.7);
+    let scene = Scene {
         background: Vec3::Z,
         ambient: Vec3::splat(0.2),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 9.0, 9.0, floor)]),
+        spheres: List::of(&[Sphere::new(Vec3::Y, 1.0, matt)]),
+        lights: List::of(&[Light::new(vec3(3.0, 5.0, -4.0), Vec3::ONE)]),
         ..Scene::default()
     };
-    let floor = Material::matt(vec3(0.3, 0.5, 0.6), 0.7);
-    scene.planes.push(Plane::new(Vec3::ZERO, 9.0, 9.0, floor));
-    scene
-        .spheres
-        .push(Sphere::new(vec3(0.0, 1.0, 0.0), 1.0, matt));
-    scene
-        .lights
-        .push(Light::new(vec3(3.0, 5.0, -4.0), Vec3::ONE));
     let plain = Quality {
         unguarded_weight: f32::INFINITY,
         ..FINEST

@@ -11,33 +11,33 @@ type Add = fn(&mut Scene, &mut Random);
 /// Draws a light or a material at random.
 pub type Draw<T> = fn(&mut Random) -> T;
 
-/// A name, and a function that adds the kind's objects to a scene with a camera, a floor and a light.
+/// A name, and functions that add the kind's objects to a scene with a camera, a floor and a light.
 #[derive(Clone, Copy)]
-pub struct Kind(pub &'static str, Add);
+pub struct Kind(pub &'static str, &'static [Add]);
 
 /// The first [`ON_FLOORS`] kinds have bars on a floor and nothing else.
 pub const KINDS: [Kind; 21] = [
-    Kind("rods", rods),
-    Kind("words", words),
-    Kind("nets", nets),
-    Kind("trusses", trusses),
-    Kind("spokes", spokes),
-    Kind("ropes", ropes),
-    Kind("pickets", pickets),
-    Kind("blinds", blinds),
-    Kind("grass", grass),
-    Kind("windows", windows),
-    Kind("stairs", stairs),
-    Kind("shelves", shelves),
-    Kind("rods in water", water),
-    Kind("mirror wall", mirror_wall),
-    Kind("behind glass", glass),
-    Kind("mirror balls", mirror_balls),
-    Kind("nets in balls", nets_in_balls),
-    Kind("shadows on balls", onto_balls),
-    Kind("shadows on boxes", onto_boxes),
-    Kind("shadows on a patterned wall", onto_wall),
-    Kind("strips of light on shelves", strips),
+    Kind("rods", &[rods]),
+    Kind("words", &[words]),
+    Kind("nets", &[nets]),
+    Kind("trusses", &[trusses]),
+    Kind("spokes", &[spokes]),
+    Kind("ropes", &[ropes]),
+    Kind("pickets", &[pickets]),
+    Kind("blinds", &[blinds]),
+    Kind("grass", &[grass]),
+    Kind("windows", &[windows]),
+    Kind("stairs", &[stairs]),
+    Kind("shelves", &[shelves]),
+    Kind("rods in water", &[water, some_bars]),
+    Kind("mirror wall", &[some_bars, mirror_wall]),
+    Kind("behind glass", &[some_bars, glass]),
+    Kind("mirror balls", &[some_bars, mirror_balls]),
+    Kind("nets in balls", &[nets, mirror_balls]),
+    Kind("shadows on balls", &[some_bars, matt_balls]),
+    Kind("shadows on boxes", &[some_bars, boxes]),
+    Kind("shadows on a patterned wall", &[some_bars, wall]),
+    Kind("strips of light on shelves", &[shelves, strips]),
 ];
 
 pub const ON_FLOORS: usize = 10;
@@ -49,11 +49,8 @@ pub const LIGHTS: [(&str, Draw<Light>); 4] = [
         ..point(random)
     }),
     ("spotlight", |random| {
-        lights::spotlight(
-            point(random),
-            random.between(0.2, 0.5),
-            random.between(0.5, 0.9),
-        )
+        let (light, inner) = (point(random), random.between(0.2, 0.5));
+        lights::spotlight(light, inner, random.between(0.5, 0.9))
     }),
     ("area light", |random| Light {
         diameter: random.between(0.1, 0.6),
@@ -62,7 +59,7 @@ pub const LIGHTS: [(&str, Draw<Light>); 4] = [
 ];
 
 pub const FLOORS: [(&str, Draw<Material>); 3] = [
-    ("plain", |random| Material::matt(bright(random), 0.8)),
+    ("plain", matt),
     ("patterned", patterned),
     ("mirror", |random| Material {
         kr: random.between(0.3, 0.6),
@@ -84,7 +81,7 @@ impl Kind {
         let plane = Plane::new(Vec3::ZERO, 30.0, 30.0, floor(random));
         scene.planes.push(plane);
         scene.lights.push(light(random));
-        (self.1)(&mut scene, random);
+        self.1.iter().for_each(|add| add(&mut scene, random));
         scene
     }
 }
@@ -105,10 +102,14 @@ fn bright(random: &mut Random) -> Vec3 {
     random.vector(Vec3::splat(0.3), Vec3::splat(0.9))
 }
 
+fn matt(random: &mut Random) -> Material {
+    Material::matt(bright(random), 0.8)
+}
+
 fn patterned(random: &mut Random) -> Material {
     let checkers = Pattern::checkers(random.between(0.2, 1.0), random.between(0.3, 0.9));
     let pattern = [checkers, materials::pattern(random)][random.below(2)];
-    Material::matt(bright(random), 0.8).with_pattern(pattern)
+    matt(random).with_pattern(pattern)
 }
 
 /// Bars of one shape, radius and material.
@@ -120,7 +121,7 @@ struct Bars {
 
 impl Bars {
     fn any(random: &mut Random) -> Self {
-        let matt = Material::matt(bright(random), 0.8);
+        let matt = matt(random);
         Self {
             shape: random.one_of(solids::SHAPES),
             radius: random.one_of([0.005, 0.01, 0.02, 0.04, 0.08]),
@@ -130,31 +131,27 @@ impl Bars {
 
     fn add(&self, scene: &mut Scene, from: Vec3, to: Vec3) {
         let along = to - from;
-        // A net's last bar may be a point at its corner.
+        // A letter's stroke, or a net's last bar, may be a point.
         if along == Vec3::ZERO {
             return;
         }
         let half = vec3(self.radius, 0.5 * along.length(), self.radius);
         let half = solids::fitting(self.shape, half);
         let turn = Quat::from_rotation_arc(Vec3::Y, along.normalize_or(Vec3::Y));
-        add(
-            scene,
-            Block {
-                axes: Mat3::from_quat(turn),
-                ..Block::new(self.shape, 0.5 * (from + to), half, self.material)
-            },
-        );
+        let bar = Block::new(self.shape, 0.5 * (from + to), half, self.material);
+        add_turned(scene, bar, Mat3::from_quat(turn));
     }
 }
 
-fn add(scene: &mut Scene, block: Block) {
+fn add_turned(scene: &mut Scene, block: Block, axes: Mat3) {
     if scene.blocks.len() < MAX_BLOCKS {
-        scene.blocks.push(block);
+        scene.blocks.push(Block { axes, ..block });
     }
 }
 
 fn add_box(scene: &mut Scene, centre: Vec3, half: Vec3, material: Material) {
-    add(scene, Block::new(Shape::Box, centre, half, material));
+    let solid = Block::new(Shape::Box, centre, half, material);
+    add_turned(scene, solid, Mat3::IDENTITY);
 }
 
 /// A vertical plane at a random place and angle, `x` to the right and `y` up.
@@ -183,13 +180,8 @@ fn words(scene: &mut Scene, random: &mut Random) {
         let mut from = node();
         for _ in 0..4 {
             let to = node();
-            if to != from {
-                bars.add(
-                    scene,
-                    at(left + from.x, low + from.y),
-                    at(left + to.x, low + to.y),
-                );
-            }
+            let [start, end] = [from, to].map(|node| at(left + node.x, low + node.y));
+            bars.add(scene, start, end);
             from = to;
         }
     }
@@ -204,12 +196,8 @@ fn nets(scene: &mut Scene, random: &mut Random) {
         while start < wide + high {
             let ends = [start, start + sign * slope * high].map(|x| x.clamp(-wide, wide));
             if slope > 0.0 && ends[0] != ends[1] {
-                let height = |x: f32| sign * (x - start) / slope;
-                bars.add(
-                    scene,
-                    at(ends[0], height(ends[0])),
-                    at(ends[1], height(ends[1])),
-                );
+                let [from, to] = ends.map(|x| at(x, sign * (x - start) / slope));
+                bars.add(scene, from, to);
             } else if start.abs() < wide && sign > 0.0 {
                 bars.add(scene, at(start, 0.0), at(start, high));
             } else if (0.0..high).contains(&start) {
@@ -293,18 +281,11 @@ fn blinds(scene: &mut Scene, random: &mut Random) {
     let (step, tilt) = (random.between(0.06, 0.25), random.between(0.0, PI));
     let half = vec3(random.between(0.5, 1.8), 0.004, 0.4 * step);
     for i in 0..random.between(0.8 / step, 2.0 / step) as usize {
-        let axes = Mat3::from_cols(at(1.0, 0.0) - at(0.0, 0.0), Vec3::Y, Vec3::ZERO);
-        let axes = Mat3 {
-            z_axis: axes.x_axis.cross(Vec3::Y),
-            ..axes
-        };
-        add(
-            scene,
-            Block {
-                axes: axes * Mat3::from_rotation_x(tilt),
-                ..Block::new(Shape::Box, at(0.0, 0.2 + step * i as f32), half, material)
-            },
-        );
+        let across = at(1.0, 0.0) - at(0.0, 0.0);
+        let axes = Mat3::from_cols(across, Vec3::Y, across.cross(Vec3::Y));
+        let centre = at(0.0, 0.2 + step * i as f32);
+        let slat = Block::new(Shape::Box, centre, half, material);
+        add_turned(scene, slat, axes * Mat3::from_rotation_x(tilt));
     }
 }
 
@@ -334,18 +315,14 @@ fn windows(scene: &mut Scene, random: &mut Random) {
 
 /// Stairs with a railing.
 fn stairs(scene: &mut Scene, random: &mut Random) {
-    let (bars, material) = (Bars::any(random), Material::matt(bright(random), 0.8));
+    let (bars, material) = (Bars::any(random), matt(random));
     let (deep, high) = (random.between(0.15, 0.35), random.between(0.1, 0.25));
     let wide = random.between(0.4, 1.5);
     let thick = random.one_of([0.02, 0.5 * high]);
     for i in 0..4 + random.below(6) {
         let at = vec3(0.0, high * i as f32 + high, 0.8 - deep * i as f32);
-        add_box(
-            scene,
-            at - Vec3::Y * thick,
-            vec3(wide, thick, 0.5 * deep),
-            material,
-        );
+        let half = vec3(wide, thick, 0.5 * deep);
+        add_box(scene, at - Vec3::Y * thick, half, material);
         let rail = Vec3::Y * 0.7;
         let next = at + vec3(0.0, high, -deep) + rail;
         for foot in [-wide, wide].map(|x| Vec3::X * x) {
@@ -357,7 +334,7 @@ fn stairs(scene: &mut Scene, random: &mut Random) {
 
 /// Shelves with narrow gaps between things.
 fn shelves(scene: &mut Scene, random: &mut Random) {
-    let material = Material::matt(bright(random), 0.8);
+    let material = matt(random);
     let (wide, high) = (random.between(0.6, 1.6), random.between(0.4, 0.7));
     let (deep, back) = (random.between(0.15, 0.4), random.between(-1.2, 0.0));
     for i in 0..2 + random.below(3) {
@@ -369,10 +346,8 @@ fn shelves(scene: &mut Scene, random: &mut Random) {
             let shape = random.one_of(solids::SHAPES);
             let half = solids::fitting(shape, half.with_z(half.z.min(deep)));
             let centre = board + vec3(wide.min(left + half.x), 0.015 + half.y, 0.0);
-            add(
-                scene,
-                Block::new(shape, centre, half, Material::matt(bright(random), 0.8)),
-            );
+            let thing = Block::new(shape, centre, half, matt(random));
+            add_turned(scene, thing, Mat3::IDENTITY);
             left += 2.0 * half.x + random.between(0.002, 0.2);
         }
     }
@@ -389,27 +364,28 @@ fn some_bars(scene: &mut Scene, random: &mut Random) {
 }
 
 fn water(scene: &mut Scene, random: &mut Random) {
-    let colour = Material::matt(bright(random), 0.2);
+    let colour = bright(random);
     scene.planes[0].material = Material {
         kr: random.between(0.4, 0.8),
-        ..colour
+        ..Material::matt(colour, 0.2)
     };
     scene.water = Waves {
         slope: random.between(0.003, 0.04),
         length: random.between(0.3, 2.0),
         phase: random.between(-9.0, 9.0),
     };
-    some_bars(scene, random);
+}
+
+fn mirror(random: &mut Random) -> Material {
+    Material::mirror(random.between(0.5, 0.9))
 }
 
 fn mirror_wall(scene: &mut Scene, random: &mut Random) {
-    some_bars(scene, random);
-    let mirror = Material::mirror(random.between(0.5, 0.9));
-    add_box(scene, vec3(0.0, 1.5, -2.0), vec3(3.0, 1.5, 0.05), mirror);
+    let half = vec3(3.0, 1.5, 0.05);
+    add_box(scene, vec3(0.0, 1.5, -2.0), half, mirror(random));
 }
 
 fn glass(scene: &mut Scene, random: &mut Random) {
-    some_bars(scene, random);
     let glass = Material::glass(random.one_of([1.0, 1.1, 1.3, 1.5]));
     let centre = random.vector(vec3(-0.5, 0.8, 1.0), vec3(0.5, 1.2, 2.0));
     if random.below(3) == 0 {
@@ -419,13 +395,7 @@ fn glass(scene: &mut Scene, random: &mut Random) {
         let half = random.vector(vec3(0.3, 0.4, 0.05), vec3(1.5, 0.8, 0.3));
         let block = solids::block(random, centre, half, glass);
         let axes = [block.axes, Mat3::from_rotation_y(random.between(-0.6, 0.6))];
-        add(
-            scene,
-            Block {
-                axes: random.one_of(axes),
-                ..block
-            },
-        );
+        add_turned(scene, block, random.one_of(axes));
     }
 }
 
@@ -433,55 +403,39 @@ fn add_balls(scene: &mut Scene, random: &mut Random, material: Material) {
     for _ in 0..1 + random.below(4) {
         let radius = random.between(0.25, 0.8);
         let at = random.vector(vec3(-2.0, 0.0, -2.5), vec3(2.0, 0.3, -0.2));
-        scene
-            .spheres
-            .push(Sphere::new(at + Vec3::Y * radius, radius, material));
+        let ball = Sphere::new(at + Vec3::Y * radius, radius, material);
+        scene.spheres.push(ball);
     }
 }
 
 fn mirror_balls(scene: &mut Scene, random: &mut Random) {
-    some_bars(scene, random);
-    let mirror = Material::mirror(random.between(0.5, 0.9));
-    add_balls(scene, random, mirror);
+    let material = mirror(random);
+    add_balls(scene, random, material);
 }
 
-fn nets_in_balls(scene: &mut Scene, random: &mut Random) {
-    nets(scene, random);
-    let mirror = Material::mirror(random.between(0.5, 0.9));
-    add_balls(scene, random, mirror);
+fn matt_balls(scene: &mut Scene, random: &mut Random) {
+    let material = matt(random);
+    add_balls(scene, random, material);
 }
 
-fn onto_balls(scene: &mut Scene, random: &mut Random) {
-    some_bars(scene, random);
-    let matt = Material::matt(bright(random), 0.8);
-    add_balls(scene, random, matt);
-}
-
-fn onto_boxes(scene: &mut Scene, random: &mut Random) {
-    some_bars(scene, random);
-    let matt = Material::matt(bright(random), 0.8);
+fn boxes(scene: &mut Scene, random: &mut Random) {
+    let matt = matt(random);
     for _ in 0..1 + random.below(4) {
         let half = random.vector(Vec3::splat(0.2), Vec3::splat(0.8));
         let at = random.vector(vec3(-2.0, 0.0, -2.5), vec3(2.0, 0.0, -0.5));
-        add(
-            scene,
-            Block {
-                axes: Mat3::from_rotation_y(random.between(0.0, PI)),
-                ..Block::new(Shape::Box, at + Vec3::Y * half.y, half, matt)
-            },
-        );
+        let turn = Mat3::from_rotation_y(random.between(0.0, PI));
+        let solid = Block::new(Shape::Box, at + Vec3::Y * half.y, half, matt);
+        add_turned(scene, solid, turn);
     }
 }
 
-fn onto_wall(scene: &mut Scene, random: &mut Random) {
-    some_bars(scene, random);
-    let wall = patterned(random);
-    add_box(scene, vec3(0.0, 2.2, -2.5), vec3(3.0, 2.2, 0.1), wall);
+fn wall(scene: &mut Scene, random: &mut Random) {
+    let half = vec3(3.0, 2.2, 0.1);
+    add_box(scene, vec3(0.0, 2.2, -2.5), half, patterned(random));
 }
 
-/// Shelves behind bars, whose gaps let strips of light through.
+/// Bars whose gaps let strips of light through.
 fn strips(scene: &mut Scene, random: &mut Random) {
-    shelves(scene, random);
     let bars = Bars::any(random);
     let step = 2.0 * bars.radius + random.power(-2.0, -0.7);
     for i in -6..=6 {

@@ -27,27 +27,17 @@ impl View {
         self.scene.planes[0].material = Material::mirror(0.5);
     }
 
-    pub fn without_spheres(&self) -> Self {
-        let mut view = self.clone();
-        view.scene.spheres.clear();
-        view
+    pub fn glaring(mut self) -> Self {
+        let lights = self.scene.lights.iter_mut();
+        lights.for_each(|light| light.colour *= 1e6);
+        self
     }
 
-    pub fn glaring(&self) -> Self {
-        let mut view = self.clone();
-        for light in view.scene.lights.iter_mut() {
-            light.colour *= 1e6;
-        }
-        view
-    }
-
-    pub fn with_box(&self) -> Self {
-        let mut view = self.clone();
-        let side = self.side();
-        let centre = self.scene.planes[0].centre - Vec3::Y * (100.0 * side);
+    pub fn with_box(mut self) -> Self {
+        let centre = self.scene.planes[0].centre - Vec3::Y * (100.0 * self.side());
         let hidden = Block::new(Shape::Box, centre, Vec3::ONE, Material::BLACK);
-        view.scene.blocks.push(hidden);
-        view
+        self.scene.blocks.push(hidden);
+        self
     }
 
     fn side(&self) -> f32 {
@@ -77,18 +67,15 @@ fn empty(random: &mut Random) -> View {
     let ahead = eye + across + vec3(0.01, -side * steep, 0.0);
     let plane = Plane::new(vec3(0.0, floor, 0.0), 1e5, 1e5, numbered(0, 28));
     let sizes = [[200, 160], [320, 240], [517, 61], [640, 40], [97, 203]];
-    let [width, height] = random.one_of(sizes);
-    View {
-        scene: Scene {
-            camera: Camera::new(eye, ahead, random.one_of([0.2, 0.6, 1.2, 2.6])),
-            background: Vec3::splat(10.0 / 255.0),
-            ambient: Vec3::ONE,
-            planes: List::of(&[plane]),
-            ..Scene::default()
-        },
-        width,
-        height,
-    }
+    let size = random.one_of(sizes);
+    let scene = Scene {
+        camera: Camera::new(eye, ahead, random.one_of([0.2, 0.6, 1.2, 2.6])),
+        background: Vec3::splat(10.0 / 255.0),
+        ambient: Vec3::ONE,
+        planes: List::of(&[plane]),
+        ..Scene::default()
+    };
+    View::new(scene, size)
 }
 
 /// Returns a floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden.

@@ -49,6 +49,16 @@ pub struct View {
     pub height: usize,
 }
 
+impl View {
+    pub const fn new(scene: Scene, [width, height]: [usize; 2]) -> Self {
+        Self {
+            scene,
+            width,
+            height,
+        }
+    }
+}
+
 /// Returns the materials of all spheres, planes and blocks, in this order.
 pub fn materials_of(scene: &mut Scene) -> Vec<&mut Material> {
     let spheres = scene.spheres.iter_mut().map(|sphere| &mut sphere.material);

@@ -24,14 +24,11 @@ fn among(random: &mut Random) -> View {
     let any = random.vector(Vec3::NEG_ONE, Vec3::ONE);
     let direction = random.one_of([any, any, any, Vec3::X, Vec3::NEG_Z, Vec3::NEG_Y]);
     let ahead = eye + direction + vec3(0.01, 0.0, 1e-3);
-    View {
-        scene: Scene {
-            camera: Camera::new(eye, ahead, random.between(0.2, 2.0)),
-            ..Scene::default()
-        },
-        width: 1 + random.below(160),
-        height: 1 + random.below(120),
-    }
+    let scene = Scene {
+        camera: Camera::new(eye, ahead, random.between(0.2, 2.0)),
+        ..Scene::default()
+    };
+    View::new(scene, [160, 120].map(|side| 1 + random.below(side)))
 }
 
 fn add_planes(view: &mut View, random: &mut Random) {
@@ -55,13 +52,11 @@ fn add_around(view: &mut View, random: &mut Random) {
     }
 }
 
-fn finished(view: View, random: &mut Random) -> View {
+fn finished(mut view: View, random: &mut Random) -> View {
     let coloured = coloured(&view.scene, random.one_of([1, 28]));
     let decades = random.one_of([0.0, 4.0]);
-    View {
-        scene: scaled(&coloured, random.power(-decades, decades)),
-        ..view
-    }
+    view.scene = scaled(&coloured, random.power(-decades, decades));
+    view
 }
 
 /// Returns spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
@@ -116,11 +111,7 @@ fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 
 
 /// Returns spheres, each between the corners of a square of 8 pixels.
 pub fn between_corners() -> View {
-    let mut view = View {
-        scene: Scene::default(),
-        width: 320,
-        height: 240,
-    };
+    let mut view = View::new(Scene::default(), [320, 240]);
     for row in 0..15 {
         for column in 0..20 {
             let pixel = [16 * column + 4, 16 * row + 4].map(|at| at as f32 + 0.1);

@@ -22,23 +22,20 @@ impl Seen {
     pub fn view(self, random: &mut Random) -> [View; 2] {
         let eye = vec3(0.0, random.power(-0.3, 0.8), 6.0);
         let look_at = random.vector(vec3(-2.0, -1.5, -2.0), vec3(2.0, 0.5, 0.5));
-        let without = View {
-            scene: Scene {
-                camera: Camera::new(eye, look_at, random.between(0.3, 1.4)),
-                ambient: Vec3::ONE,
-                ..Scene::default()
-            },
-            width: 320,
-            height: 240,
+        let scene = Scene {
+            camera: Camera::new(eye, look_at, random.between(0.3, 1.4)),
+            ambient: Vec3::ONE,
+            ..Scene::default()
         };
-        let mut bars = without.clone();
+        let mut bars = View::new(scene, [320, 240]);
         let light = random.vector(vec3(-6.0, 3.0, -6.0), vec3(6.0, 9.0, 6.0));
         for _ in 0..random.one_of([1, 3, 10, 25]) {
             self.add_bar(&mut bars, random, light);
         }
         let mut others = Scene {
+            camera: bars.scene.camera,
             background: Vec3::splat(0.5),
-            ..without.scene.clone()
+            ..Scene::default()
         };
         let is_floored = self != Self::Directly || random.below(2) == 0;
         if is_floored {
@@ -56,44 +53,36 @@ impl Seen {
             let sphere = Sphere::new(centre, radius, Material::BLACK);
             others.spheres.push(sphere);
         }
-        let [with, without] = [Some(&bars.scene), None].map(|bars| self.joined(&others, bars));
-        let mut views = [with, without].map(|scene| View {
-            scene,
-            ..bars.clone()
-        });
         let checkers = Pattern::checkers(random.power(-1.0, 0.5), 0.3);
         let is_patterned = self == Self::Directly && random.below(2) == 0;
-        for view in &mut views {
-            match self {
-                Self::AsShadows => {
-                    view.scene.ambient = Vec3::splat(0.2);
-                    view.scene.lights.push(Light::new(light, Vec3::ONE));
-                }
-                Self::AsImages => view.scene.background = Vec3::ZERO,
-                Self::Directly => {}
+        let mut all = others.clone();
+        all.spheres.extend(bars.scene.spheres.iter().copied());
+        all.planes.extend(bars.scene.planes.iter().copied());
+        all.blocks.extend(bars.scene.blocks.iter().copied());
+        [all, others].map(|scene| {
+            let mut scene = self.finished(&scene, is_floored, light);
+            if is_patterned && let Some(plane) = scene.planes.iter_mut().next() {
+                plane.material.pattern = checkers;
             }
-            if let Some(floor) = view.scene.planes.iter_mut().next()
-                && is_patterned
-            {
-                floor.material.pattern = checkers;
-            }
-        }
-        views
+            View::new(scene, [320, 240])
+        })
     }
 
-    fn joined(self, others: &Scene, bars: Option<&Scene>) -> Scene {
-        let mut scene = others.clone();
-        let floor = scene.planes.iter().next().map(|plane| plane.material);
-        if let Some(bars) = bars {
-            scene.spheres.extend(bars.spheres.iter().copied());
-            scene.planes.extend(bars.planes.iter().copied());
-            scene.blocks.extend(bars.blocks.iter().copied());
-        }
-        let mut coloured = coloured(&scene, 28);
-        if let (Some(floor), Some(plane)) = (floor, coloured.planes.iter_mut().next()) {
-            plane.material = floor;
+    /// Colours all but the floor and the background, and adds the light.
+    fn finished(self, scene: &Scene, is_floored: bool, light: Vec3) -> Scene {
+        let mut coloured = coloured(scene, 28);
+        if is_floored {
+            coloured.planes[0].material = scene.planes[0].material;
         }
         coloured.background = scene.background;
+        match self {
+            Self::AsShadows => {
+                coloured.ambient = Vec3::splat(0.2);
+                coloured.lights.push(Light::new(light, Vec3::ONE));
+            }
+            Self::AsImages => coloured.background = Vec3::ZERO,
+            Self::Directly => {}
+        }
         coloured
     }
 

@@ -2,7 +2,6 @@
 
 mod leaving;
 mod neighbours;
-mod patterns;
 mod precision;
 mod refraction;
 mod scenes;
@@ -12,7 +11,6 @@ extern crate std;
 
 use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
-use super::queue::Queue;
 use super::rays::Rays;
 use super::sample::Sum;
 use super::shade::shade;
@@ -38,9 +36,6 @@ trait Kernels {
     fn hits(&self, world: World<'_>, packet: &Packet, departure: u32) -> [(f32, u32); MAX_LANES];
 
     fn meets(&self, world: World<'_>, packet: &Packet) -> [Met; MAX_LANES];
-
-    /// Returns what the pixels from (x, y) to the right show.
-    fn pixels(&self, world: World<'_>, x: usize, y: usize) -> [Met; MAX_LANES];
 
     fn shaded(
         &self,
@@ -167,7 +162,6 @@ struct Met {
     error: f32,
     departure: u32,
     is_inside: bool,
-    reflectance: f32,
 }
 
 struct Shaded {
@@ -227,7 +221,6 @@ impl<S: Isa> By<S> {
             error: point.hit_error.as_slice()[i],
             departure: point.departure.as_slice()[i],
             is_inside: point.inside.to_bitmask() >> i & 1 == 1,
-            reflectance: point.reflectance.as_slice()[i],
         })
     }
 }
@@ -248,12 +241,6 @@ impl<S: Isa> Kernels for By<S> {
 
     fn meets(&self, world: World<'_>, packet: &Packet) -> [Met; MAX_LANES] {
         self.met(world, &self.rays(packet, 0))
-    }
-
-    fn pixels(&self, world: World<'_>, x: usize, y: usize) -> [Met; MAX_LANES] {
-        let mut queue = Queue::new();
-        (0..lanes::<S>()).for_each(|lane| queue.push_pixel(x + lane, y));
-        self.met(world, &queue.primary_rays(self.0, world, 0))
     }
 
     fn shaded(
