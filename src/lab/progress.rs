@@ -1,17 +1,17 @@
-use std::io::{IsTerminal, Write, stderr};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{IsTerminal, stderr};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Between lines: few in a log, and no doubt whether the program hangs; smooth on a terminal.
-const EVERY: [Duration; 2] = [Duration::from_secs(10), Duration::from_millis(100)];
+/// Between lines: few in a log, and no doubt whether the program hangs.
+const LINE_EVERY: Duration = Duration::from_secs(10);
 
-/// A line that changes on a terminal, else a line now and then. It has no thread, which would disturb measurements.
+/// A bar on a terminal, else a line now and then. It has no thread, which would disturb measurements.
 pub struct Progress {
-    steps: usize,
+    bar: ProgressBar,
     start: Instant,
-    is_terminal: bool,
-    /// Finished steps, and the time of the last line.
-    state: Mutex<(usize, Instant)>,
+    /// The time of the last line; `None` on a terminal.
+    line: Option<Mutex<Instant>>,
 }
 
 pub fn bar(steps: usize) -> Progress {
@@ -20,38 +20,40 @@ pub fn bar(steps: usize) -> Progress {
 
 impl Progress {
     pub fn new(steps: usize, is_terminal: bool, start: Instant) -> Self {
+        let target = if is_terminal {
+            ProgressDrawTarget::stderr()
+        } else {
+            ProgressDrawTarget::hidden()
+        };
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} to go");
+        let bar = ProgressBar::with_draw_target(Some(steps as u64), target);
         Self {
-            steps,
+            bar: bar.with_style(style.expect("the template is right")),
             start,
-            is_terminal,
-            state: Mutex::new((0, start)),
+            line: (!is_terminal).then(|| start.into()),
         }
     }
 
-    pub fn inc(&self, steps: usize) {
-        if let Some(line) = self.after(steps, Instant::now()) {
-            let (before, end) = [("", "\n"), ("\r", "\x1b[K")][usize::from(self.is_terminal)];
-            // A closed terminal shows none.
-            let _ = write!(stderr(), "{before}{line}{end}");
+    pub fn inc(&self, steps: u64) {
+        self.bar.inc(steps);
+        if let Some(line) = self.due(Instant::now()) {
+            eprintln!("{line}");
         }
     }
 
-    /// Counts finished steps. Returns a line if the last one is long ago.
-    pub fn after(&self, steps: usize, now: Instant) -> Option<String> {
-        let (finished, last) = &mut *self.state.lock().ok()?;
-        *finished += steps;
-        if now - *last < EVERY[usize::from(self.is_terminal)] {
+    /// Returns a line if the last one is long ago.
+    pub fn due(&self, now: Instant) -> Option<String> {
+        let mut last = self.line.as_ref()?.lock().ok()?;
+        if now - *last < LINE_EVERY {
             return None;
         }
         *last = now;
-        let share = *finished as f64 / self.steps as f64;
+        let share = self.bar.position() as f64 / self.bar.length()? as f64;
         let left = (now - self.start).as_secs_f64() * (1.0 / share - 1.0);
         Some(format!("{:.0} %, {left:.0} s to go", 1e2 * share))
     }
 
     pub fn finish_and_clear(&self) {
-        if self.is_terminal {
-            let _ = write!(stderr(), "\r\x1b[K");
-        }
+        self.bar.finish_and_clear();
     }
 }

@@ -59,16 +59,15 @@ fn missing_memory_fails_in_one_line() {
 }
 
 #[test]
-fn progress_has_line_every_ten_seconds_in_a_log() {
+fn progress_without_terminal_has_line_every_ten_seconds() {
     let start = Instant::now();
-    let lines = |is_terminal, milliseconds: [u64; 4]| {
-        let progress = Progress::new(20, is_terminal, start);
-        milliseconds.map(|at| progress.after(5, start + Duration::from_millis(at)))
-    };
-    let line = |text: &str| Some(text.to_owned());
-    let [half, all] = ["50 %, 10 s to go", "100 %, 0 s to go"].map(line);
-    let expected = [None, half, None, all];
-    assert_eq!(lines(false, [9_000, 10_000, 11_000, 20_000]), expected);
-    let [most, all] = ["75 %, 0 s to go", "100 %, 0 s to go"].map(line);
-    assert_eq!(lines(true, [50, 99, 100, 200]), [None, None, most, all]);
+    let progress = Progress::new(10, false, start);
+    progress.inc(5);
+    let after = |seconds| progress.due(start + Duration::from_secs(seconds));
+    let lines = [9, 10, 11, 20].map(after);
+    let line = |left: &str| Some(format!("50 %, {left} s to go"));
+    assert_eq!(lines, [None, line("10"), None, line("20")]);
+    let progress = Progress::new(10, true, start);
+    progress.inc(5);
+    assert_eq!(progress.due(start + Duration::from_secs(99)), None);
 }
