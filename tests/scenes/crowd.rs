@@ -7,40 +7,33 @@ const REACH: f32 = 5.0;
 
 fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     let kind = random.between(0.0, 1.0);
-    let plastic = Material {
+    let mut plastic = Material {
         colour: random.vector(Vec3::splat(0.05), Vec3::ONE),
-        kd: 0.8,
         ks: random.between(0.0, 1.0),
         exponent: 60.0,
         ..Material::BLACK
     };
-    if kind < glass {
-        Material {
-            kd: 0.1,
-            kr: 0.1,
-            kt: 0.8,
-            index: random.between(1.1, 1.6),
-            ..plastic
-        }
+    let (kd, kr, kt) = if kind < glass {
+        plastic.index = random.between(1.1, 1.6);
+        (0.1, 0.1, 0.8)
     } else if kind < glass + mirrors {
-        Material {
-            kd: 0.2,
-            kr: random.between(0.3, 0.8),
-            ..plastic
-        }
+        (0.2, random.between(0.3, 0.8), 0.0)
     } else {
-        plastic
+        (0.8, 0.0, 0.0)
+    };
+    Material {
+        kd,
+        kr,
+        kt,
+        ..plastic
     }
 }
 
 /// Returns a crowd of `spheres` and `blocks`, with these shares of glass and mirrors, over checkers or a plain floor. Up to sixteen
 /// are large, and large glass spheres contain up to three others.
 pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
-    let eye = vec3(
-        0.0,
-        random.between(0.6, 8.0),
-        REACH * random.between(1.0, 2.2),
-    );
+    let (height, away) = (random.between(0.6, 8.0), random.between(1.0, 2.2));
+    let eye = vec3(0.0, height, REACH * away);
     let look_at = Vec3::Y * REACH * random.between(0.1, 0.5);
     let mut floor = material(random, [0.0, shares[1]]);
     if random.below(2) == 0 {

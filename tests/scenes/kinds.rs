@@ -120,11 +120,8 @@ fn place(random: &mut Random) -> Vec3 {
 
 pub fn outside(random: &mut Random) -> Camera {
     let (angle, distance) = (random.between(0.0, 6.3), random.between(7.0, 14.0));
-    let eye = vec3(
-        distance * angle.sin(),
-        random.between(0.5, 6.0),
-        distance * angle.cos(),
-    );
+    let height = random.between(0.5, 6.0);
+    let eye = vec3(distance * angle.sin(), height, distance * angle.cos());
     let look_at = random.vector(vec3(-1.0, 0.2, -1.0), Vec3::ONE);
     Camera::new(eye, look_at, random.between(0.3, 1.6))
 }
@@ -180,11 +177,11 @@ fn add_groups(scene: &mut Scene, random: &mut Random) {
         1 => add(&mut scene.spheres, beside(direction, 0.5 * last.radius)),
         2 => add(&mut scene.spheres, beside(direction, -0.5 * last.radius)),
         3 => {
-            let half = vec3(random.power(-3.0, -1.0), 1.0, 0.1);
+            let radius = random.power(-3.0, -1.0);
             for i in 0..12 {
                 let centre = vec3(0.4 * i as f32 - 2.4, 1.0, 0.0);
-                let rod = solids::fitting(Shape::Cylinder, half);
-                let rod = Block::new(Shape::Cylinder, centre, rod, last.material);
+                let half = vec3(radius, 1.0, radius);
+                let rod = Block::new(Shape::Cylinder, centre, half, last.material);
                 add(&mut scene.blocks, rod);
             }
         }

@@ -99,11 +99,15 @@ impl Bounds {
         Self { prepared, coverage }
     }
 
+    fn number(&self, is_asked: impl Fn(Outline) -> bool) -> Option<usize> {
+        let listed = self.coverage.outlines[..self.coverage.outlined].iter();
+        listed.copied().position(is_asked)
+    }
+
     /// Returns whether a listed outline reaches the pixels around a place.
     fn have(&self, scene: &Scene, [x, y]: [usize; 2], is_asked: impl Fn(Outline) -> bool) -> bool {
         let (prepared, coverage) = (&*self.prepared, &*self.coverage);
-        let listed = coverage.outlines[..coverage.outlined].iter();
-        let Some(number) = listed.copied().position(is_asked) else {
+        let Some(number) = self.number(is_asked) else {
             return false;
         };
         let rect = coverage.axes.rect(rectangle(x, y, x + 1, y + 1));
@@ -112,14 +116,10 @@ impl Bounds {
         let [from, to] = region.narrow(rects);
         coverage.screen[number].meets(rect) && from.as_slice()[0] <= to.as_slice()[0]
     }
+}
 
-    fn have_shadow(&self, scene: &Scene, place: [usize; 2], solid: usize) -> bool {
-        self.have(
-            scene,
-            place,
-            |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid),
-        )
-    }
+fn is_shadow_of(solid: usize) -> impl Fn(Outline) -> bool {
+    move |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid)
 }
 
 /// Returns the least distance of the segment between two points from a block's centre, where the surface is at 1.
@@ -180,12 +180,13 @@ proptest! {
             let points = [sphere.centre.as_dvec3() + in_sphere, within(block, at)];
             for (solid, point) in points.into_iter().enumerate() {
                 if let Some(place) = seen(axes, scene.camera.eye, point) {
-                    let is_asked = |outline| matches!(outline, Outline::Object(id) if id.index() == solid);
+                    let is_asked = |it| matches!(it, Outline::Object(id) if id.index() == solid);
                     prop_assert!(bounds.have(&scene, place, is_asked));
                 }
                 let below = light + (point - light) * (light.y / (light.y - point.y));
                 if let Some(place) = seen(axes, scene.camera.eye, below) {
-                    prop_assert!(bounds.have_shadow(&scene, place, solid), "{solid}, {place:?}");
+                    let is_there = bounds.have(&scene, place, is_shadow_of(solid));
+                    prop_assert!(is_there, "{solid}, {place:?}");
                 }
             }
         }
@@ -207,19 +208,11 @@ fn certain_points_are_in_shadow() {
         let (coverage, axes) = (&bounds.coverage, &bounds.coverage.axes);
         let (eye, block) = (scene.camera.eye.as_dvec3(), &scene.blocks[0]);
         let light = scene.lights[0].position.as_dvec3();
-        let mut outlines = coverage.outlines[..coverage.outlined].iter();
-        let number = outlines.position(
-            |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == 1),
-        );
-        let Some(number) = number else { continue };
-        let prepared = &bounds.prepared;
-        let region = coverage.region(
-            World {
-                scene: &scene,
-                prepared,
-            },
-            number,
-        );
+        let Some(number) = bounds.number(is_shadow_of(1)) else {
+            continue;
+        };
+        let (scene, prepared) = (&scene, &bounds.prepared);
+        let region = coverage.region(World { scene, prepared }, number);
         for &at in &points {
             let point = within(block, at);
             let below = light + (point - light) * (light.y / (light.y - point.y));
@@ -231,11 +224,7 @@ fn certain_points_are_in_shadow() {
                 let [right, down, ahead] = axes.rows.map(|row| row.as_dvec3());
                 let d = right * f64::from(rect.x) + down * f64::from(rect.y) + ahead;
                 let off = nearest(block, eye - d * (eye.y / d.y), light);
-                let most = if block.shape == Shape::Box {
-                    1.0
-                } else {
-                    1.087
-                };
+                let most = [1.087, 1.0][usize::from(block.shape == Shape::Box)];
                 assert!(off < most + 1e-3, "{off} of {block:?}");
                 certain += 1;
             }
@@ -249,15 +238,11 @@ fn small_shadows_have_small_bounds() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let (mut met, mut tried) = (0, 0);
     for _ in 0..200 {
-        let mut scene = scene(0.0, 0.0)
-            .new_tree(&mut runner)
-            .expect("it has no filter")
-            .current();
+        let tree = scene(0.0, 0.0).new_tree(&mut runner);
+        let mut scene = tree.expect("it has no filter").current();
         scene.spheres[0].radius = 0.02;
-        let coverage = Bounds::of(&scene).coverage;
-        let shadow = coverage.outlines[..coverage.outlined].iter().position(
-            |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == 0),
-        );
+        let bounds = Bounds::of(&scene);
+        let (coverage, shadow) = (&bounds.coverage, bounds.number(is_shadow_of(0)));
         for y in (0..SIZE[1]).step_by(8) {
             for x in (0..SIZE[0]).step_by(8) {
                 let rect = coverage.axes.rect(rectangle(x, y, x + 8, y + 8));

@@ -44,24 +44,20 @@ fn assert_spheres_are_left(by: &dyn Kernels, isa: &str, most: Option<f64>) {
     let (mut count, mut left, mut entered) = (0, 0, 0);
     while count < SHAPES {
         let radius = 10_f64.powf(random.between(-4.0, 4.0));
-        let centre = match most {
-            Some(most) => random.vector(-4.0, most).as_vec3(),
-            None => Vec3::ZERO,
-        };
+        let centre = most.map_or(DVec3::ZERO, |most| random.vector(-4.0, most));
+        let centre = centre.as_vec3();
         let o = random.vector(-8.0, 8.0);
         let aim = centre.as_dvec3() + radius * share(&mut random);
         let (o, d) = (o.as_vec3(), unit(aim - o));
         let scene = prepared(&one_sphere(centre, radius as f32, Material::default()));
         let world = scene.world();
-        let Some(Met {
-            p, n, is_inside, ..
-        }) = met(by, world, o, d)
-        else {
+        let Some(met) = met(by, world, o, d) else {
             count += usize::from(random.bits().is_multiple_of(8));
             continue;
         };
         count += 1;
-        let outward = if is_inside { -n } else { n }.as_dvec3();
+        let p = met.p;
+        let outward = if met.is_inside { -met.n } else { met.n }.as_dvec3();
         let what = std::format!("{isa}: radius {radius} at {centre}, from {o} along {d}");
         // Two roundings of the largest coordinate: about the error of the hit.
         let largest = f64::from(centre.abs().max_element()) + radius;
@@ -164,10 +160,9 @@ fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
         let kind = i % 4;
         // Rounding must not move a point from one side to another.
         let scale = 10_f64.powf(random.between(-3.0, 3.0));
-        let (decades, scale, centre) = if is_far {
-            (4.0, 1.0, DVec3::ZERO)
-        } else {
-            (1.0, scale, scale * random.vector(-3.0, 1.5))
+        let (decades, scale, centre) = match is_far {
+            true => (4.0, 1.0, DVec3::ZERO),
+            false => (1.0, scale, scale * random.vector(-3.0, 1.5)),
         };
         let half = share(&mut random).map(|share| scale * 10_f64.powf(decades * share));
         let shape = [Shape::Box, Shape::Box, Shape::Cylinder, Shape::Capsule][kind];
@@ -189,23 +184,15 @@ fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
         let half = block.half.as_dvec3();
         let within = block.axes.as_dmat3() * (share(&mut random) * half);
         let aim = block.centre.as_dvec3() + within;
-        let o = if is_far {
-            random.vector(-8.0, 8.0)
-        } else {
-            aim + random.direction() * (2.0 * half.length())
+        let o = match is_far {
+            true => random.vector(-8.0, 8.0),
+            false => aim + random.direction() * (2.0 * half.length()),
         };
         let (o, d) = (o.as_vec3(), unit(aim - o));
         let Some(met) = met(by, world, o, d).filter(|met| !met.is_inside) else {
             continue;
         };
-        let Met {
-            t,
-            p,
-            n,
-            error,
-            departure,
-            ..
-        } = met;
+        let (p, n, error, departure) = (met.p, met.n, met.error, met.departure);
         let what = std::format!("{isa}: {block:?} from {o} along {d}");
         let direction = || random.direction_from(n);
         each_ray(by, world, (p, departure), RAYS, direction, |d, t| {
@@ -215,12 +202,10 @@ fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
         if is_far {
             continue;
         }
-        for (point, errors) in [(o + t * d, 0.0), (p, 1.0)] {
+        for (point, errors) in [(o + met.t * d, 0.0), (p, 1.0)] {
             let off = outside(&block, point) / f64::from(error);
-            assert!(
-                (off - errors).abs() < 0.5,
-                "{what}: {point} is {off} errors off"
-            );
+            let is_near = (off - errors).abs() < 0.5;
+            assert!(is_near, "{what}: {point} is {off} errors off");
         }
         assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
         let direction = || random.direction_from(-n);

@@ -83,11 +83,7 @@ impl Random {
     /// Returns a number of random sign whose decimal logarithm is uniform between `low` and `high`.
     fn of_magnitude(&mut self, low: f64, high: f64) -> f64 {
         let number = 10_f64.powf(self.between(low, high));
-        if self.bits() & 1 == 0 {
-            number
-        } else {
-            -number
-        }
+        [number, -number][(self.bits() & 1) as usize]
     }
 
     fn vector(&mut self, low: f64, high: f64) -> DVec3 {
@@ -202,27 +198,6 @@ impl<S: Isa> By<S> {
             hit
         })
     }
-
-    #[inline(never)]
-    fn met(&self, world: World<'_>, rays: &Rays<S>) -> [Met; MAX_LANES] {
-        let simd = self.0;
-        let hit = self.nearest(world, rays);
-        let point = by_isa!(simd: {
-            let active = first(simd, lanes::<S>());
-            let mut rows = SurfaceRows::NONE;
-            let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
-            ShadingPoint::new(simd, world, rays, &hit, &surface, active)
-        });
-        each::<S, _>(|i| Met {
-            t: hit.t.as_slice()[i],
-            object: hit.object.as_slice()[i],
-            p: lane(point.p, i),
-            n: lane(point.n, i),
-            error: point.hit_error.as_slice()[i],
-            departure: point.departure.as_slice()[i],
-            is_inside: point.inside.to_bitmask() >> i & 1 == 1,
-        })
-    }
 }
 
 impl<S: Isa> Kernels for By<S> {
@@ -240,7 +215,24 @@ impl<S: Isa> Kernels for By<S> {
     }
 
     fn meets(&self, world: World<'_>, packet: &Packet) -> [Met; MAX_LANES] {
-        self.met(world, &self.rays(packet, 0))
+        let simd = self.0;
+        let rays = self.rays(packet, 0);
+        let hit = self.nearest(world, &rays);
+        let point = by_isa!(simd: {
+            let active = first(simd, lanes::<S>());
+            let mut rows = SurfaceRows::NONE;
+            let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
+            ShadingPoint::new(simd, world, &rays, &hit, &surface, active)
+        });
+        each::<S, _>(|i| Met {
+            t: hit.t.as_slice()[i],
+            object: hit.object.as_slice()[i],
+            p: lane(point.p, i),
+            n: lane(point.n, i),
+            error: point.hit_error.as_slice()[i],
+            departure: point.departure.as_slice()[i],
+            is_inside: point.inside.to_bitmask() >> i & 1 == 1,
+        })
     }
 
     fn shaded(

@@ -29,23 +29,15 @@ fn ray(random: &mut Random) -> Ray {
         DVec3::new(number(), number().abs(), number())
     };
     let (from, to) = (place(9.0), place(3.0));
-    (
-        from.as_vec3(),
-        unit(to - from),
-        random.between(0.005, 1.0) as f32,
-    )
+    let weight = random.between(0.005, 1.0) as f32;
+    (from.as_vec3(), unit(to - from), weight)
 }
 
 fn nonsense(random: &mut Random) -> Ray {
     let mut bad = ray(random);
-    let number = [
-        f32::NAN,
-        f32::INFINITY,
-        f32::NEG_INFINITY,
-        0.0,
-        f32::MAX,
-        1e-42,
-    ][random.bits() as usize % 6];
+    let (nan, infinity) = (f32::NAN, f32::INFINITY);
+    let numbers = [nan, infinity, -infinity, 0.0, f32::MAX, 1e-42];
+    let number = numbers[random.bits() as usize % 6];
     match random.bits() % 8 {
         0 => bad.0 = Vec3::splat(number),
         1 => bad.1 = Vec3::splat(number),

@@ -44,10 +44,8 @@ fn assert_light_is_conserved(by: &dyn Kernels, isa: &str) {
                 let n = DVec3::new(f64::from(x), 0.0, (1.0 - f64::from(x).powi(2)).sqrt());
                 let cosine = d.as_dvec3().dot(n);
                 let exact = (1.0 - (f64::from(x) / sine).powi(2)).max(0.0).sqrt();
-                assert!(
-                    cosine > -1e-6 && (cosine - exact).abs() < 2e-3 * f64::from(index),
-                    "{what}: {cosine} for {exact}"
-                );
+                let is_exact = (cosine - exact).abs() < 2e-3 * f64::from(index);
+                assert!(cosine > -1e-6 && is_exact, "{what}: {cosine} for {exact}");
             } else {
                 total += 1;
                 assert!(beyond > -unsure, "{what} reflects all");
@@ -84,11 +82,8 @@ fn assert_lengths_are_one(by: &dyn Kernels, isa: &str) {
         directions[0] = unit(if at == 0.0 { DVec3::ONE } else { -o.as_dvec3() });
         let rays = packet(o, &directions);
         let shaded = by.shaded(scene.world(), &Quality::EXHAUSTIVE, &rays, &mut batch);
-        let secondary = shaded
-            .iter()
-            .take(by.lanes())
-            .flat_map(|lane| lane.secondary);
-        for (_, d, weight) in secondary.flatten() {
+        let used = shaded.iter().take(by.lanes());
+        for (_, d, weight) in used.flat_map(|lane| lane.secondary).flatten() {
             assert_unit(d, isa);
             assert!(weight > 0.0 && weight < 1.0, "{isa}: {weight}");
             count += 1;
