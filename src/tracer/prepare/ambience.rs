@@ -58,7 +58,7 @@ impl Tap {
     };
 }
 
-/// The taps' heights as shares of the reach, and their weights, from the farthest. A point on whose normal the farthest tap is its own
+/// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. A point on whose normal the farthest tap is its own
 /// height or more away from a block is out of range of all taps.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 

@@ -35,8 +35,8 @@ pub(super) fn light<S: Isa>(
         return open;
     }
     let around = Surroundings::new(simd, point, near);
-    let [share, bounced] = around.gather(tracer, point, near);
-    Vec3x::select(near, open.scaled(share.x) + bounced, open)
+    let (share, bounced) = around.gather(tracer, point, near);
+    Vec3x::select(near, open.scaled(share) + bounced, open)
 }
 
 /// The part of the hemisphere that solids cover.
@@ -68,14 +68,14 @@ impl Surroundings {
         }
     }
 
-    /// Returns the uncovered share, in each channel, and the light that solids reflect.
+    /// Returns the uncovered share and the light that solids reflect.
     #[inline(always)]
     fn gather<S: Isa>(
         &self,
         tracer: Tracer<'_, S>,
         point: &ShadingPoint<S>,
         near: M<S>,
-    ) -> [Vec3x<S>; 2] {
+    ) -> (F<S>, Vec3x<S>) {
         let (simd, world) = (tracer.isa, tracer.world);
         let ambience = &world.ambience;
         let mut open = splat(simd, 1.0);
@@ -101,14 +101,7 @@ impl Surroundings {
                 open = open - open * share;
             }
         }
-        [
-            Vec3x {
-                x: open,
-                y: open,
-                z: open,
-            },
-            bounced,
-        ]
+        (open, bounced)
     }
 
     /// Returns which of the solids from `first` on may cover light.

@@ -59,7 +59,7 @@ fn missing_memory_fails_in_one_line() {
 }
 
 #[test]
-fn progress_without_terminal_has_line_every_ten_seconds() {
+fn progress_without_terminal_is_a_line_per_10_s() {
     let start = Instant::now();
     let progress = Progress::new(10, false, start);
     progress.inc(5);
