@@ -31,12 +31,7 @@ impl Source for Kick {
 
 fn scene(time: f32) -> Scene {
     let beat = time % BEAT / BEAT;
-    let material = Material {
-        colour: vec3(1.0, 0.5, 0.1),
-        kd: 0.7,
-        kr: 0.2,
-        ..Material::BLACK
-    };
+    let material = Material { colour: vec3(1.0, 0.5, 0.1), kd: 0.7, kr: 0.2, ..Material::BLACK };
     let mut scene = Scene::default();
     scene.camera.eye = vec3(4.0 - 0.8 * time, 2.0, -6.0);
     scene.background = vec3(0.1, 0.12, 0.2);

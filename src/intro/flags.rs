@@ -55,12 +55,7 @@ const FLAGS: &[Flag] = &[
 ];
 
 const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'static str) -> Flag {
-    Flag {
-        switch,
-        name,
-        value,
-        help,
-    }
+    Flag { switch, name, value, help }
 }
 
 /// The width of flags and values in `--help`, in characters.
@@ -73,10 +68,7 @@ const _: () = {
     let mut i = 0;
     while i < FLAGS.len() {
         let flag = &FLAGS[i];
-        assert!(
-            flag.switch as usize == i,
-            "a flag for each switch, in order"
-        );
+        assert!(flag.switch as usize == i, "a flag for each switch, in order");
         assert!(flag.name.len() + flag.value.len() <= COLUMN);
         assert!(!flag.help.is_empty());
         i += 1;

@@ -124,9 +124,7 @@ impl Options {
             }
         }
         if options.psnr.is_some() && (options.has_fps || options.quality.is_some()) {
-            return Err(Misuse::Conflict(
-                "--psnr conflicts with --fps and --quality",
-            ));
+            return Err(Misuse::Conflict("--psnr conflicts with --fps and --quality"));
         }
         Ok(options)
     }

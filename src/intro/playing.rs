@@ -42,11 +42,7 @@ impl Source for Music {
 pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let (width, height) = options.size;
-    let open = if options.has_size {
-        Window::open
-    } else {
-        Window::open_on_monitor
-    };
+    let open = if options.has_size { Window::open } else { Window::open_on_monitor };
     let window = open(c"Eightfold", width, height);
     if let Err(why) = &window {
         let place = if Terminal::is_there() {
@@ -85,9 +81,7 @@ pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
             None => playing.on(&mut Headless::new(width, height)),
         },
     };
-    let Playing {
-        renderer, tally, ..
-    } = &playing;
+    let Playing { renderer, tally, .. } = &playing;
     tally.report(output, renderer, options);
     code
 }
@@ -110,11 +104,8 @@ impl Playing<'_> {
         let options = self.options;
         let is_default = options.is_uncapped && options.psnr.is_none();
         let kept = options.quality.or(is_default.then_some(qualities::DEFAULT));
-        let length = options.length.unwrap_or(if options.is_looping {
-            u64::MAX
-        } else {
-            SHOW_NANOSECONDS
-        });
+        let length =
+            options.length.unwrap_or(if options.is_looping { u64::MAX } else { SHOW_NANOSECONDS });
         let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
         // A target accuracy counts for frames of full size.
         if options.psnr.is_none() && kept.is_none() {
@@ -151,8 +142,7 @@ impl Playing<'_> {
                 Some(governor) => governor.frame(counts.probes),
                 None => by_rate.frame(Duration::from_nanos(shown - start)),
             }
-            self.tally
-                .count(shown, size, divisor, quality, counts.probes);
+            self.tally.count(shown, size, divisor, quality, counts.probes);
             match next {
                 Next::End(code) => return code,
                 Next::Toggle => self.has_hud = !self.has_hud,

@@ -20,7 +20,5 @@ pub const DEFAULT: usize = Quality::DEFAULT_PRESET;
 pub const EXHAUSTIVE: usize = PRESETS + 1;
 
 pub fn find(name: &[u8]) -> Option<usize> {
-    NAMED
-        .iter()
-        .position(|&(known, _)| known.as_bytes() == name)
+    NAMED.iter().position(|&(known, _)| known.as_bytes() == name)
 }

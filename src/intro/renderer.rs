@@ -39,11 +39,7 @@ pub struct ShowRenderer {
 impl ShowRenderer {
     #[inline(never)]
     pub fn new(options: &Options, isa: Isa) -> ShowRenderer {
-        let Workspace {
-            scene,
-            memory,
-            workers,
-        } = WORKSPACE.take();
+        let Workspace { scene, memory, workers } = WORKSPACE.take();
         let threads = options.threads.unwrap_or_else(pool::processors);
         ShowRenderer {
             isa,
@@ -75,8 +71,7 @@ impl ShowRenderer {
         show::at(seconds, self.scene);
         let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels)
             .with_probes(Frame::PROBES, number as u32);
-        self.renderer
-            .render_valid(self.scene, quality, frame, &mut self.threads)
+        self.renderer.render_valid(self.scene, quality, frame, &mut self.threads)
     }
 
     /// Returns the threads, for other work between frames.

@@ -17,10 +17,7 @@ use super::{
 /// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     if line::is_terminal(line::OUTPUT) {
-        line::complain(
-            "standard output is a terminal; must be a file or a pipe",
-            "",
-        );
+        line::complain("standard output is a terminal; must be a file or a pipe", "");
         return MISUSE;
     }
     let (_, quality) = &NAMED[options.quality.unwrap_or(qualities::DEFAULT)];

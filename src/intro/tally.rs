@@ -121,11 +121,8 @@ impl Tally {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
             let is_latin = line::is_terminal(line::OUTPUT) && !Terminal::is_utf8();
-            let text = if is_latin {
-                ", $ +- $ dB to exhaustive"
-            } else {
-                ", $ ± $ dB to exhaustive"
-            };
+            let text =
+                if is_latin { ", $ +- $ dB to exhaustive" } else { ", $ ± $ dB to exhaustive" };
             output.format(text, &[psnr, margin]);
         }
         if let Some(asked) = options.psnr
@@ -142,12 +139,7 @@ fn hundredths(time: u64) -> u64 {
 
 #[inline(never)]
 fn line(letters: &[u8], middle: f32) -> Caption {
-    Caption {
-        letters: letters.iter().copied().collect(),
-        middle,
-        size: 0.03,
-        brightness: 1.0,
-    }
+    Caption { letters: letters.iter().copied().collect(), middle, size: 0.03, brightness: 1.0 }
 }
 
 /// Returns the probes' PSNR and its 95 % margin in tenths of a dB.

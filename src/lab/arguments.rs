@@ -92,14 +92,8 @@ pub struct NamedQuality {
 }
 
 impl NamedQuality {
-    pub const EXHAUSTIVE: Self = Self {
-        name: "exhaustive",
-        quality: Quality::EXHAUSTIVE,
-    };
-    pub const THESIS: Self = Self {
-        name: "thesis",
-        quality: Quality::THESIS,
-    };
+    pub const EXHAUSTIVE: Self = Self { name: "exhaustive", quality: Quality::EXHAUSTIVE };
+    pub const THESIS: Self = Self { name: "thesis", quality: Quality::THESIS };
 
     /// Returns exhaustive, thesis, then the presets from finest to fastest.
     pub fn all() -> impl Iterator<Item = Self> {
@@ -113,12 +107,10 @@ impl FromStr for NamedQuality {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        Self::all()
-            .find(|quality| quality.name == name)
-            .ok_or_else(|| {
-                let names: Vec<&str> = Self::all().map(|quality| quality.name).collect();
-                format!("must be one of {}", names.join(", "))
-            })
+        Self::all().find(|quality| quality.name == name).ok_or_else(|| {
+            let names: Vec<&str> = Self::all().map(|quality| quality.name).collect();
+            format!("must be one of {}", names.join(", "))
+        })
     }
 }
 

@@ -23,9 +23,7 @@ pub fn bitmap(
     area.present()?;
     drop(area);
     let pixels = rgb.as_chunks().0.iter();
-    Ok(pixels
-        .map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b]))
-        .collect())
+    Ok(pixels.map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b])).collect())
 }
 
 pub fn at([x, y]: [usize; 2]) -> (i32, i32) {
@@ -41,10 +39,9 @@ pub fn text(size: u32, style: FontStyle) -> TextStyle<'static> {
 pub fn register_fonts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
-        for (style, font) in [
-            (FontStyle::Normal, ttf_noto_sans::REGULAR),
-            (FontStyle::Bold, ttf_noto_sans::BOLD),
-        ] {
+        for (style, font) in
+            [(FontStyle::Normal, ttf_noto_sans::REGULAR), (FontStyle::Bold, ttf_noto_sans::BOLD)]
+        {
             let registered = register_font("sans-serif", style, font);
             assert!(registered.is_ok(), "the font is valid");
         }

@@ -42,11 +42,8 @@ impl Build {
     }
 
     pub fn program(&self, name: &str) -> Result<PathBuf> {
-        let path = self
-            .artifact("bin", name)
-            .and_then(|artifact| artifact["executable"].as_str());
-        path.map(PathBuf::from)
-            .with_context(|| format!("{name} is missing from cargo's output"))
+        let path = self.artifact("bin", name).and_then(|artifact| artifact["executable"].as_str());
+        path.map(PathBuf::from).with_context(|| format!("{name} is missing from cargo's output"))
     }
 
     /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Its name is the packed program's in `deps`.
@@ -72,9 +69,7 @@ impl Build {
 
     /// Returns the output folder of a program's build script.
     fn script_folder(&self, program: &str) -> Result<PathBuf> {
-        let package = self
-            .artifact("bin", program)
-            .map(|artifact| &artifact["package_id"]);
+        let package = self.artifact("bin", program).map(|artifact| &artifact["package_id"]);
         let mut scripts = self.of_reason("build-script-executed");
         scripts
             .find(|message| Some(&message["package_id"]) == package)
@@ -91,8 +86,6 @@ impl Build {
     }
 
     fn of_reason(&self, reason: &str) -> impl Iterator<Item = &Value> {
-        self.messages
-            .iter()
-            .filter(move |message| message["reason"] == reason)
+        self.messages.iter().filter(move |message| message["reason"] == reason)
     }
 }

@@ -64,10 +64,7 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
     let count = trace.squares().count();
     let most = all.rays().max().unwrap_or(1);
     let points = format!("Traced points, white\n{:.1} % of all pixels", 1e2 * traced);
-    let frame = format!(
-        "{scene} at {time} s, {}\n{psnr:.1} dB to exhaustive",
-        arguments.quality
-    );
+    let frame = format!("{scene} at {time} s, {}\n{psnr:.1} dB to exhaustive", arguments.quality);
     let squares = format!("Squares: the smaller, the brighter\n{count} squares");
     let own = format!("Rays per point, white for {most}\n{share:.1} % of exhaustive");
     let every = format!("Exhaustive: rays, white for {most}\n{per_pixel:.1} per pixel");

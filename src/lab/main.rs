@@ -52,9 +52,7 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     };
     complain(&format!("{error:#}"));
-    error
-        .downcast_ref::<Exit>()
-        .map_or(ExitCode::FAILURE, |exit| exit.code.into())
+    error.downcast_ref::<Exit>().map_or(ExitCode::FAILURE, |exit| exit.code.into())
 }
 
 fn explain(error: &clap::Error) -> ExitCode {

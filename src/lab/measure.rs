@@ -95,10 +95,7 @@ impl Measurement {
     /// first frame of each shot is drawn.
     pub fn run(&self) -> Vec<Setting> {
         let mut settings = self.settings();
-        let renderers = self
-            .threads
-            .iter()
-            .map(|&count| ThreadedRenderer::new(count));
+        let renderers = self.threads.iter().map(|&count| ThreadedRenderer::new(count));
         let mut renderers: Vec<ThreadedRenderer> = renderers.collect();
         let largest = self.sizes.iter().map(|size| size.area()).max();
         let mut pictures = [(); 2].map(|()| vec![0; largest.unwrap_or(0)]);
@@ -133,11 +130,7 @@ impl Measurement {
     /// Omits captions, which enlarged frames would enlarge.
     fn scene(&self, name: SceneName, time: f32) -> Scene {
         let mut scene = name.without_overlay(time);
-        if self
-            .techniques
-            .iter()
-            .any(|it| it.sampling != Sampling::Full)
-        {
+        if self.techniques.iter().any(|it| it.sampling != Sampling::Full) {
             scene.captions.clear();
             scene.copper_bars.clear();
         }

@@ -30,12 +30,7 @@ const FILLS: [Fill; 4] = [Fill::Flat, Fill::Bilinear, Fill::Patterned, Fill::Poi
 impl FrameTrace {
     pub fn new(width: usize, height: usize) -> Self {
         let zeros = || (0..width * height).map(|_| AtomicU32::new(0)).collect();
-        Self {
-            width,
-            height,
-            rays: zeros(),
-            squares: zeros(),
-        }
+        Self { width, height, rays: zeros(), squares: zeros() }
     }
 
     pub fn rays(&self) -> impl Iterator<Item = u32> {
@@ -124,9 +119,7 @@ pub fn heat(share: f32) -> u32 {
     static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
         let bytes = nv_flip::magma_lut().to_vec();
         let colours = bytes.as_chunks().0.iter();
-        colours
-            .map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b]))
-            .collect()
+        colours.map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b])).collect()
     });
     SCALE[(share.clamp(0.0, 1.0) * 255.0).round() as usize]
 }

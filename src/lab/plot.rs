@@ -5,12 +5,8 @@ use plotters::prelude::*;
 
 const SIZE: (u32, u32) = (960, 600);
 /// Distinguishable in colour blindness, too (Okabe and Ito).
-const COLOURS: [RGBColor; 4] = [
-    RGBColor(150, 150, 150),
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-];
+const COLOURS: [RGBColor; 4] =
+    [RGBColor(150, 150, 150), RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115)];
 
 /// The horizontal axis is logarithmic.
 pub struct Chart {
@@ -35,10 +31,7 @@ impl Chart {
         let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
         area.fill(&WHITE)?;
         let points = || self.series.iter().flat_map(|series| &series.points);
-        let [x, y] = [
-            range(points().map(|at| at.0)),
-            range(points().map(|at| at.1)),
-        ];
+        let [x, y] = [range(points().map(|at| at.0)), range(points().map(|at| at.1))];
         let powers = (-3..9).map(|power| 10_f64.powi(power));
         let ticks = powers.flat_map(|power| [power, 2.0 * power, 5.0 * power]);
         let room = 0.05 * (y.1 - y.0).max(1.0);
@@ -48,9 +41,7 @@ impl Chart {
             .x_label_area_size(46)
             .y_label_area_size(60)
             .build_cartesian_2d(
-                (x.0 / 1.1..x.1 * 1.2)
-                    .log_scale()
-                    .with_key_points(ticks.collect()),
+                (x.0 / 1.1..x.1 * 1.2).log_scale().with_key_points(ticks.collect()),
                 y.0 - room..y.1 + room,
             )?;
         chart
@@ -88,8 +79,6 @@ impl Chart {
 }
 
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let all = values.fold((f64::INFINITY, 0.0), |all: (f64, f64), x| {
-        (all.0.min(x), all.1.max(x))
-    });
+    let all = values.fold((f64::INFINITY, 0.0), |all: (f64, f64), x| (all.0.min(x), all.1.max(x)));
     if all.0 > all.1 { (1.0, 2.0) } else { all }
 }

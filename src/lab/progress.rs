@@ -20,11 +20,8 @@ pub fn bar(steps: usize) -> Progress {
 
 impl Progress {
     pub fn new(steps: usize, is_terminal: bool, start: Instant) -> Self {
-        let target = if is_terminal {
-            ProgressDrawTarget::stderr()
-        } else {
-            ProgressDrawTarget::hidden()
-        };
+        let target =
+            if is_terminal { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} to go");
         let bar = ProgressBar::with_draw_target(Some(steps as u64), target);
         Self {

@@ -23,16 +23,12 @@ pub fn start() {
         exit(1);
     }));
     let limits = fs::read_to_string("/proc/self/limits").unwrap_or_default();
-    let limit = limits
-        .lines()
-        .find_map(|line| line.strip_prefix("Max stack size"));
+    let limit = limits.lines().find_map(|line| line.strip_prefix("Max stack size"));
     let bytes = limit.and_then(|limit| limit.split_whitespace().next()?.parse::<u64>().ok());
     if let Some(kilobytes) = bytes.map(|bytes| bytes >> 10)
         && kilobytes < STACK
     {
-        complain(&format!(
-            "stack limit in kB is {kilobytes}; must be {STACK} or more"
-        ));
+        complain(&format!("stack limit in kB is {kilobytes}; must be {STACK} or more"));
         exit(1);
     }
 }

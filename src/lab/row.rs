@@ -157,9 +157,7 @@ const RACES: [Column<Race>; 8] = [
     ("dB to 64 samples", |race| known(race.own.psnr_to_64_db, 1)),
     ("resolution", |race| known(race.enlarged[0], 2)),
     ("its dB to 64", |race| known(race.enlarged[1], 1)),
-    ("ahead by", |race| {
-        known(race.own.psnr_to_64_db - race.enlarged[1], 1)
-    }),
+    ("ahead by", |race| known(race.own.psnr_to_64_db - race.enlarged[1], 1)),
     ("checkerboard", |race| {
         let row = race.checkerboard.as_ref();
         let [speedup, psnr] = [row.map(|row| row.speedup), row.map(|row| row.psnr_to_64_db)];

@@ -57,9 +57,7 @@ pub fn look(
             } else {
                 let reference = technique.reference();
                 let frames = scenes.iter();
-                own = frames
-                    .map(|scene| draw(&reference, scene, renderer))
-                    .collect();
+                own = frames.map(|scene| draw(&reference, scene, renderer)).collect();
                 &own
             };
             let mut before: Vec<u32> = Vec::new();

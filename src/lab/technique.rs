@@ -35,20 +35,8 @@ thread_local! {
 
 impl Technique {
     pub fn new(name: &str, quality: Quality, antialias: bool, sampling: Sampling) -> Self {
-        let edge = if antialias {
-            quality.edge
-        } else {
-            Quality::EXHAUSTIVE.edge
-        };
-        Self {
-            name: name.to_owned(),
-            quality: Quality {
-                antialias,
-                edge,
-                ..quality
-            },
-            sampling,
-        }
+        let edge = if antialias { quality.edge } else { Quality::EXHAUSTIVE.edge };
+        Self { name: name.to_owned(), quality: Quality { antialias, edge, ..quality }, sampling }
     }
 
     pub fn named(named: NamedQuality, antialias: bool) -> Self {
@@ -68,10 +56,7 @@ impl Technique {
             Self::new(&name, Quality::EXHAUSTIVE, antialias, sampling)
         });
         let (exhaustive, sampling) = (Quality::EXHAUSTIVE, Sampling::Checkerboard);
-        let unguarded = Quality {
-            guarded: false,
-            ..Quality::DEFAULT
-        };
+        let unguarded = Quality { guarded: false, ..Quality::DEFAULT };
         enlarged.chain([
             Self::new("checkerboard", exhaustive, false, sampling),
             Self::new("unguarded", unguarded, antialias, Sampling::Full),

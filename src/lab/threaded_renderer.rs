@@ -32,16 +32,10 @@ impl ThreadedRenderer {
     pub fn new(threads: usize) -> Self {
         let pool = Pool::new(threads);
         let started = pool.threads();
-        assert!(
-            started == threads,
-            "number of started threads is {started}; must be {threads}"
-        );
+        assert!(started == threads, "number of started threads is {started}; must be {threads}");
         Self {
             memory: BoxedMemory::new(),
-            threads: PoolThreads {
-                pool,
-                workers: Worker::several(threads),
-            },
+            threads: PoolThreads { pool, workers: Worker::several(threads) },
             offset: [0.0; 2],
             probing: Probing::default(),
         }
@@ -105,9 +99,7 @@ impl ThreadedRenderer {
 
     fn whole<'a>(&self, width: usize, pixels: &'a mut [u32]) -> Frame<'a> {
         let ([x, y], Probing { count, seed }) = (self.offset, self.probing);
-        whole(width, pixels)
-            .with_offset(x, y)
-            .with_probes(count, seed)
+        whole(width, pixels).with_offset(x, y).with_probes(count, seed)
     }
 }
 

@@ -32,7 +32,5 @@ pub fn wav(samples: &[[f32; 2]]) -> Vec<u8> {
     ];
     let header = header.into_iter().flat_map(u32::to_le_bytes);
     let samples = samples.iter().flatten();
-    header
-        .chain(samples.flat_map(|sample| sample.to_le_bytes()))
-        .collect()
+    header.chain(samples.flat_map(|sample| sample.to_le_bytes())).collect()
 }

@@ -57,14 +57,9 @@ impl Segment {
         let mut bytes = Vec::with_capacity(Segment::SIZE);
         bytes.extend(self.kind.to_le_bytes());
         bytes.extend(self.flags.to_le_bytes());
-        for number in [
-            self.offset,
-            self.address,
-            self.physical_address,
-            self.file_size,
-            self.size,
-            PAGE,
-        ] {
+        for number in
+            [self.offset, self.address, self.physical_address, self.file_size, self.size, PAGE]
+        {
             bytes.extend(number.to_le_bytes());
         }
         bytes
@@ -100,28 +95,16 @@ pub fn kind(file: &[u8]) -> Result<u16, Error> {
 
 pub fn segments(file: &[u8]) -> Result<Vec<Segment>, Error> {
     kind(file)?;
-    let bytes = file
-        .get(segment_range(file))
-        .ok_or("program headers are outside the file")?;
-    Ok(bytes
-        .chunks_exact(Segment::SIZE)
-        .map(Segment::read)
-        .collect())
+    let bytes = file.get(segment_range(file)).ok_or("program headers are outside the file")?;
+    Ok(bytes.chunks_exact(Segment::SIZE).map(Segment::read).collect())
 }
 
 /// Writes the program headers, and removes the section headers.
 pub fn set_segments(file: &mut [u8], segments: &[Segment]) -> Result<(), Error> {
     let range = segment_range(file);
-    let bytes: Vec<u8> = segments
-        .iter()
-        .flat_map(|segment| segment.to_bytes())
-        .collect();
-    let place = file
-        .get_mut(range)
-        .filter(|place| place.len() == bytes.len());
-    place
-        .ok_or("program headers are outside the file")?
-        .copy_from_slice(&bytes);
+    let bytes: Vec<u8> = segments.iter().flat_map(|segment| segment.to_bytes()).collect();
+    let place = file.get_mut(range).filter(|place| place.len() == bytes.len());
+    place.ok_or("program headers are outside the file")?.copy_from_slice(&bytes);
     file[40..48].fill(0);
     file[58..64].fill(0);
     Ok(())
@@ -141,10 +124,7 @@ impl Section {
     pub fn find(file: &object::File<'_>, name: &str) -> Option<Section> {
         let section = file.section_by_name(name)?;
         let (start, size) = section.file_range()?;
-        Some(Section {
-            address: section.address(),
-            range: start as usize..(start + size) as usize,
-        })
+        Some(Section { address: section.address(), range: start as usize..(start + size) as usize })
     }
 
     /// Returns the file range of `length` bytes from `address` on, if the section contains them.
@@ -159,8 +139,5 @@ impl Section {
 /// Reads a little-endian number of `size` bytes; returns 0 beyond the end.
 pub fn number(bytes: &[u8], place: usize, size: usize) -> u64 {
     let bytes = bytes.get(place..place + size).unwrap_or_default();
-    bytes
-        .iter()
-        .rev()
-        .fold(0, |number, &byte| number << 8 | u64::from(byte))
+    bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
 }

@@ -13,12 +13,7 @@ const LOW: u32 = 40;
 
 impl Encoder {
     pub fn new() -> Encoder {
-        Encoder {
-            byte: 0,
-            low: 0,
-            range: 1 << 32,
-            written: Vec::new(),
-        }
+        Encoder { byte: 0, low: 0, range: 1 << 32, written: Vec::new() }
     }
 
     fn shift(&mut self) {

@@ -78,9 +78,7 @@ fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Error> {
 }
 
 fn checksum(bytes: &[u8]) -> u32 {
-    bytes.iter().fold(0x811c_9dc5, |hash, &byte| {
-        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
-    })
+    bytes.iter().fold(0x811c_9dc5, |hash, &byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
 /// The maximum size of a program with its loader, which unpacks in 16 seconds.

@@ -24,11 +24,9 @@ const RECORD: usize = 24;
 pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
     let file = object::File::parse(&*program)?;
     let section = |name| Section::find(&file, name);
-    if let (Some(names), Some(records), Some(code)) = (
-        section(".rodata"),
-        section(".data.rel.ro"),
-        section(".text"),
-    ) && is_redirected(&file, program, &code)
+    if let (Some(names), Some(records), Some(code)) =
+        (section(".rodata"), section(".data.rel.ro"), section(".text"))
+        && is_redirected(&file, program, &code)
     {
         blank(program, &names, &records);
     }
@@ -42,10 +40,9 @@ fn is_redirected(file: &object::File<'_>, program: &[u8], code: &Section) -> boo
             .find(|symbol| symbol.is_definition() && symbol.name().is_ok_and(is_it))
             .map(|symbol| symbol.address())
     };
-    let (Some(handler), Some(abort)) = (
-        address(|name| name.ends_with(HANDLER)),
-        address(|name| name == ABORT),
-    ) else {
+    let (Some(handler), Some(abort)) =
+        (address(|name| name.ends_with(HANDLER)), address(|name| name == ABORT))
+    else {
         return false;
     };
     code.place(handler, 5).is_some_and(|jump| {
@@ -80,9 +77,8 @@ fn location(
     let (address, length) = (number(program, place, 8), number(program, place + 8, 8));
     let name = names.place(address, length)?;
     let text = &program[name.clone()];
-    let is_path = text
-        .iter()
-        .all(|byte| byte.is_ascii_alphanumeric() || b"/._-+<>() ".contains(byte));
+    let is_path =
+        text.iter().all(|byte| byte.is_ascii_alphanumeric() || b"/._-+<>() ".contains(byte));
     (line != 0 && column != 0 && is_path && text.ends_with(b".rs")).then_some(name)
 }
 
@@ -101,17 +97,9 @@ mod tests {
             let halves = [line, column].map(u32::to_le_bytes);
             [words.as_flattened(), halves.as_flattened()].concat()
         };
-        let section = |start, end| Section {
-            address: BASE + start as u64,
-            range: start..end,
-        };
+        let section = |start, end| Section { address: BASE + start as u64, range: start..end };
         // The second has no line, the fourth no path.
-        let records = [
-            record(0, 12, 5),
-            record(8, 0, 7),
-            record(16, 3, 1),
-            record(24, 3, 1),
-        ];
+        let records = [record(0, 12, 5), record(8, 0, 7), record(16, 3, 1), record(24, 3, 1)];
         let before = [NAMES, &records.concat()].concat();
         let mut after = before.clone();
         let names = section(0, NAMES.len());

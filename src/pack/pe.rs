@@ -148,10 +148,8 @@ impl Imports {
     pub fn new(library: &str, functions: &[&str], addresses: u64, names: u64) -> Imports {
         let library_at = (names + Imports::DIRECTORY) as u32;
         let descriptors = [0, 0, 0, library_at, addresses as u32, 0, 0, 0, 0, 0];
-        let mut imports = Imports {
-            addresses: Vec::new(),
-            names: descriptors.map(u32::to_le_bytes).concat(),
-        };
+        let mut imports =
+            Imports { addresses: Vec::new(), names: descriptors.map(u32::to_le_bytes).concat() };
         let bytes = &mut imports.names;
         bytes.extend(library.as_bytes());
         bytes.push(0);

@@ -38,11 +38,7 @@ impl<'a> Stub<'a> {
                 }
             }
         }
-        Ok(Stub {
-            file,
-            sections,
-            size,
-        })
+        Ok(Stub { file, sections, size })
     }
 
     pub fn size(&self) -> usize {
@@ -119,10 +115,7 @@ impl<'a> Stub<'a> {
         }
         let name = symbol.name()?;
         // A possible panic in the stub ends up here: its panic handler calls an undefined function.
-        names
-            .get(name)
-            .copied()
-            .ok_or_else(|| format!("stub symbol {name} is undefined").into())
+        names.get(name).copied().ok_or_else(|| format!("stub symbol {name} is undefined").into())
     }
 }
 

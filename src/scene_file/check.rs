@@ -16,10 +16,7 @@ const AFTER: f32 = 1.0;
 /// Returns the end and the start of each direction, which must not vanish.
 fn directions(scene: &mut Scene) -> Vec<(&mut Vec3, Vec3)> {
     let camera = &mut scene.camera;
-    let mut ends = vec![
-        (&mut camera.look_at, camera.eye),
-        (&mut camera.up, Vec3::ZERO),
-    ];
+    let mut ends = vec![(&mut camera.look_at, camera.eye), (&mut camera.up, Vec3::ZERO)];
     let spots = scene.lights.iter_mut().filter_map(|it| it.spot.as_mut());
     ends.extend(spots.map(|spot| (&mut spot.aim, Vec3::ZERO)));
     ends
@@ -44,9 +41,7 @@ fn distances(scene: &mut Scene) -> Vec<f32> {
 impl Moving {
     pub fn check(&self, length: f32) -> Result<(), Mistake> {
         self.valid(0.0)?;
-        self.parts()
-            .iter()
-            .try_for_each(|part| part.check_alone(length))
+        self.parts().iter().try_for_each(|part| part.check_alone(length))
     }
 
     /// Returns the moving objects and materials, each with its motions, and the other fields together.
@@ -71,10 +66,7 @@ impl Moving {
         let has_items = |node: &Node| {
             node.name == "materials" || node.kind == Kind::List && !node.parts.iter().all(is_number)
         };
-        let mut part = Self {
-            tree: self.tree.clone(),
-            ..Self::default()
-        };
+        let mut part = Self { tree: self.tree.clone(), ..Self::default() };
         let fields = &mut part.tree.parts;
         if !self.tree.get(list).is_some_and(has_items) {
             fields.retain(|node| !has_items(node));
@@ -87,10 +79,7 @@ impl Moving {
         if list == "materials" {
             let sphere = format!("(spheres: [(centre: (0, 0, 0), radius: 1, material: {name:?})])");
             fields.extend(Node::read(&sphere).unwrap_or_default().parts);
-            part.alias = [
-                "spheres[0].material".to_owned(),
-                format!("{list}[{name:?}]"),
-            ];
+            part.alias = ["spheres[0].material".to_owned(), format!("{list}[{name:?}]")];
         }
         part
     }
@@ -133,9 +122,7 @@ impl Moving {
         let between = |pair: &[f32]| {
             let (start, step) = (pair[0], (pair[1] - pair[0]) / f32::from(STEPS));
             let last = pair[1].next_down();
-            (1..STEPS)
-                .map(move |i| start + f32::from(i) * step)
-                .chain([last])
+            (1..STEPS).map(move |i| start + f32::from(i) * step).chain([last])
         };
         let between: Vec<f32> = times.windows(2).flat_map(between).collect();
         times.into_iter().chain(between)

@@ -84,19 +84,10 @@ impl SceneFile {
         if let Some(materials) = tree.get("materials") {
             BTreeMap::<String, Material>::deserialize(materials)?;
         }
-        let moving = Moving {
-            tree,
-            motions,
-            ..Moving::default()
-        };
+        let moving = Moving { tree, motions, ..Moving::default() };
         moving.check(length)?;
         let (name, text) = (name.to_owned(), text.to_owned());
-        Ok(Self {
-            name,
-            length,
-            text,
-            moving,
-        })
+        Ok(Self { name, length, text, moving })
     }
 
     pub fn at(&self, time: f32) -> Scene {
@@ -110,10 +101,7 @@ impl SceneFile {
     /// One line: file, line, column, value, range.
     pub fn check(&self, time: f32) -> Result<(), String> {
         let scene = self.moving.valid(time);
-        scene.map_or_else(
-            |mistake| Err(place(&self.name, &self.text, &mistake)),
-            |_| Ok(()),
-        )
+        scene.map_or_else(|mistake| Err(place(&self.name, &self.text, &mistake)), |_| Ok(()))
     }
 }
 

@@ -102,13 +102,8 @@ pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {
         && whole.ends_with(is_digit)
         && rest.starts_with(is_digit)
     {
-        let start = whole
-            .trim_end_matches(|letter| is_digit(letter) || letter == '-')
-            .len();
-        let (whole, part) = (
-            &whole[start..],
-            rest.split(|letter| !is_digit(letter)).next(),
-        );
+        let start = whole.trim_end_matches(|letter| is_digit(letter) || letter == '-').len();
+        let (whole, part) = (&whole[start..], rest.split(|letter| !is_digit(letter)).next());
         let part = part.unwrap_or_default();
         let message = format!("number is {whole},{part}; must be {whole}.{part}");
         return (start, message);

@@ -137,10 +137,7 @@ impl Motion {
         let [before, start, end, after] = places.map(|i| self.keys[i].time);
         let [a, b, c, d] = places.map(|i| self.keys[i].numbers[n]);
         let length = end - start;
-        [
-            (c - a) * (length / (end - before)),
-            (d - b) * (length / (after - start)),
-        ]
+        [(c - a) * (length / (end - before)), (d - b) * (length / (after - start))]
     }
 
     /// Returns the extremes of a spline between the key `i` and the next one, 0 to 1: the roots of its derivative.
@@ -182,11 +179,7 @@ impl Motion {
     pub fn frozen(&self) -> Self {
         let (at, numbers) = self.at(0.0);
         let time = 0.0;
-        Self {
-            of: self.of.clone(),
-            keys: vec![Key { at, time, numbers }],
-            ..*self
-        }
+        Self { of: self.of.clone(), keys: vec![Key { at, time, numbers }], ..*self }
     }
 
     /// Returns the last key's time.

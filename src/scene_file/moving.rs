@@ -59,10 +59,7 @@ impl Moving {
         let (value, rule) = match (is_set(&motion), &numbers[..]) {
             (true, _) => (format!("{path} to {}", error.found), String::new()),
             (_, [number]) => (format!("{} to {number}", motion.of), path + " "),
-            _ => (
-                format!("{} to [{}]", motion.of, numbers.join(", ")),
-                path + " ",
-            ),
+            _ => (format!("{} to [{}]", motion.of, numbers.join(", ")), path + " "),
         };
         let millisecond = (time * 1e3).round() / 1e3;
         let message =

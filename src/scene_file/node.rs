@@ -144,8 +144,7 @@ impl<'de> Visitor<'de> for Reader<'_> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Node, A::Error> {
         let mut list = Node::new(String::new(), 0, Kind::List);
         while let Some(item) = items.next_element()? {
-            list.parts
-                .push(self.node(list.parts.len().to_string(), item));
+            list.parts.push(self.node(list.parts.len().to_string(), item));
         }
         Ok(list)
     }
@@ -202,13 +201,10 @@ impl fmt::Display for Mistake {
 /// Translates serde's words for a type.
 fn plain(expected: &dyn Expected) -> String {
     let text = expected.to_string().replace("struct ", "fields of ");
-    let text = text
-        .replace("f32 values", "numbers")
-        .replace("f32", "a number");
+    let text = text.replace("f32 values", "numbers").replace("f32", "a number");
     let text = text.replace("a boolean", "true or false");
     let text = text.replace("a map", "a table");
-    text.replace("elements in sequence", "items")
-        .replace("sequence", "list")
+    text.replace("elements in sequence", "items").replace("sequence", "list")
 }
 
 impl de::Error for Mistake {

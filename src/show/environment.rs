@@ -25,12 +25,7 @@ pub(super) struct Environment {
 
 /// Highlights above four fifths roll off, and the corners of a wide picture are a quarter darker, which guides the eye to the
 /// centre.
-pub(super) const SHOW: Film = Film {
-    shoulder: 0.8,
-    vignette: 0.08,
-    dither: 1.0,
-    ..Film::PLAIN
-};
+pub(super) const SHOW: Film = Film { shoulder: 0.8, vignette: 0.08, dither: 1.0, ..Film::PLAIN };
 
 /// Half the side of a seemingly endless floor, whose edge haze hides.
 pub(super) const FAR: f32 = 100.0;
@@ -62,11 +57,7 @@ impl Environment {
         scene.planes.push(floor);
         scene.water = Waves::CALM;
         if self.swell > 0.0 {
-            scene.water = Waves {
-                slope: self.swell,
-                length: SWELL,
-                phase: PACE * beat,
-            };
+            scene.water = Waves { slope: self.swell, length: SWELL, phase: PACE * beat };
         }
         scene.lights.clear();
         for &light in self.lights {

@@ -44,14 +44,7 @@ fn material(random: &mut Random) -> Material {
     let mut channel = || 0.12 + 0.8 * random.fraction();
     let colour = vec3(channel(), channel(), channel());
     if kind < 0.6 {
-        Material {
-            colour,
-            kd: 0.7,
-            ks: 0.5,
-            exponent: 40.0,
-            kr: 0.2,
-            ..Material::BLACK
-        }
+        Material { colour, kd: 0.7, ks: 0.5, exponent: 40.0, kr: 0.2, ..Material::BLACK }
     } else if kind < 0.8 {
         Material {
             colour: Vec3::splat(0.6) + 0.4 * colour,

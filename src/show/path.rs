@@ -31,10 +31,7 @@ pub(super) const fn keyframe(
 
 impl Keyframe {
     pub const fn overlaid(self, points: f32, squares: f32, picture: f32, coarse: f32) -> Self {
-        Self {
-            overlay: vec4(points, squares, picture, coarse),
-            ..self
-        }
+        Self { overlay: vec4(points, squares, picture, coarse), ..self }
     }
 
     pub const fn swept(self, front: f32) -> Self {
@@ -43,10 +40,7 @@ impl Keyframe {
 
     pub const fn rolled(self, roll: f32) -> Self {
         let [angle, distance, height, _] = self.away.to_array();
-        Self {
-            away: vec4(angle, distance, height, roll),
-            ..self
-        }
+        Self { away: vec4(angle, distance, height, roll), ..self }
     }
 }
 
@@ -106,9 +100,12 @@ mod tests {
         let target = (coordinate(), coordinate(), coordinate(), -3.0_f32..3.0);
         let any = (target, 1.0_f32..20.0, 0.0_f32..5.0, -0.2_f32..0.2);
         let any = any.prop_map(|((x, y, z, angle), distance, height, roll)| {
-            keyframe([x, y, z], angle, distance, height)
-                .rolled(roll)
-                .overlaid(roll.abs(), 0.5, 1.0, 0.0)
+            keyframe([x, y, z], angle, distance, height).rolled(roll).overlaid(
+                roll.abs(),
+                0.5,
+                1.0,
+                0.0,
+            )
         });
         uniform5(any)
     }

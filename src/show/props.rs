@@ -63,11 +63,7 @@ const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size:
 impl Prop {
     /// Repeats the object in a grid of `count` along x and z, `spacing` scene units apart.
     pub const fn repeat(self, count: [u8; 2], spacing: [f32; 2]) -> Self {
-        Self {
-            count,
-            spacing,
-            ..self
-        }
+        Self { count, spacing, ..self }
     }
 
     pub const fn moving(self, motion: Motion) -> Self {
@@ -131,13 +127,7 @@ pub(super) fn add_block(
     material: &Material,
     scene: &mut Scene,
 ) {
-    scene.blocks.push(Block {
-        centre,
-        half,
-        axes,
-        shape,
-        material: *material,
-    });
+    scene.blocks.push(Block { centre, half, axes, shape, material: *material });
 }
 
 /// Returns the number of ticks after `beat` beats. Each begins on a beat and takes 0.625 beats.

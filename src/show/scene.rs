@@ -22,13 +22,7 @@ pub(super) struct Shot {
 
 impl ShowScene {
     pub const fn new(environment: &'static Environment, shots: &'static [Shot]) -> ShowScene {
-        ShowScene {
-            environment,
-            environment_since: 0,
-            shots,
-            captions: &[],
-            min_aspect: 0.0,
-        }
+        ShowScene { environment, environment_since: 0, shots, captions: &[], min_aspect: 0.0 }
     }
 
     pub const fn bars(&self) -> u32 {

@@ -24,9 +24,7 @@ pub fn at(time: f32, scene: &mut Scene) {
 /// Sets a scene like [`at`], without a transition's coarse squares. Returns the transition's halvings.
 pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
     let (shown, bar) = playing(&ALL, |scene| scene.bars(), time / BAR);
-    shown
-        .environment
-        .apply((bar + shown.environment_since as f32) * BEATS, scene);
+    shown.environment.apply((bar + shown.environment_since as f32) * BEATS, scene);
     let kick = shown.environment.kick_response * pulse(time).kick;
     for light in scene.lights.iter_mut() {
         light.colour *= 1.0 + FLASH * kick;

@@ -204,10 +204,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     },
     PAD,
     // The second pad, a little more detuned. Its chords start on another note, which swaps the notes' sides in stereo.
-    Instrument {
-        detune: 0.007,
-        ..PAD
-    },
+    Instrument { detune: 0.007, ..PAD },
     // Arpeggio.
     Instrument {
         notes: Notes::Tone(24),

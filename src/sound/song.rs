@@ -39,9 +39,7 @@ static LIGHT: [u8; BARS] = indices_of(
     b"012246 445678 66778898 54456789 889aab 99aabb 543468 eeffff b86421", DIGITS);
 
 /// MIDI notes of the melody's digits 1 to f: A minor from A4 up.
-static SCALE: [u8; 16] = [
-    0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93,
-];
+static SCALE: [u8; 16] = [0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93];
 
 /// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
 /// [`Notes`](super::instruments::Notes) defines; 0 starts none.

@@ -37,11 +37,7 @@ impl Synthesizer {
     pub const fn new() -> Self {
         Self {
             voices: [Voice::ZERO; _],
-            mood: Mood {
-                kick: Vec4::ZERO,
-                next_kick: Vec4::ZERO,
-                light: Vec4::ZERO,
-            },
+            mood: Mood { kick: Vec4::ZERO, next_kick: Vec4::ZERO, light: Vec4::ZERO },
             mixes: [Mix::SILENCE; CHUNK],
             space: Space::ZERO,
             mean: Vec4::ZERO,
@@ -117,11 +113,7 @@ impl Synthesizer {
                 }
             }
             self.step += 1;
-            self.wait = if self.step % 2 == 1 {
-                CHUNKS + SWING
-            } else {
-                CHUNKS - SWING
-            };
+            self.wait = if self.step % 2 == 1 { CHUNKS + SWING } else { CHUNKS - SWING };
         }
         self.wait -= 1;
     }

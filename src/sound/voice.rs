@@ -17,12 +17,8 @@ pub(super) struct Mix {
 }
 
 impl Mix {
-    pub const SILENCE: Mix = Mix {
-        dry: Vec4::ZERO,
-        echo: Vec4::ZERO,
-        room: Vec4::ZERO,
-        noise: [0.0; 4],
-    };
+    pub const SILENCE: Mix =
+        Mix { dry: Vec4::ZERO, echo: Vec4::ZERO, room: Vec4::ZERO, noise: [0.0; 4] };
 }
 
 /// Common settings of all voices in a chunk. All four lanes are equal.
@@ -179,11 +175,7 @@ impl Filter {
         let g = x / (1.0 + x * x * (-1.0 / 3.0));
         let damping = instrument.damping;
         let a1 = (1.0 + g * (g + damping)).recip();
-        Filter {
-            a1,
-            a2: g * a1,
-            a3: g * g * a1,
-        }
+        Filter { a1, a2: g * a1, a3: g * g * a1 }
     }
 
     #[inline(always)]

@@ -21,13 +21,8 @@ pub struct Counts {
 
 impl Counts {
     /// All zeros.
-    pub const NONE: Self = Self {
-        points: 0,
-        rays: 0,
-        shadow_rays: 0,
-        lanes: 0,
-        probes: Probes::NONE,
-    };
+    pub const NONE: Self =
+        Self { points: 0, rays: 0, shadow_rays: 0, lanes: 0, probes: Probes::NONE };
 }
 
 impl core::ops::Add for Counts {
@@ -66,11 +61,7 @@ const UNSEEN: f32 = 200.0;
 
 impl Probes {
     /// No probes.
-    pub const NONE: Self = Self {
-        pixels: 0,
-        squares: 0,
-        fourths: 0,
-    };
+    pub const NONE: Self = Self { pixels: 0, squares: 0, fourths: 0 };
 
     /// Halves all sums, so that later probes weigh twice as much.
     pub fn halve(&mut self) {
@@ -82,11 +73,7 @@ impl Probes {
     pub(crate) fn compare(&mut self, drawn: u32, traced: u32) {
         let channels = drawn.to_le_bytes().into_iter().zip(traced.to_le_bytes());
         let square: u64 = channels.map(|(a, b)| u64::from(a.abs_diff(b)).pow(2)).sum();
-        *self += Self {
-            pixels: 1,
-            squares: square,
-            fourths: square * square,
-        };
+        *self += Self { pixels: 1, squares: square, fourths: square * square };
     }
 
     /// Returns an unbiased estimate of a channel's mean squared error, in steps of 1/255; NaN without probes.

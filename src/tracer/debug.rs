@@ -39,21 +39,11 @@ mod tests {
         let frame = format!("{:?}", Frame::new(64, 48, &mut pixels));
         assert!(frame.starts_with("Frame { width: 64, height: 48, stride: 64, "));
         let renderer = format!("{:?}", Renderer::detect());
-        assert!(
-            renderer.starts_with("Renderer { kernels: Kernels { level: "),
-            "{renderer}"
-        );
+        assert!(renderer.starts_with("Renderer { kernels: Kernels { level: "), "{renderer}");
         let governor = format!("{:?}", AccuracyGovernor::new(42.0));
         assert!(governor.contains("target: 42.0, preset: 0"), "{governor}");
         let threads = format!("{:?}", ScopedThreads::of(2));
-        assert_eq!(
-            threads,
-            "ScopedThreads { workers: [Worker { .. }, Worker { .. }] }"
-        );
-        assert!(
-            [frame, renderer, governor]
-                .iter()
-                .all(|text| text.len() < 400)
-        );
+        assert_eq!(threads, "ScopedThreads { workers: [Worker { .. }, Worker { .. }] }");
+        assert!([frame, renderer, governor].iter().all(|text| text.len() < 400));
     }
 }

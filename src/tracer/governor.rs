@@ -97,10 +97,7 @@ impl Governor {
     /// Also selects a [divisor](Governor::divisor) if the fastest preset is too slow.
     #[must_use]
     pub fn with_smaller_frames(self) -> Self {
-        Self {
-            last: RUNGS - 1,
-            ..self
-        }
+        Self { last: RUNGS - 1, ..self }
     }
 
     /// Selects the fastest frames, for a start or a change that makes finer ones very late. Steps down would take a second.
@@ -133,11 +130,7 @@ impl Governor {
         let budget = self.budget;
         let time = (time.as_nanos() as u64).min(MAX_LATENESS * budget);
         self.age += 1;
-        self.mean = if self.age == 1 {
-            time
-        } else {
-            (3 * self.mean + time) / 4
-        };
+        self.mean = if self.age == 1 { time } else { (3 * self.mean + time) / 4 };
         let hold = (CALM / budget).max(2);
         let too_late = TOO_LATE.min(hold);
         // A sixteenth of the budget is reserved for the system.
@@ -153,11 +146,7 @@ impl Governor {
         if self.before > 0 && self.age <= COMPARED {
             *threshold = self.mean * (budget / 6 * 5) / self.before;
         }
-        self.calm = if self.mean < *threshold {
-            self.calm + 1
-        } else {
-            0
-        };
+        self.calm = if self.mean < *threshold { self.calm + 1 } else { 0 };
         let has_doubt = self.rung >= PRESETS && self.mean > *threshold / 2;
         let hold = if has_doubt { SIZE_CALM * hold } else { hold };
         if self.late == too_late && self.rung < self.last {

@@ -122,11 +122,7 @@ fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
         },
     );
     // No leading zeros.
-    Some(if number > 0 {
-        b'0' + (number % 10) as u8
-    } else {
-        b' '
-    })
+    Some(if number > 0 { b'0' + (number % 10) as u8 } else { b' ' })
 }
 
 /// Returns the distance from a point to the nearest of a letter's strokes, in grid units, at most 1.

@@ -60,10 +60,7 @@ impl<'a> Frame<'a> {
     /// evenly.
     #[must_use]
     pub const fn with_offset(self, x: f32, y: f32) -> Self {
-        Self {
-            offset: vec2(x, y),
-            ..self
-        }
+        Self { offset: vec2(x, y), ..self }
     }
 
     /// Probes `count` pixels: traces them as [`Quality::reference`] does, and compares them with the frame. The results are in
@@ -76,10 +73,7 @@ impl<'a> Frame<'a> {
     /// frames a second, the estimate is accurate to 1 or 2 dB after a second, and to some tenths of a dB after a minute.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
-        Self {
-            probing: Probing { count, seed },
-            ..self
-        }
+        Self { probing: Probing { count, seed }, ..self }
     }
 }
 
@@ -178,13 +172,6 @@ impl Band<'_> {
     }
 
     pub(crate) const fn none() -> Self {
-        Self {
-            top: 0,
-            width: 0,
-            stride: 1,
-            pixels: &mut [],
-            counts: Counts::NONE,
-            rough: &mut [],
-        }
+        Self { top: 0, width: 0, stride: 1, pixels: &mut [], counts: Counts::NONE, rough: &mut [] }
     }
 }

@@ -37,11 +37,7 @@ impl FramePlan {
         let is_coarse = coarse >= 2;
         let tolerance = scene.film.tolerance;
         let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
-        let square = if glitters {
-            quality.square.min(CROWD_SQUARE)
-        } else {
-            quality.square
-        };
+        let square = if glitters { quality.square.min(CROWD_SQUARE) } else { quality.square };
         let quality = Quality {
             // Squares may be larger than the quality's to reach the coarse size.
             square: if is_coarse {

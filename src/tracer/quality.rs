@@ -78,11 +78,8 @@ impl Quality {
 
     /// The rules of the 2008 thesis, guarded: squares of 8 pixels are filled if the corners agree in all objects of the ray tree
     /// and in the lights' states at the primary hit, whatever their colours.
-    pub const THESIS: Self = Self {
-        square: 8,
-        tolerance_agreeing: f32::INFINITY,
-        ..Self::EXHAUSTIVE
-    };
+    pub const THESIS: Self =
+        Self { square: 8, tolerance_agreeing: f32::INFINITY, ..Self::EXHAUSTIVE };
 
     /// The middle preset.
     pub const DEFAULT: Self = Self::within(8, 7.7).followed(5, 0.015).antialiased(20);
@@ -96,10 +93,7 @@ impl Quality {
     ///
     /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
     pub const LADDER: &'static [Self; 7] = &[
-        Self {
-            unguarded_weight: 0.1,
-            ..Self::within(8, 2.0).antialiased(8)
-        },
+        Self { unguarded_weight: 0.1, ..Self::within(8, 2.0).antialiased(8) },
         Self::within(8, 3.0).antialiased(12),
         Self::within(8, 5.0).antialiased(16),
         Self::DEFAULT,
@@ -112,9 +106,8 @@ impl Quality {
     pub const DEFAULT_PRESET: usize = 3;
 
     /// The presets' names.
-    pub const NAMES: [&'static str; Self::LADDER.len()] = [
-        "finest", "finer", "fine", "default", "fast", "faster", "fastest",
-    ];
+    pub const NAMES: [&'static str; Self::LADDER.len()] =
+        ["finest", "finer", "fine", "default", "fast", "faster", "fastest"];
 
     /// Returns a quality with a tolerance for equal keys only. Keys have the objects of the primary hit and of its stronger
     /// secondary rays, and the lights' states, lit or dark.
@@ -132,29 +125,17 @@ impl Quality {
     }
 
     const fn followed(self, depth: u32, least_contribution: f32) -> Self {
-        Self {
-            depth,
-            least_contribution,
-            ..self
-        }
+        Self { depth, least_contribution, ..self }
     }
 
     const fn antialiased(self, edge: u8) -> Self {
-        Self {
-            antialias: true,
-            edge,
-            ..self
-        }
+        Self { antialias: true, edge, ..self }
     }
 
     /// Returns the reference for this quality's errors: every pixel traced, antialiased in the same way.
     #[must_use]
     pub const fn reference(&self) -> Self {
-        Self {
-            antialias: self.antialias,
-            edge: self.edge,
-            ..Self::EXHAUSTIVE
-        }
+        Self { antialias: self.antialias, edge: self.edge, ..Self::EXHAUSTIVE }
     }
 
     /// Checks every parameter's range.
@@ -164,12 +145,7 @@ impl Quality {
     pub fn validate(&self) -> Result<(), RangeError> {
         let quality = Checked::one("quality");
         let is_side = self.is_square_drawable();
-        quality.rule(
-            "square",
-            self.square as f32,
-            is_side,
-            "1, 2, 4, 8, 16 or 32",
-        )?;
+        quality.rule("square", self.square as f32, is_side, "1, 2, 4, 8, 16 or 32")?;
         quality.field("depth", self.depth as f32, Range(0.0, 7.0, "0 to 7"))?;
         for (name, tolerance) in [
             ("tolerance_agreeing", self.tolerance_agreeing),

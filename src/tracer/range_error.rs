@@ -59,11 +59,7 @@ impl fmt::Display for RangeError {
             write!(f, "[{index}]")?;
         }
         let dot = if self.field.is_empty() { "" } else { "." };
-        write!(
-            f,
-            "{dot}{} is {}; must be {}",
-            self.field, self.found, self.range
-        )
+        write!(f, "{dot}{} is {}; must be {}", self.field, self.found, self.range)
     }
 }
 
@@ -118,12 +114,6 @@ impl Checked {
             return Ok(());
         }
         let (Self { object, index }, found) = (self, found.into());
-        Err(RangeError {
-            object,
-            index,
-            field,
-            found,
-            range,
-        })
+        Err(RangeError { object, index, field, found, range })
     }
 }

@@ -14,11 +14,7 @@ impl Inspector {
     const NEAR: usize = 32;
 
     pub fn new(x: usize, y: usize) -> Self {
-        Self {
-            pixel: [x, y],
-            squares: Mutex::default(),
-            points: Mutex::default(),
-        }
+        Self { pixel: [x, y], squares: Mutex::default(), points: Mutex::default() }
     }
 
     /// Returns, as JSON, the squares from the largest to the smallest, each with its corner, its sides and a sentence, and the

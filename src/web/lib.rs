@@ -167,13 +167,7 @@ pub extern "C" fn set_file(time: f32) {
 #[unsafe(no_mangle)]
 pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f32) {
     let scene = &mut workspace().scene;
-    scene.method = Method {
-        points,
-        squares,
-        picture,
-        coarse,
-        ..Method::PLAIN
-    };
+    scene.method = Method { points, squares, picture, coarse, ..Method::PLAIN };
     scene.captions.clear();
 }
 
@@ -184,11 +178,7 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) {
         0 => &Quality::EXHAUSTIVE,
         place => &Quality::LADDER[place - 1],
     };
-    state().quality = if is_reference {
-        quality.reference()
-    } else {
-        *quality
-    };
+    state().quality = if is_reference { quality.reference() } else { *quality };
 }
 
 /// Draws the bands that begin in rows `from..to`, in one pass of the frame, see `share`. `before` is the number of points in the

@@ -20,15 +20,7 @@ pub struct Share<'a> {
 
 impl<'a> Share<'a> {
     pub fn new(worker: &'a mut Worker, rows: Range<usize>, pass: usize, before: Counts) -> Self {
-        Self {
-            worker,
-            rows,
-            pass,
-            before,
-            passes: 0,
-            drawn: [usize::MAX, 0],
-            counts: Counts::NONE,
-        }
+        Self { worker, rows, pass, before, passes: 0, drawn: [usize::MAX, 0], counts: Counts::NONE }
     }
 }
 
@@ -92,8 +84,7 @@ mod tests {
         ) -> (usize, Range<usize>, u64) {
             let mut share = Share::new(&mut self.worker, rows, pass, before);
             let frame = Frame::new(WIDTH, HEIGHT, &mut self.pixels);
-            self.renderer
-                .render_valid(scene, quality, frame, &mut share);
+            self.renderer.render_valid(scene, quality, frame, &mut share);
             let [first, end] = share.drawn;
             (share.passes, first..end, share.counts.points)
         }
@@ -141,8 +132,7 @@ mod tests {
                 let whole = in_parts(&scene, &quality, &[0, HEIGHT]);
                 let mut part = Part::new();
                 let frame = Frame::new(WIDTH, HEIGHT, &mut part.pixels);
-                part.renderer
-                    .render_valid(&scene, &quality, frame, &mut *part.worker);
+                part.renderer.render_valid(&scene, &quality, frame, &mut *part.worker);
                 assert!(whole == part.pixels, "{time} s, pass after pass");
                 for cuts in [&[0, 64, HEIGHT][..], &[0, 32, 64, 96, HEIGHT]] {
                     let parts = in_parts(&scene, &quality, cuts);

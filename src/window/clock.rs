@@ -53,9 +53,6 @@ mod tests {
         clock.sleep_until(SECOND / 20);
         assert!(clock.time() >= SECOND / 20);
         clock.sleep_until(SECOND / 100);
-        assert!(
-            clock.time() < 5 * SECOND,
-            "it must not sleep once the time is past"
-        );
+        assert!(clock.time() < 5 * SECOND, "it must not sleep once the time is past");
     }
 }

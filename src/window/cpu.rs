@@ -17,10 +17,8 @@ pub const HAS_BASELINE: bool = cfg!(any(
 /// Returns this machine's instruction sets with kernels in the library, best first.
 pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     #[cfg(target_arch = "x86_64")]
-    let wide = Level::new().as_avx512().map(|simd| Isa {
-        name: "avx512",
-        level: Level::Avx512(simd),
-    });
+    let wide =
+        Level::new().as_avx512().map(|simd| Isa { name: "avx512", level: Level::Avx512(simd) });
     #[cfg(not(target_arch = "x86_64"))]
     let wide = None;
     wide.into_iter().chain(avx2()).chain([baseline()])
@@ -48,10 +46,7 @@ pub fn best() -> Isa {
 
 fn avx2() -> Option<Isa> {
     #[cfg(target_arch = "x86_64")]
-    return x86_64::avx2().map(|simd| Isa {
-        name: "avx2",
-        level: Level::Avx2(simd),
-    });
+    return x86_64::avx2().map(|simd| Isa { name: "avx2", level: Level::Avx2(simd) });
     #[cfg(not(target_arch = "x86_64"))]
     None
 }

@@ -26,18 +26,12 @@ pub mod arguments;
 #[cfg_attr(feature = "windows", path = "win64/mod.rs")]
 #[cfg_attr(
     not(any(feature = "windows", feature = "portable")),
-    cfg_attr(
-        all(target_os = "linux", target_arch = "x86_64"),
-        path = "small/mod.rs"
-    )
+    cfg_attr(all(target_os = "linux", target_arch = "x86_64"), path = "small/mod.rs")
 )]
 #[cfg_attr(
     all(
         not(feature = "windows"),
-        any(
-            feature = "portable",
-            not(all(target_os = "linux", target_arch = "x86_64"))
-        )
+        any(feature = "portable", not(all(target_os = "linux", target_arch = "x86_64")))
     ),
     path = "portable/mod.rs"
 )]

@@ -18,12 +18,7 @@ pub struct Writer {
 impl Writer {
     #[must_use]
     pub const fn new(file: i32) -> Writer {
-        Writer {
-            file,
-            has_failed: false,
-            length: 0,
-            buffer: [0; _],
-        }
+        Writer { file, has_failed: false, length: 0, buffer: [0; _] }
     }
 
     /// Writes the buffered bytes. Returns false if this or an earlier write failed.

@@ -112,6 +112,5 @@ pub fn why_not_loaded() -> &'static str {
         let why = libc::dlerror();
         (!why.is_null()).then(|| CStr::from_ptr(why))
     };
-    why.and_then(|why| ascii(why.to_bytes()))
-        .unwrap_or("library cannot be loaded")
+    why.and_then(|why| ascii(why.to_bytes())).unwrap_or("library cannot be loaded")
 }

@@ -77,11 +77,7 @@ impl Pool {
             thread.write(new);
             started += 1;
         }
-        Pool {
-            shared,
-            threads,
-            count: started,
-        }
+        Pool { shared, threads, count: started }
     }
 
     #[must_use]
@@ -255,10 +251,7 @@ unsafe impl<T: Send> Sync for Each<T> {}
 
 impl<T> Each<T> {
     fn new(slice: &mut [T]) -> Each<T> {
-        Each {
-            start: slice.as_mut_ptr(),
-            length: slice.len(),
-        }
+        Each { start: slice.as_mut_ptr(), length: slice.len() }
     }
 
     /// Returns an element, if `index` is in the slice.

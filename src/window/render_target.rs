@@ -46,10 +46,7 @@ pub struct Headless {
 impl Headless {
     #[must_use]
     pub fn new(width: usize, height: usize) -> Headless {
-        Headless {
-            size: (width, height),
-            pixels: pixels(),
-        }
+        Headless { size: (width, height), pixels: pixels() }
     }
 }
 

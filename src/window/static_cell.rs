@@ -17,10 +17,7 @@ unsafe impl<T: Send> Sync for StaticCell<T> {}
 
 impl<T> StaticCell<T> {
     pub const fn new(value: T) -> StaticCell<T> {
-        StaticCell {
-            taken: AtomicBool::new(false),
-            value: UnsafeCell::new(value),
-        }
+        StaticCell { taken: AtomicBool::new(false), value: UnsafeCell::new(value) }
     }
 
     /// Borrows the value for the rest of the program.

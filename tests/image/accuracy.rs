@@ -172,10 +172,7 @@ fn shells(count: usize) -> Scene {
 }
 
 fn light(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
-    Light {
-        drawn_radius,
-        ..Light::new(position, colour)
-    }
+    Light { drawn_radius, ..Light::new(position, colour) }
 }
 
 /// Rays end at a black light, so that packets of secondary rays are partly empty.
@@ -185,11 +182,7 @@ fn no_ray_is_lost_at_any_depth() {
     let mut broken = whole.clone();
     broken.lights = List::of(&[light(vec3(0.6, 0.2, 0.3), 0.15, Vec3::ZERO)]);
     for depth in 0..=Quality::MAX_DEPTH {
-        let quality = Quality {
-            depth,
-            least_contribution: 0.0,
-            ..Quality::EXHAUSTIVE
-        };
+        let quality = Quality { depth, least_contribution: 0.0, ..Quality::EXHAUSTIVE };
         for (scene, is_whole) in [(&whole, true), (&broken, false)] {
             let frame = Frame::new(scene, &quality, 48, 32);
             let expected = frame.total(|point| point.rays);
@@ -305,9 +298,8 @@ fn largest_picture_is_right_to_its_last_pixel() {
     let refined = draw_best(&scene, &Quality::THESIS, width, height).pixels;
     let exhaustive = draw_best(&scene, &Quality::EXHAUSTIVE, width, height).pixels;
     let is_last = |i: usize| i % width + 2 >= width || i / width + 2 >= height;
-    let places: Vec<usize> = (0..width * height)
-        .filter(|&i| i.is_multiple_of(97) || is_last(i))
-        .collect();
+    let places: Vec<usize> =
+        (0..width * height).filter(|&i| i.is_multiple_of(97) || is_last(i)).collect();
     let mut wrong = [0; 2];
     for &i in &places {
         let (x, y) = (i % width, i / width);
@@ -318,11 +310,7 @@ fn largest_picture_is_right_to_its_last_pixel() {
         }
     }
     let most = [places.len() / 5000, places.len() / 200];
-    assert!(
-        wrong[0] <= most[0] && wrong[1] <= most[1],
-        "{wrong:?} of {}",
-        places.len()
-    );
+    assert!(wrong[0] <= most[0] && wrong[1] <= most[1], "{wrong:?} of {}", places.len());
 }
 
 #[test]

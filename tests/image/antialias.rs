@@ -12,11 +12,7 @@ use std::f32::consts::TAU;
 #[test]
 fn points_are_added_between_differing_pixels() {
     for mut random in cases(50) {
-        let scene = Kinds {
-            overlays: false,
-            ..Kinds::EXTREME
-        }
-        .scene(&mut random);
+        let scene = Kinds { overlays: false, ..Kinds::EXTREME }.scene(&mut random);
         let quality = Quality {
             square: [8, 8, 8, 4, 16, 32][random.below(6)],
             tolerance_agreeing: [7.5, 140.0, 180.0, 250.0, f32::INFINITY][random.below(5)],
@@ -99,10 +95,7 @@ fn covered(angle: f32, distance: f32) -> f32 {
 
 /// Returns a white box whose edge is `distance` pixels from the centre of a picture of `height` rows, turned clockwise by an angle.
 fn half_plane(angle: f32, distance: f32, height: usize) -> Scene {
-    let mut scene = Scene {
-        ambient: Vec3::ONE,
-        ..Scene::default()
-    };
+    let mut scene = Scene { ambient: Vec3::ONE, ..Scene::default() };
     let pixel = 2.0 * (0.5 * scene.camera.field_of_view).tan() / height as f32;
     let axes = Mat3::from_rotation_z(-angle);
     scene.blocks.push(Block {

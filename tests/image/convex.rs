@@ -8,10 +8,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Camera, List, Material, Scene};
 
-const MIRROR: Material = Material {
-    kr: 0.8,
-    ..Material::BLACK
-};
+const MIRROR: Material = Material { kr: 0.8, ..Material::BLACK };
 
 fn mirror(random: &mut Random) -> Scene {
     let half = Vec3::splat(1.0).map(|_| random.power(-1.5, 0.0));

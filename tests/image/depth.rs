@@ -36,13 +36,7 @@ fn assert_white(scene: &Scene, seed: u64) {
 /// Surfaces that lose no light, in ambient light as bright as the background.
 #[test]
 fn white_furnace_is_white_at_every_depth() {
-    let white = Material {
-        kr: 0.04,
-        fresnel: 1.0,
-        kt: 0.96,
-        index: 0.667,
-        ..Material::BLACK
-    };
+    let white = Material { kr: 0.04, fresnel: 1.0, kt: 0.96, index: 0.667, ..Material::BLACK };
     let bubble = Scene {
         camera: Camera::new(4.0 * Vec3::Z, Vec3::ZERO, 0.6),
         spheres: List::of(&[Sphere::new(Vec3::ZERO, 1.0, white)]),
@@ -74,10 +68,7 @@ fn furnace(scene: Scene) -> Scene {
 }
 
 fn mirror(centre: Vec3, half: Vec3) -> Block {
-    let material = Material {
-        kr: 0.95,
-        ..Material::BLACK
-    };
+    let material = Material { kr: 0.95, ..Material::BLACK };
     Block::new(SHAPES[0], centre, half, material)
 }
 
@@ -109,21 +100,14 @@ fn facing_mirrors_show_no_black_pixel() {
 #[test]
 fn black_beyond_blackens_untraced_rays() {
     for kt in [0.0, 1.0] {
-        let material = Material {
-            kr: 1.0 - kt,
-            kt,
-            ..Material::BLACK
-        };
+        let material = Material { kr: 1.0 - kt, kt, ..Material::BLACK };
         let scene = Scene {
             spheres: List::of(&[Sphere::new(Vec3::ZERO, 0.5, material)]),
             black_beyond: true,
             ..furnace(Scene::default())
         };
         let middle = |depth| {
-            let quality = Quality {
-                depth,
-                ..Quality::EXHAUSTIVE
-            };
+            let quality = Quality { depth, ..Quality::EXHAUSTIVE };
             draw_best(&scene, &quality, 9, 9).pixels[40]
         };
         assert_eq!([middle(0), middle(2)], [0, 0xff_ffff], "kt {kt}");
@@ -146,9 +130,7 @@ fn fastest_shows_glass_and_mirrors_behind_others() {
     };
     let mut inside = balls.clone();
     inside.spheres.clear();
-    inside
-        .blocks
-        .push(mirror(vec3(0.0, 1.0, 6.0), Vec3::splat(0.5)));
+    inside.blocks.push(mirror(vec3(0.0, 1.0, 6.0), Vec3::splat(0.5)));
     for (scene, least) in [(balls, 20.0), (inside, 20.0)] {
         let fastest = Quality::LADDER[Quality::LADDER.len() - 1];
         let [expected, drawn] = [fastest.reference(), fastest]

@@ -17,12 +17,8 @@ pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];
 
 pub const RULES: [Quality; 2] = [Quality::THESIS, Quality::DEFAULT];
 
-pub const REFINEMENTS: [Quality; 4] = [
-    Quality::EXHAUSTIVE,
-    Quality::DEFAULT.reference(),
-    Quality::THESIS,
-    Quality::DEFAULT,
-];
+pub const REFINEMENTS: [Quality; 4] =
+    [Quality::EXHAUSTIVE, Quality::DEFAULT.reference(), Quality::THESIS, Quality::DEFAULT];
 
 pub fn named() -> impl Iterator<Item = Quality> {
     Quality::LADDER.iter().copied().chain([Quality::THESIS])
@@ -33,10 +29,7 @@ pub const fn of_side(square: usize, quality: Quality) -> Quality {
 }
 
 pub const fn with_antialias(antialias: bool, quality: Quality) -> Quality {
-    Quality {
-        antialias,
-        ..quality
-    }
+    Quality { antialias, ..quality }
 }
 
 pub const fn jagged(quality: Quality) -> Quality {
@@ -44,10 +37,7 @@ pub const fn jagged(quality: Quality) -> Quality {
 }
 
 pub const fn bare(quality: Quality) -> Quality {
-    Quality {
-        guarded: false,
-        ..jagged(quality)
-    }
+    Quality { guarded: false, ..jagged(quality) }
 }
 
 pub fn isa_of(seed: u64) -> Isa {
@@ -97,9 +87,7 @@ pub fn draw_by_all(
     width: usize,
     height: usize,
 ) -> Vec<(Isa, Drawn)> {
-    cpu::instruction_sets()
-        .map(|isa| (isa, draw(isa, 2, scene, quality, width, height)))
-        .collect()
+    cpu::instruction_sets().map(|isa| (isa, draw(isa, 2, scene, quality, width, height))).collect()
 }
 
 pub fn of_the_show(time: f32) -> Scene {

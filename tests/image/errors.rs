@@ -30,9 +30,7 @@ impl Wrong {
         let wrong: Vec<usize> = counted.iter().copied().filter(|&i| is_wrong(i)).collect();
         self.counted += counted.len();
         self.wrong += wrong.len();
-        let sizes = patches(&wrong, view.width)
-            .into_iter()
-            .map(|patch| patch.len());
+        let sizes = patches(&wrong, view.width).into_iter().map(|patch| patch.len());
         self.patch = sizes.fold(self.patch, usize::max);
     }
 
@@ -44,11 +42,7 @@ impl Wrong {
     fn assert_within(&self, share: f64, patch: usize, what: &str) {
         println!("{what}: {:.4} of the pixels, {self:?}", self.share());
         assert!(self.counted > 5000, "{what}: {self:?}");
-        assert!(
-            self.share() <= share,
-            "{what}: {} of {self:?}",
-            self.share()
-        );
+        assert!(self.share() <= share, "{what}: {} of {self:?}", self.share());
         assert!(self.patch <= patch, "{what}: {self:?}");
     }
 }
@@ -89,9 +83,7 @@ fn lit(kind: Hidden, quality: Quality) -> [Wrong; 2] {
     for mut random in cases(SCENES) {
         let mut view = sized(kind.scene(&mut random));
         let floor = view.scene.planes[0].material;
-        materials_of(&mut view.scene)
-            .into_iter()
-            .for_each(|material| material.colour = Vec3::X);
+        materials_of(&mut view.scene).into_iter().for_each(|material| material.colour = Vec3::X);
         view.scene.planes[0].material = floor;
         let exhaustive = drawn(&view, Quality::EXHAUSTIVE);
         for (wrong, quality) in wrong.iter_mut().zip([quality, bare(quality)]) {
@@ -106,18 +98,12 @@ fn lit(kind: Hidden, quality: Quality) -> [Wrong; 2] {
 #[test]
 fn few_pixels_of_shadows_are_lit() {
     let (finest, default) = (Quality::LADDER[0], Quality::DEFAULT);
-    let by = |kind: Hidden, light: fn(Light) -> Light| Hidden {
-        light: kind.light.map(light),
-        ..kind
-    };
+    let by =
+        |kind: Hidden, light: fn(Light) -> Light| Hidden { light: kind.light.map(light), ..kind };
     let sun = |light| lights::others(light, 0.0)[0];
     let area = |light| lights::others(light, 0.1)[2];
     let spotlight = |light: Light| Light {
-        spot: Some(Spot {
-            aim: -Vec3::Y,
-            inner_angle: 1.37,
-            outer_angle: 1.47,
-        }),
+        spot: Some(Spot { aim: -Vec3::Y, inner_angle: 1.37, outer_angle: 1.47 }),
         ..light
     };
     let suns = by(Hidden::POINT, sun);
@@ -138,10 +124,7 @@ fn few_pixels_of_shadows_are_lit() {
         let [wrong, bare] = lit(kind, quality);
         wrong.assert_within(share, patch, what);
         let is_default = quality == default;
-        assert!(
-            !is_default || bare.share() >= 5.0 * share,
-            "{what}: {bare:?}"
-        );
+        assert!(!is_default || bare.share() >= 5.0 * share, "{what}: {bare:?}");
     }
 }
 
@@ -168,11 +151,7 @@ fn few_pixels_of_small_reflections_are_wrong() {
     for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::THESIS] {
         let mut wrong = Wrong::default();
         for mut random in cases(20) {
-            let mut scene = Hidden {
-                things: Things::Spheres,
-                ..Hidden::MIRROR
-            }
-            .scene(&mut random);
+            let mut scene = Hidden { things: Things::Spheres, ..Hidden::MIRROR }.scene(&mut random);
             (scene.ambient, scene.background) = (Vec3::ONE, Vec3::ZERO);
             let view = sized(scene);
             let mut black = view.clone();
@@ -180,9 +159,7 @@ fn few_pixels_of_small_reflections_are_wrong() {
             let [exhaustive, black] = [&view, &black].map(|view| drawn(view, Quality::EXHAUSTIVE));
             let drawn = drawn(&view, quality);
             let is_reflection = |i| exhaustive[i] != black[i];
-            wrong.add(&view, is_reflection, |i| {
-                worst_channel(exhaustive[i], drawn[i]) > 8
-            });
+            wrong.add(&view, is_reflection, |i| worst_channel(exhaustive[i], drawn[i]) > 8);
         }
         wrong.assert_within(0.003, 8, &format!("{quality:?}"));
     }
@@ -195,11 +172,7 @@ fn few_pixels_of_random_scenes_are_wrong() {
         let draw = |quality: Quality| draw_best(&view.scene, &quality, 320, 240).pixels;
         let (exhaustive, drawn) = (draw(Quality::DEFAULT.reference()), draw(Quality::DEFAULT));
         let mut wrong = Wrong::default();
-        wrong.add(
-            &view,
-            |_| true,
-            |i| worst_channel(exhaustive[i], drawn[i]) > 8,
-        );
+        wrong.add(&view, |_| true, |i| worst_channel(exhaustive[i], drawn[i]) > 8);
         // 400 scenes had at most 4.3 %, and a patch of 396 pixels in a shadow or a reflection.
         wrong.assert_within(0.05, 512, &format!("case {}", random.seed));
     }

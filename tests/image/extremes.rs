@@ -25,15 +25,8 @@ fn rich() -> Scene {
         let block = Block::new(shape, vec3(x, 0.8, -1.0), half, material);
         scene.blocks.push(block);
     }
-    scene.water = Waves {
-        slope: 0.02,
-        length: 2.0,
-        phase: 0.3,
-    };
-    scene.lights[0] = Light {
-        diameter: 0.5,
-        ..spotlight(scene.lights[0], 0.45, 0.795)
-    };
+    scene.water = Waves { slope: 0.02, length: 2.0, phase: 0.3 };
+    scene.lights[0] = Light { diameter: 0.5, ..spotlight(scene.lights[0], 0.45, 0.795) };
     scene
 }
 
@@ -58,8 +51,7 @@ fn rays(drawn: &Drawn) -> u64 {
 fn usual_rays(scene: &Scene) -> Vec<[u64; 4]> {
     let rays = |isa, quality| rays(&draw(isa, 2, scene, &quality, 64, 48));
     let isas = cpu::instruction_sets();
-    isas.map(|isa| REFINEMENTS.map(|quality| rays(isa, quality)))
-        .collect()
+    isas.map(|isa| REFINEMENTS.map(|quality| rays(isa, quality))).collect()
 }
 
 /// Asserts the same bits on one thread and on two, for at most 2.5 times the usual rays.
@@ -175,10 +167,7 @@ fn scene_or_quality_out_of_range_is_refused() {
             |scene| scene.camera.up = scene.camera.look_at - scene.camera.eye,
             "camera.up is [0, -1.2999998, 7.4999995]; must be more than 0.001 radians off the line of sight",
         ),
-        (
-            |scene| scene.water.slope = 0.1,
-            "water.length is 0; must be 1e-9 to 1e9",
-        ),
+        (|scene| scene.water.slope = 0.1, "water.length is 0; must be 1e-9 to 1e9"),
     ] {
         let mut scene = scene.clone();
         change(&mut scene);

@@ -26,10 +26,8 @@ type Named = (&'static str, Vec<u32>);
 
 fn hold(name: &str, scene: &Scene, quality: &Quality, width: usize, height: usize) {
     let drawn = draw_by_all(scene, quality, width, height);
-    let drawn: Vec<Named> = drawn
-        .into_iter()
-        .map(|(isa, drawn)| (isa.name, drawn.pixels))
-        .collect();
+    let drawn: Vec<Named> =
+        drawn.into_iter().map(|(isa, drawn)| (isa.name, drawn.pixels)).collect();
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         update(name, width, &drawn);
     }
@@ -58,11 +56,7 @@ fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
             let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
             let drawn = folder.join(format!("{name}-{by}.png"));
             fs::write(&drawn, png(width, pixels).unwrap()).unwrap();
-            panic!(
-                "{difference:?}: {} is not {}",
-                drawn.display(),
-                file.display()
-            );
+            panic!("{difference:?}: {} is not {}", drawn.display(), file.display());
         }
     }
 }
@@ -73,25 +67,10 @@ fn scenes_match_golden_pictures() {
     let file = SceneFile::parse("fence.ron", include_str!("../../examples/scenes/fence.ron"));
     let fence = file.expect("a scene").at(0.0);
     for (name, scene, quality, (width, height)) in [
-        (
-            "model",
-            show::model_scene(2.0),
-            Quality::EXHAUSTIVE,
-            (640, 360),
-        ),
-        (
-            "squares",
-            show::model_scene(1.0),
-            Quality::THESIS,
-            (320, 240),
-        ),
+        ("model", show::model_scene(2.0), Quality::EXHAUSTIVE, (640, 360)),
+        ("squares", show::model_scene(1.0), Quality::THESIS, (320, 240)),
         ("field", show::field(64, 1.0), Quality::THESIS, (320, 240)),
-        (
-            "between",
-            between_corners().scene,
-            Quality::DEFAULT,
-            (320, 240),
-        ),
+        ("between", between_corners().scene, Quality::DEFAULT, (320, 240)),
         ("fence", fence, Quality::DEFAULT, (640, 360)),
     ] {
         hold(name, &scene, &quality, width, height);

@@ -261,11 +261,7 @@ impl Show {
                 false => 0.2,
             };
             let squares = (mean * share + unit()) as u64;
-            probes += Probes {
-                pixels: 1,
-                squares,
-                fourths: squares * squares,
-            };
+            probes += Probes { pixels: 1, squares, fourths: squares * squares };
         }
         probes
     }
@@ -337,10 +333,7 @@ fn cut_changes_preset_in_2_s_and_back_in_15_s() {
 fn no_probes_keep_preset_no_error_selects_fastest() {
     let mut governor = AccuracyGovernor::new(45.0);
     for (pixels, preset) in [(0, 0), (80, PRESETS - 1)] {
-        let probes = Probes {
-            pixels,
-            ..Probes::NONE
-        };
+        let probes = Probes { pixels, ..Probes::NONE };
         (0..10_000).for_each(|_| governor.frame(probes));
         assert_eq!(governor.preset(), preset);
     }

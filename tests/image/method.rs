@@ -13,16 +13,10 @@ const SIZE: (usize, usize) = (331, 217);
 
 const WHITE: u32 = 0x00ff_ffff;
 
-const MARKS: Method = Method {
-    picture: 0.0,
-    ..Method::PLAIN
-};
+const MARKS: Method = Method { picture: 0.0, ..Method::PLAIN };
 
 fn scene(method: Method) -> Scene {
-    Scene {
-        method,
-        ..show::model_scene(1.0)
-    }
+    Scene { method, ..show::model_scene(1.0) }
 }
 
 fn drawn(method: Method, quality: Quality) -> Drawn {
@@ -42,10 +36,7 @@ fn trace(quality: &Quality) -> FrameTrace {
 
 #[test]
 fn marks_lie_where_points_are_traced() {
-    let method = Method {
-        points: 1.0,
-        ..MARKS
-    };
+    let method = Method { points: 1.0, ..MARKS };
     for quality in Quality::LADDER {
         let pixels = drawn(method, *quality).pixels;
         let mut count = 0;
@@ -64,10 +55,7 @@ fn marks_lie_where_points_are_traced() {
 
 #[test]
 fn lines_are_the_upper_and_left_sides_of_squares() {
-    let method = Method {
-        squares: 1.0,
-        ..MARKS
-    };
+    let method = Method { squares: 1.0, ..MARKS };
     let sides = [2, 32].map(|side| of_side(side, Quality::THESIS));
     for quality in Quality::LADDER.iter().chain(&sides) {
         let mut expected = vec![0; SIZE.0 * SIZE.1];
@@ -90,14 +78,8 @@ fn lines_are_the_upper_and_left_sides_of_squares() {
 
 #[test]
 fn overlay_keeps_or_dims_the_picture_between_marks() {
-    let dimmed = Method {
-        picture: 0.5,
-        ..Method::PLAIN
-    };
-    let coarse = Method {
-        coarse: 1.9,
-        ..Method::PLAIN
-    };
+    let dimmed = Method { picture: 0.5, ..Method::PLAIN };
+    let coarse = Method { coarse: 1.9, ..Method::PLAIN };
     // Pictures with an overlay are not antialiased.
     let plain = drawn(Method::PLAIN, jagged(Quality::DEFAULT));
     for (method, factor) in [(dimmed, 2), (coarse, 1)] {
@@ -105,10 +87,7 @@ fn overlay_keeps_or_dims_the_picture_between_marks() {
         assert_eq!(plain.counts.points, drawn.counts.points);
         for (plain, drawn) in plain.pixels.iter().zip(&drawn.pixels) {
             for (plain, drawn) in plain.to_be_bytes().into_iter().zip(drawn.to_be_bytes()) {
-                assert!(
-                    plain.abs_diff(factor * drawn) <= factor,
-                    "{method:?}: {plain}, {drawn}"
-                );
+                assert!(plain.abs_diff(factor * drawn) <= factor, "{method:?}: {plain}, {drawn}");
             }
         }
     }
@@ -119,10 +98,7 @@ fn coarse_picture_has_squares_of_one_colour() {
     let (width, height) = SIZE;
     for quality in REFINEMENTS {
         for side in SIDES {
-            let coarse = Method {
-                coarse: side as f32,
-                ..Method::PLAIN
-            };
+            let coarse = Method { coarse: side as f32, ..Method::PLAIN };
             let drawn = drawn(coarse, quality);
             for (i, &pixel) in drawn.pixels.iter().enumerate() {
                 let (x, y) = (i % width / side * side, i / width / side * side);
@@ -140,19 +116,11 @@ fn coarse_picture_has_squares_of_one_colour() {
 
 #[test]
 fn front_parts_finished_from_marked_picture() {
-    let overlay = Method {
-        points: 1.0,
-        squares: 0.5,
-        picture: 0.2,
-        ..Method::PLAIN
-    };
+    let overlay = Method { points: 1.0, squares: 0.5, picture: 0.2, ..Method::PLAIN };
     let width = SIZE.0;
     let [finished, marked] = [Method::PLAIN, overlay].map(|method| drawn(method, Quality::DEFAULT));
     for front in [0, 1, 64, 65, 200, width - 1, width] {
-        let swept = Method {
-            front: ((front as f32 + 0.5) / width as f32).min(1.0),
-            ..overlay
-        };
+        let swept = Method { front: ((front as f32 + 0.5) / width as f32).min(1.0), ..overlay };
         for (i, &pixel) in drawn(swept, Quality::DEFAULT).pixels.iter().enumerate() {
             let x = i % width;
             let expected = match x {

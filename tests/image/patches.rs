@@ -58,18 +58,12 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, limit: usize) {
     for (name, scene) in scenes {
         for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
             let (psnr, patch) = compared(cpu::best(), &scene, quality, SIZE);
-            println!(
-                "{name}: {psnr:.1} dB, a patch of {patch}, {}",
-                quality.antialias
-            );
+            println!("{name}: {psnr:.1} dB, a patch of {patch}, {}", quality.antialias);
             largest = largest.max(patch);
             least = least.min(psnr);
         }
     }
-    assert!(
-        largest <= limit && least >= 42.0,
-        "{largest}, {least:.1} dB"
-    );
+    assert!(largest <= limit && least >= 42.0, "{largest}, {least:.1} dB");
 }
 
 fn show(time: f32) -> (String, Scene) {

@@ -12,10 +12,7 @@ fn patterned(random: &mut Random) -> Scene {
     let distance = random.power(-0.3, 1.5);
     let mut pattern = materials::pattern(random);
     pattern.waves *= random.one_of([0.0, 1.0, 1.0, 1.0]) * random.power(-0.5, 0.5);
-    let material = Material {
-        pattern,
-        ..Material::matt(random.colour(), 0.8)
-    };
+    let material = Material { pattern, ..Material::matt(random.colour(), 0.8) };
     let eye = vec3(0.0, random.between(0.4, 3.0), -distance);
     let turn = Mat3::from_rotation_y(random.between(0.0, 6.0));
     let mut scene = Scene {

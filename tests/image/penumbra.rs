@@ -7,10 +7,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{DVec3, Mat3, Vec3, vec3};
 
-const LIGHT: Light = Light {
-    diameter: 1.0,
-    ..Light::new(vec3(1.0, 6.0, 0.5), Vec3::ONE)
-};
+const LIGHT: Light = Light { diameter: 1.0, ..Light::new(vec3(1.0, 6.0, 0.5), Vec3::ONE) };
 
 fn visible_share(oracle: &Oracle<'_>, p: DVec3) -> f64 {
     const SAMPLES: usize = 400;
@@ -54,10 +51,7 @@ fn errors(scene: &Scene) -> [f64; 2] {
 #[test]
 fn penumbrae_match_sampled_light() {
     let floor = Plane::new(Vec3::ZERO, 9.0, 9.0, Material::matt(Vec3::ONE, 1.0));
-    let camera = Camera {
-        up: Vec3::X,
-        ..Camera::new(vec3(0.0, 30.0, 0.0), Vec3::ZERO, 0.2)
-    };
+    let camera = Camera { up: Vec3::X, ..Camera::new(vec3(0.0, 30.0, 0.0), Vec3::ZERO, 0.2) };
     let scene = Scene {
         camera,
         planes: List::of(&[floor]),
@@ -65,10 +59,8 @@ fn penumbrae_match_sampled_light() {
         ..Scene::default()
     };
     let centre = vec3(0.0, 1.5, 0.0);
-    let sphere = Scene {
-        spheres: List::of(&[Sphere::new(centre, 0.6, Material::BLACK)]),
-        ..scene.clone()
-    };
+    let sphere =
+        Scene { spheres: List::of(&[Sphere::new(centre, 0.6, Material::BLACK)]), ..scene.clone() };
     let assert_within = |scene: &Scene, limits: [f64; 2]| {
         let errors = errors(scene);
         let is_within = errors[0] < limits[0] && errors[1] < limits[1];
@@ -83,14 +75,8 @@ fn penumbrae_match_sampled_light() {
     ] {
         let turned = Mat3::from_rotation_z(0.7) * Mat3::from_rotation_x(0.5);
         for axes in [Mat3::IDENTITY, turned] {
-            let block = Block {
-                axes,
-                ..Block::new(shape, centre, half, Material::BLACK)
-            };
-            let scene = Scene {
-                blocks: List::of(&[block]),
-                ..scene.clone()
-            };
+            let block = Block { axes, ..Block::new(shape, centre, half, Material::BLACK) };
+            let scene = Scene { blocks: List::of(&[block]), ..scene.clone() };
             assert_within(&scene, [0.02, 0.5]);
         }
     }

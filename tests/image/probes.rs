@@ -41,18 +41,14 @@ impl Probing {
     fn draw(&mut self, scene: &Scene, quality: &Quality, count: u16, seed: u32) -> Probes {
         self.renderer.set_probes(count, seed);
         let (level, pixels) = (self.isa.level, &mut self.pixels);
-        let counts = self
-            .renderer
-            .draw(level, scene, quality, self.width, pixels);
+        let counts = self.renderer.draw(level, scene, quality, self.width, pixels);
         counts.probes
     }
 }
 
 fn error(scene: &Scene, quality: &Quality, [width, height]: [usize; 2]) -> u64 {
     let picture = |quality| draw_best(scene, quality, width, height).pixels;
-    let pairs = picture(&quality.reference())
-        .into_iter()
-        .zip(picture(quality));
+    let pairs = picture(&quality.reference()).into_iter().zip(picture(quality));
     let channels = pairs.flat_map(|(a, b)| a.to_le_bytes().into_iter().zip(b.to_le_bytes()));
     channels.map(|(a, b)| u64::from(a.abs_diff(b)).pow(2)).sum()
 }
@@ -121,10 +117,7 @@ fn long_interval_holds_the_true_error() {
         FRAMES * pictures
     );
     assert!((93 * FRAMES * pictures..=97 * FRAMES * pictures).contains(&(100 * inside)));
-    assert!(
-        far <= 3,
-        "{far} of {pictures} sums are more than 0.3 dB off"
-    );
+    assert!(far <= 3, "{far} of {pictures} sums are more than 0.3 dB off");
 }
 
 #[test]
@@ -143,20 +136,12 @@ fn probes_of_exhaustive_frames_find_no_error() {
 
 #[test]
 fn overlays_and_coarse_pictures_are_not_probed() {
-    let method = |points, coarse, front| Method {
-        points,
-        coarse,
-        front,
-        ..Method::PLAIN
-    };
+    let method = |points, coarse, front| Method { points, coarse, front, ..Method::PLAIN };
     let marked = method(0.5, 0.0, 0.0);
     let coarse = method(0.0, 16.0, 1.0);
     let behind_the_front = method(0.5, 0.0, 0.4);
     for (method, expected) in [(marked, 0), (coarse, 0), (behind_the_front, 1000)] {
-        let scene = Scene {
-            method,
-            ..show::model_scene(2.0)
-        };
+        let scene = Scene { method, ..show::model_scene(2.0) };
         let mut probing = Probing::new(cpu::best(), 2);
         let probes = probing.draw(&scene, &Quality::EXHAUSTIVE, 1000, 3);
         assert_eq!((probes.pixels, probes.squares), (expected, 0), "{method:?}");

@@ -30,11 +30,9 @@ fn thesis_traces_an_eighth_of_points_at_44_db() {
 
 #[test]
 fn default_has_45_db_and_42_in_fields() {
-    for (second, quality) in [
-        (0.0, Quality::DEFAULT),
-        (4.0, jagged(Quality::DEFAULT)),
-        (8.0, Quality::DEFAULT),
-    ] {
+    for (second, quality) in
+        [(0.0, Quality::DEFAULT), (4.0, jagged(Quality::DEFAULT)), (8.0, Quality::DEFAULT)]
+    {
         let psnr = psnr(&show::model_scene(second), quality, [1024, 768]);
         assert!(psnr >= 45.0, "{psnr} dB at {second} s by {quality:?}");
     }
@@ -48,15 +46,9 @@ fn default_has_45_db_and_42_in_fields() {
 pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     let corners = |side: usize, tile: usize| -> usize {
         let parts = (0..side).step_by(tile);
-        parts
-            .map(|start| (side - start).min(tile).next_multiple_of(square) + 1)
-            .sum()
+        parts.map(|start| (side - start).min(tile).next_multiple_of(square) + 1).sum()
     };
-    if square == 1 {
-        width * height
-    } else {
-        corners(width, TILE[0]) * corners(height, TILE[1])
-    }
+    if square == 1 { width * height } else { corners(width, TILE[0]) * corners(height, TILE[1]) }
 }
 
 #[test]
@@ -91,10 +83,7 @@ fn squares_between_split_ones_are_split() {
             let is_between =
                 has_sides && is_split(x - side, y, side) && is_split(x + side, y, side)
                     || has_rows && is_split(x, y - side, side) && is_split(x, y + side, side);
-            assert!(
-                fill == Fill::Points || !is_between,
-                "{side} at {x}, {y} by {quality:?}"
-            );
+            assert!(fill == Fill::Points || !is_between, "{side} at {x}, {y} by {quality:?}");
         }
         assert!(covered.iter().all(|&count| count == 1), "{quality:?}");
     }
@@ -106,16 +95,7 @@ fn squares_between_split_ones_are_split() {
 #[ignore = "many random scenes"]
 fn random_crowds_have_42_db() {
     // The numbers of spheres and blocks, the shares of glass and mirrors, and the limit in dB.
-    let counts = [
-        [16, 32],
-        [0, 64],
-        [4, 4],
-        [6, 2],
-        [20, 64],
-        [70, 64],
-        [130, 64],
-        [320, 64],
-    ];
+    let counts = [[16, 32], [0, 64], [4, 4], [6, 2], [20, 64], [70, 64], [130, 64], [320, 64]];
     let shares = [[0.2, 0.2], [0.5, 0.2], [0.0, 0.6], [0.4, 0.4]];
     let shiny = (0..8).map(|i| (counts[i], shares[i % 4], 42.0));
     let matt = [4, 12, 24, 46, 64].map(|blocks| ([20, blocks], [0.0; 2], 42.0));

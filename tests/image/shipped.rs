@@ -20,12 +20,7 @@ pub struct Still {
 
 impl Still {
     pub fn new(time: u32, quality: NamedQuality, width: usize, height: usize) -> Self {
-        Self {
-            time,
-            quality,
-            width,
-            height,
-        }
+        Self { time, quality, width, height }
     }
 
     pub fn scene(&self) -> Scene {
@@ -46,10 +41,7 @@ impl Still {
         let errors = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success() && errors.is_empty(), "{errors}");
         let (width, pixels) = read_ppm(&output.stdout);
-        assert_eq!(
-            (width, pixels.len()),
-            (self.width, self.width * self.height)
-        );
+        assert_eq!((width, pixels.len()), (self.width, self.width * self.height));
         pixels
     }
 

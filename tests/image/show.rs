@@ -221,18 +221,12 @@ fn captions_are_inside_the_picture_and_bright() {
             let pixels = draw_best(&scene, &Quality::DEFAULT, width, height).pixels;
             // The strokes of a letter are about twice its height.
             let bright = pixels.iter().filter(|&&pixel| pixel & 0xff > 0xb0).count();
-            assert!(
-                width < height || bright >= letters * 3,
-                "beat {beat}: {bright}"
-            );
+            assert!(width < height || bright >= letters * 3, "beat {beat}: {bright}");
             let margin = height.min(width) / 40;
             for (i, pixel) in pixels.iter().enumerate() {
                 let is_within = |at: usize, side: usize| (margin..side - margin).contains(&at);
                 let is_inside = is_within(i % width, width) && is_within(i / width, height);
-                assert!(
-                    is_inside || *pixel == 0,
-                    "beat {beat}, {width}x{height}: {i}"
-                );
+                assert!(is_inside || *pixel == 0, "beat {beat}, {width}x{height}: {i}");
             }
         }
     }
@@ -248,10 +242,7 @@ fn caption_shows_points_and_pixels_of_its_frame() {
                 size: 0.05,
                 brightness: 1.0,
             };
-            let scene = Scene {
-                captions: List::of(&[caption]),
-                ..show::model_scene(2.0)
-            };
+            let scene = Scene { captions: List::of(&[caption]), ..show::model_scene(2.0) };
             draw_best(&scene, &Quality::DEFAULT, width, height)
         };
         let counted = with("TRACED ####### OF $$$$$$$ PIXELS");
@@ -261,10 +252,7 @@ fn caption_shows_points_and_pixels_of_its_frame() {
             // Numbers have no leading zeros.
             with(&format!("TRACED {points:7} OF {pixels:7} PIXELS")).pixels
         };
-        assert!(
-            points > 1000 && counted.pixels == written(points),
-            "{points}"
-        );
+        assert!(points > 1000 && counted.pixels == written(points), "{points}");
         assert!(counted.pixels != written(points + 1));
     }
 }

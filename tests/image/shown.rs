@@ -35,10 +35,7 @@ struct Effect {
 
 impl Effect {
     fn promised(pixels: Vec<usize>) -> Self {
-        Self {
-            pixels,
-            is_promised: true,
-        }
+        Self { pixels, is_promised: true }
     }
 
     /// Returns whether every pixel differs by more than `tolerance` in a channel.
@@ -59,10 +56,7 @@ struct Tally {
 
 impl Tally {
     fn new(qualities: impl Iterator<Item = Quality>) -> Self {
-        Self {
-            qualities: qualities.collect(),
-            ..Self::default()
-        }
+        Self { qualities: qualities.collect(), ..Self::default() }
     }
 
     #[track_caller]
@@ -162,10 +156,7 @@ fn sunk(random: &mut Random) -> View {
     let half = random.vector(Vec3::splat(0.3), Vec3::ONE);
     let large = solids::block(random, Vec3::ZERO, half, Material::BLACK);
     let eye = random.turn() * Vec3::X * random.between(2.0, 8.0);
-    let mut scene = Scene {
-        camera: Camera::new(eye, Vec3::ZERO, 1.5),
-        ..Scene::default()
-    };
+    let mut scene = Scene { camera: Camera::new(eye, Vec3::ZERO, 1.5), ..Scene::default() };
     scene.blocks.push(large);
     for _ in 0..40 {
         let at = random.vector(Vec3::NEG_ONE, Vec3::ONE);
@@ -183,9 +174,7 @@ fn assert_objects(view: fn(&mut Random) -> View, count: u64, [shown, bare]: [usi
     let mut tally = Tally::new(of_all_sides());
     for mut random in cases(count) {
         let view = view(&mut random);
-        tally.add(isa_of(random.seed), &view, 0, |exhaustive| {
-            objects(&view, exhaustive)
-        });
+        tally.add(isa_of(random.seed), &view, 0, |exhaustive| objects(&view, exhaustive));
     }
     tally.assert_counts(shown, bare);
 }
@@ -242,9 +231,7 @@ fn shadows_on_a_floor_are_shown() {
     let mut tally = Tally::new(named());
     for mut random in cases(60) {
         let view = sized(Hidden::POINT.scene(&mut random));
-        tally.add(isa_of(random.seed), &view, 0, |exhaustive| {
-            shadows(&view, exhaustive)
-        });
+        tally.add(isa_of(random.seed), &view, 0, |exhaustive| shadows(&view, exhaustive));
     }
     tally.assert_counts(1000, 100);
 }
@@ -303,10 +290,7 @@ fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
             let number = digit(16) + 4 * digit(8) + 16 * digit(0);
             let is_sphere = number % 2 == 0;
             let is_promised = is_sphere || view.scene.blocks[number / 2].shape == BlockShape::Box;
-            effects.push(Effect {
-                pixels,
-                is_promised,
-            });
+            effects.push(Effect { pixels, is_promised });
         }
     }
     effects
@@ -317,9 +301,7 @@ fn images_in_a_floor_are_shown() {
     let mut tally = Tally::new(of_all_sides());
     for mut random in cases(40) {
         let view = mirror(&mut random);
-        tally.add(isa_of(random.seed), &view, 1, |exhaustive| {
-            images(&view, exhaustive)
-        });
+        tally.add(isa_of(random.seed), &view, 1, |exhaustive| images(&view, exhaustive));
     }
     tally.assert_counts(250, 150);
     assert!(tally.shown[1] > 150 && tally.missed[1] <= 2, "{tally:?}");
@@ -392,10 +374,8 @@ fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
         let changed: Vec<usize> = (0..matt.len()).filter(is_changed).collect();
         for pixels in patches(&changed, view.width) {
             if pixels.len() >= 5 {
-                effects.push(Effect {
-                    is_promised: show_mirror_point(view, shape, &pixels),
-                    pixels,
-                });
+                effects
+                    .push(Effect { is_promised: show_mirror_point(view, shape, &pixels), pixels });
             }
         }
     }

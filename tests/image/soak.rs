@@ -116,10 +116,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
 
     // The corners of the largest squares are always traced, but antialiasing and marks change their pixels, and culling by
     // wrong axes depends on the squares.
-    let every = Quality {
-        square: 1,
-        ..quality
-    };
+    let every = Quality { square: 1, ..quality };
     let (others, _) = draw(one, &every);
     if !quality.antialias && scene.method == Method::PLAIN && !has_wrong_axes {
         for y in (0..height).step_by(square) {

@@ -87,10 +87,7 @@ fn long_finest_shows_thin_things_without_bounds() {
 #[test]
 #[ignore = "draws docs/unguarded.png"]
 fn sheet_of_unguarded_kinds() {
-    let size = Size {
-        width: 200,
-        height: 75,
-    };
+    let size = Size { width: 200, height: 75 };
     let tiles: Vec<Tile> = KINDS[ON_FLOORS..]
         .iter()
         .map(|kind| {
@@ -132,10 +129,7 @@ fn finest_traces_no_more_where_all_is_guarded() {
         lights: List::of(&[Light::new(vec3(3.0, 5.0, -4.0), Vec3::ONE)]),
         ..Scene::default()
     };
-    let plain = Quality {
-        unguarded_weight: f32::INFINITY,
-        ..FINEST
-    };
+    let plain = Quality { unguarded_weight: f32::INFINITY, ..FINEST };
     let [finest, plain] = [FINEST, plain].map(|quality| draw_best(&scene, &quality, 640, 360));
     assert_eq!(finest.counts, plain.counts);
     assert!(finest.pixels == plain.pixels);

@@ -14,10 +14,7 @@ fn sea(height: f32, water: Waves) -> Vec<u32> {
         background: Vec3::splat(0.2),
         sky: Vec3::splat(0.6),
         ambient: Vec3::ONE,
-        planes: List::of(&[
-            floor(0.0, Material::mirror(1.0)),
-            floor(-0.1, Material::BLACK),
-        ]),
+        planes: List::of(&[floor(0.0, Material::mirror(1.0)), floor(-0.1, Material::BLACK)]),
         spheres: List::of(&[Sphere::new(vec3(0.0, 2.0, 4.0), 1.0, red)]),
         water,
         ..Scene::default()
@@ -25,11 +22,7 @@ fn sea(height: f32, water: Waves) -> Vec<u32> {
     draw_best(&scene, &Quality::EXHAUSTIVE, 160, 120).pixels
 }
 
-const ROUGH: Waves = Waves {
-    slope: 0.1,
-    length: 3.0,
-    phase: 0.3,
-};
+const ROUGH: Waves = Waves { slope: 0.1, length: 3.0, phase: 0.3 };
 
 #[test]
 fn no_wave_mirrors_the_floor_below_the_water() {

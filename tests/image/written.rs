@@ -34,17 +34,9 @@ fn signs_stand_for_the_digits_of_four_numbers() {
 #[test]
 fn copper_bar_covers_its_share_of_the_picture() {
     for brightness in [0.0, 0.5, 1.0] {
-        let bar = CopperBar {
-            middle: 0.25,
-            height: 0.1,
-            colour: vec3(1.0, 0.5, 0.0),
-            brightness,
-        };
-        let scene = Scene {
-            background: Vec3::ONE,
-            copper_bars: List::of(&[bar]),
-            ..Scene::default()
-        };
+        let bar = CopperBar { middle: 0.25, height: 0.1, colour: vec3(1.0, 0.5, 0.0), brightness };
+        let scene =
+            Scene { background: Vec3::ONE, copper_bars: List::of(&[bar]), ..Scene::default() };
         let drawn = draw_best(&scene, &Quality::DEFAULT, SIZE.0, SIZE.1);
         for (y, row) in drawn.pixels.chunks(SIZE.0).enumerate() {
             assert!(row.iter().all(|pixel| *pixel == row[0]), "row {y}");

@@ -80,9 +80,6 @@ fn second_round_repeats_sound_and_picture() {
         let [first, second, before] =
             [at, SHOW + at, SHOW + at - FPS].map(|frame| colours(frames[frame]));
         let (same, other) = (difference(&first, &second), difference(&first, &before));
-        assert!(
-            same < 1.0 && same < other / 2.0,
-            "frame {at}: {same}, {other}"
-        );
+        assert!(same < 1.0 && same < other / 2.0, "frame {at}: {same}, {other}");
     }
 }

@@ -31,15 +31,9 @@ fn bad_argument_is_named_in_one_line() {
         (&["--psnr", "100"], "; must be DB: "),
         (&["--quality", "best"], "--quality is 'best'; must be NAME"),
         (&["--quality"], &qualities),
-        (
-            &["--exhaustive", "--quality=fast"],
-            "--quality conflicts with another quality",
-        ),
+        (&["--exhaustive", "--quality=fast"], "--quality conflicts with another quality"),
         (&["--psnr=45", "--fps=60"], "--psnr conflicts with --fps "),
-        (
-            &["--quality=fast", "--psnr=45"],
-            " with --fps and --quality",
-        ),
+        (&["--quality=fast", "--psnr=45"], " with --fps and --quality"),
         (&["--isa", "neon"], "--isa is 'neon'; must be NAME: "),
         (&["--still", &length], "--still is '116'; must be S: "),
         (&["--loop", "--fps", "1", "--size", "1x"], "; must be WxH: "),

@@ -34,21 +34,9 @@ fn soundtrack_is_played() {
 fn processor_without_avx2_gets_one_line() {
     needs!(&["qemu-x86_64-static"]);
     for (options, code, line) in [
-        (
-            "--still 5 --size 64x48",
-            1,
-            "eightfold: this processor lacks AVX2; ",
-        ),
-        (
-            "--silent",
-            1,
-            "; build with: cargo build --release -p eightfold --features sse2\n",
-        ),
-        (
-            "--isa avx2",
-            2,
-            "eightfold: --isa is 'avx2'; must be NAME: ",
-        ),
+        ("--still 5 --size 64x48", 1, "eightfold: this processor lacks AVX2; "),
+        ("--silent", 1, "; build with: cargo build --release -p eightfold --features sse2\n"),
+        ("--isa avx2", 2, "eightfold: --isa is 'avx2'; must be NAME: "),
         ("--version", 0, ""),
     ] {
         let mut command = tool("qemu-x86_64-static");
@@ -86,10 +74,7 @@ fn pulseaudio_plays_at_normal_speed() {
     let (output, said) = run(command.env("ALSA_CONFIG_PATH", &configuration));
     assert_eq!(texts(&output).1, NO_SCREEN);
     // With the plugin's buffer it took 5 s and more. A busy machine is late by less.
-    let seconds = said
-        .split(" in ")
-        .nth(1)
-        .and_then(|rest| rest.split(' ').next());
+    let seconds = said.split(" in ").nth(1).and_then(|rest| rest.split(' ').next());
     let seconds: f32 = seconds.expect("the report").parse().expect("seconds");
     assert!((3.9..4.9).contains(&seconds), "{said}");
 }
@@ -115,10 +100,7 @@ fn unresponsive_display_is_skipped_within_8_s() {
 fn missing_linker_or_descriptors_print_one_line() {
     let told = "eightfold: dynamic linker cannot be loaded\n";
     let folder = tempfile::tempdir().unwrap();
-    let copied = Command::new("install")
-        .arg(intro())
-        .arg(folder.path())
-        .status();
+    let copied = Command::new("install").arg(intro()).arg(folder.path()).status();
     assert!(copied.unwrap().success());
     let mut alone = Command::new("chroot");
     let (output, _) = run(alone.arg(folder.path()).arg("/eightfold"));
@@ -172,9 +154,7 @@ fn output_that_cannot_be_written_is_an_error() {
         }
     }
     for reader in ["true", "head -c 1000 > /dev/null"] {
-        let (code, errors) = shell(&format!(
-            "INTRO --still 2 | {reader}; exit ${{PIPESTATUS[0]}}"
-        ));
+        let (code, errors) = shell(&format!("INTRO --still 2 | {reader}; exit ${{PIPESTATUS[0]}}"));
         assert_eq!(code, Some(1), "{reader}: {errors}");
     }
 }
@@ -184,10 +164,7 @@ fn closed_streams_do_not_become_the_display() {
     needs!(DISPLAY);
     let server = Server::start(320, 240);
     let streams = "<&- >&- 2>&-";
-    let (code, _) = shell(&format!(
-        "DISPLAY={} INTRO --seconds 0.2 {streams}",
-        server.display
-    ));
+    let (code, _) = shell(&format!("DISPLAY={} INTRO --seconds 0.2 {streams}", server.display));
     assert_eq!(code, Some(1), "the report cannot be written");
 }
 
@@ -247,17 +224,12 @@ fn report_has_the_size_drawn() {
         let options = format!("--seconds 0.5 --threads 1 {options}");
         run(&mut headless(&options)).1
     };
-    for (size, drawn) in [
-        ("3840x2160", "1280x720"),
-        ("3839x1079", "1280x360"),
-        ("1001x2160", "334x720"),
-    ] {
+    for (size, drawn) in
+        [("3840x2160", "1280x720"), ("3839x1079", "1280x360"), ("1001x2160", "334x720")]
+    {
         let said = play(&format!("--fps 1000 --size {size}"));
         let sizes = format!(", at {drawn} of {size}, threads 1, ");
-        assert!(
-            said.contains(&sizes) && said.contains(", thirds "),
-            "{said}"
-        );
+        assert!(said.contains(&sizes) && said.contains(", thirds "), "{said}");
     }
     // A fixed quality and a target accuracy keep the size.
     for options in ["--fps 1000 --quality fastest", "--uncapped", "--psnr 30"] {
@@ -270,17 +242,13 @@ fn report_has_the_size_drawn() {
 #[test]
 fn waiting_for_a_frame_uses_no_processor() {
     let intro = Process::start(&mut headless("--seconds 5 --size 16x16"));
-    let stat = Path::new("/proc")
-        .join(intro.0.id().to_string())
-        .join("stat");
+    let stat = Path::new("/proc").join(intro.0.id().to_string()).join("stat");
     // In hundredths of a second.
     let used = || -> u32 {
         let stat = fs::read_to_string(&stat).expect("it runs");
         let (_, fields) = stat.rsplit_once(") ").expect("a name and fields");
         let times = fields.split(' ').skip(11).take(2);
-        times
-            .map(|time| time.parse::<u32>().expect("a number"))
-            .sum()
+        times.map(|time| time.parse::<u32>().expect("a number")).sum()
     };
     // Unpacking is done by then.
     sleep(Duration::from_secs(2));

@@ -42,11 +42,7 @@ fn damaged_or_cut_intro_prints_one_line() {
         assert!(copied.expect("install is there").success());
         let (output, _) = run(Command::new(&path).arg("--version"));
         assert_eq!(output.status.code(), Some(1), "{what}: {output:?}");
-        assert_eq!(
-            texts(&output).1,
-            "eightfold: this file is damaged\n",
-            "{what}"
-        );
+        assert_eq!(texts(&output).1, "eightfold: this file is damaged\n", "{what}");
     };
     let (middle, last) = (packed.len() / 2, packed.len() - 1);
     for place in (CHECKED..5000).step_by(460).chain([middle, last]) {
@@ -78,11 +74,7 @@ fn packed_program_contains_no_paths() {
     let packed = read(&intro()).expect("the intro");
     let program = eightfold_pack::unpack_executable(&packed).expect("it is packed");
     let home = std::env::var("HOME").expect("a home");
-    for path in [
-        env!("CARGO_MANIFEST_DIR"),
-        &format!("{home}/.cargo"),
-        "/rustc/",
-    ] {
+    for path in [env!("CARGO_MANIFEST_DIR"), &format!("{home}/.cargo"), "/rustc/"] {
         let mut parts = program.windows(path.len());
         assert!(parts.all(|part| part != path.as_bytes()), "{path}");
     }

@@ -27,11 +27,7 @@ impl Terminal {
     /// Like [`Terminal::play`], with a command.
     fn run(columns: usize, rows: usize, command: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
-        let name = format!(
-            "eightfold-{}-{}",
-            process::id(),
-            COUNT.fetch_add(1, Relaxed)
-        );
+        let name = format!("eightfold-{}-{}", process::id(), COUNT.fetch_add(1, Relaxed));
         let mut terminal = Terminal {
             socket: env::temp_dir().join(name),
             shell: String::new(),
@@ -52,9 +48,7 @@ impl Terminal {
 
     fn tmux(&self, words: &[&str]) -> String {
         let mut tmux = tool("tmux");
-        tmux.args(["-f", "/dev/null", "-u", "-S"])
-            .arg(&self.socket)
-            .args(words);
+        tmux.args(["-f", "/dev/null", "-u", "-S"]).arg(&self.socket).args(words);
         let (output, text) = run(&mut tmux);
         assert!(output.status.success(), "tmux {words:?}: {output:?}");
         text
@@ -140,9 +134,7 @@ fn terminal_of_any_size_shows_moving_pictures() {
     let terminal = Terminal::play(80, 24, "");
     let before = terminal.text();
     assert!(before.contains("\x1b[38;2;"), "24-bit colours: {before:?}");
-    wait_for("another frame", || {
-        (terminal.text() != before).then_some(())
-    });
+    wait_for("another frame", || (terminal.text() != before).then_some(()));
     for (columns, rows) in [(37, 11), (2, 1), (200, 50)] {
         let (width, height) = (columns.to_string(), rows.to_string());
         terminal.tmux(&["resize-window", "-x", &width, "-y", &height]);
@@ -169,9 +161,7 @@ fn gnu_screen_gets_256_colours() {
         let codes: BTreeSet<&str> = text.split("\x1b[38;5;").skip(1).collect();
         assert!(codes.len() > 5 && !text.contains("38;2;"), "{text:?}");
         terminal.tmux(&["send-keys", "Escape"]);
-        wait_for("the end", || {
-            terminal.text().contains("code 0").then_some(())
-        });
+        wait_for("the end", || terminal.text().contains("code 0").then_some(()));
     }
 }
 
@@ -221,11 +211,7 @@ fn terminal_and_locale_select_colours_and_letters() {
             // Not in the codes of colours or positions.
             first.contains(&String::from_iter([letter; 2]))
         });
-        assert_eq!(
-            kinds.count() > 2,
-            bits == 0,
-            "{variables}: letters by brightness"
-        );
+        assert_eq!(kinds.count() > 2, bits == 0, "{variables}: letters by brightness");
     }
 }
 
@@ -234,12 +220,8 @@ fn report_has_the_letters_of_the_locale() {
     needs!(&["script"]);
     for (variables, sign) in [("LC_ALL=C", " +- "), ("LC_ALL=C.UTF-8", " ± ")] {
         // A busy machine draws its first measured frame late.
-        let texts = [2.0, 8.0, 32.0]
-            .into_iter()
-            .map(|seconds| played(variables, seconds));
-        let text = { texts }
-            .find(|text| text.contains(" dB to "))
-            .expect("an accuracy");
+        let texts = [2.0, 8.0, 32.0].into_iter().map(|seconds| played(variables, seconds));
+        let text = { texts }.find(|text| text.contains(" dB to ")).expect("an accuracy");
         let (_, report) = text.split_once(" frames in ").expect("a report");
         assert!(report.contains(sign), "{variables}: {report}");
     }
@@ -259,10 +241,7 @@ fn played(variables: &str, seconds: f32) -> String {
 #[test]
 fn terminal_wider_than_any_frame_shows_a_part() {
     needs!(&["script"]);
-    let play = format!(
-        "stty cols 65535 rows 2; {} --silent --seconds 0.5",
-        intro().display()
-    );
+    let play = format!("stty cols 65535 rows 2; {} --silent --seconds 0.5", intro().display());
     let (output, text) = run(&mut script(&play));
     assert!(output.status.success(), "{output:?}");
     assert!(text.contains("3840x4"), "{text}");
@@ -322,13 +301,9 @@ fn continued_process_restores_the_picture() {
     sleep(Duration::from_millis(500));
     terminal.signal("STOP");
     terminal.signal_reader("CONT");
-    sh(&format!(
-        "stty -F {tty} sane; printf '\\033[?1049l' > {tty}"
-    ));
+    sh(&format!("stty -F {tty} sane; printf '\\033[?1049l' > {tty}"));
     terminal.signal("CONT");
-    wait_for("the alternate screen", || {
-        (terminal.value("alternate_on") == "1").then_some(())
-    });
+    wait_for("the alternate screen", || (terminal.value("alternate_on") == "1").then_some(()));
     terminal.wait_for_picture(60, 20);
     terminal.tmux(&["send-keys", "Escape"]);
     terminal.wait_for_end(0);

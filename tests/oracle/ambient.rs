@@ -20,10 +20,7 @@ impl Oracle<'_> {
             return sky;
         }
         let up = 0.5 + 0.5 * hit.n.y;
-        let floor = scene
-            .planes
-            .first()
-            .map_or(f64::from(f32::MIN), |plane| plane.centre.y.into());
+        let floor = scene.planes.first().map_or(f64::from(f32::MIN), |plane| plane.centre.y.into());
         let height = (hit.ray.o.y - floor).max(0.0);
         let below = (1.0 - up) * height / (height + 0.2 * f64::from(ambience.reach));
         let light = sky * up + ambience.ground.as_dvec3() * below;
@@ -31,14 +28,10 @@ impl Oracle<'_> {
             return light;
         }
         let (mut open, mut bounced) = (1.0, DVec3::ZERO);
-        let spheres = scene
-            .spheres
-            .iter()
-            .map(|s| (by_sphere(s, hit, ambience), s.centre, &s.material));
-        let blocks = scene
-            .blocks
-            .iter()
-            .map(|b| (by_block(b, hit, ambience), b.centre, &b.material));
+        let spheres =
+            scene.spheres.iter().map(|s| (by_sphere(s, hit, ambience), s.centre, &s.material));
+        let blocks =
+            scene.blocks.iter().map(|b| (by_block(b, hit, ambience), b.centre, &b.material));
         for (cover, centre, material) in spheres.chain(blocks) {
             let opacity = f64::from((1.0 - material.kt).max(0.0) * ambience.occlusion);
             let share = (cover.share * opacity).min(1.0);
@@ -71,10 +64,7 @@ fn by_sphere(sphere: &Sphere, hit: &Hit<'_>, ambience: &Ambience) -> Cover {
     } else {
         height.max(0.0) * radius / to.length() / h2
     };
-    Cover {
-        share: share * fade * fade,
-        from: -to.normalize(),
-    }
+    Cover { share: share * fade * fade, from: -to.normalize() }
 }
 
 fn by_block(block: &Block, hit: &Hit<'_>, ambience: &Ambience) -> Cover {
@@ -97,8 +87,5 @@ fn by_block(block: &Block, hit: &Hit<'_>, ambience: &Ambience) -> Cover {
         sum += covered * out.length();
         from += covered * out;
     }
-    Cover {
-        share,
-        from: axes * from / sum,
-    }
+    Cover { share, from: axes * from / sum }
 }

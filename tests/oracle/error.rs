@@ -26,12 +26,7 @@ impl Difference {
         }
         let count = (a.len() * 3) as f64;
         let square = squares as f64 / count;
-        Self {
-            mean: sum as f64 / count,
-            over_8,
-            square,
-            psnr: decibels(square),
-        }
+        Self { mean: sum as f64 / count, over_8, square, psnr: decibels(square) }
     }
 
     /// Returns the PSNR in dB of all pictures together.

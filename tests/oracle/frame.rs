@@ -20,12 +20,7 @@ impl Frame {
             oracle.trace(x as isize - 1, y as isize - 1)
         };
         let points = (0..(width + 2) * (height + 2)).into_par_iter().map(trace);
-        Self {
-            width,
-            height,
-            film: scene.film,
-            points: points.collect(),
-        }
+        Self { width, height, film: scene.film, points: points.collect() }
     }
 
     pub fn at(&self, x: usize, y: usize) -> &Traced {

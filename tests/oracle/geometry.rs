@@ -31,11 +31,7 @@ impl Ray {
     /// Returns the ray from its hit on.
     pub fn moved(&self, t: f64) -> Self {
         let slack = ROUNDING * (self.o.abs().max_element() + t);
-        Self {
-            o: self.at(t),
-            slack,
-            ..*self
-        }
+        Self { o: self.at(t), slack, ..*self }
     }
 
     pub fn turned(&self, d: DVec3) -> Self {
@@ -99,21 +95,9 @@ fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
 
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
-    Sphere {
-        centre: DVec3,
-        radius: f64,
-    },
-    Plane {
-        centre: DVec3,
-        half_x: f64,
-        half_z: f64,
-    },
-    Block {
-        centre: DVec3,
-        half: DVec3,
-        axes: DMat3,
-        shape: BlockShape,
-    },
+    Sphere { centre: DVec3, radius: f64 },
+    Plane { centre: DVec3, half_x: f64, half_z: f64 },
+    Block { centre: DVec3, half: DVec3, axes: DMat3, shape: BlockShape },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -125,10 +109,7 @@ pub struct Met {
 
 impl From<&Sphere> for Shape {
     fn from(sphere: &Sphere) -> Self {
-        Self::Sphere {
-            centre: sphere.centre.as_dvec3(),
-            radius: sphere.radius.into(),
-        }
+        Self::Sphere { centre: sphere.centre.as_dvec3(), radius: sphere.radius.into() }
     }
 }
 
@@ -156,21 +137,10 @@ impl From<&Block> for Shape {
 impl Shape {
     pub fn meet(&self, ray: Ray, limit: f64) -> Option<Met> {
         let met = match *self {
-            Self::Sphere { centre, radius } => sphere(ray, centre, radius).map(|t| Met {
-                t,
-                normal: (ray.at(t) - centre) / radius,
-            }),
-            Self::Plane {
-                centre,
-                half_x,
-                half_z,
-            } => plane(ray, centre, half_x, half_z),
-            Self::Block {
-                centre,
-                half,
-                axes,
-                shape,
-            } => {
+            Self::Sphere { centre, radius } => sphere(ray, centre, radius)
+                .map(|t| Met { t, normal: (ray.at(t) - centre) / radius }),
+            Self::Plane { centre, half_x, half_z } => plane(ray, centre, half_x, half_z),
+            Self::Block { centre, half, axes, shape } => {
                 let own = Ray {
                     o: axes.transpose() * (ray.o - centre),
                     d: axes.transpose() * ray.d,
@@ -186,10 +156,7 @@ impl Shape {
                     BlockShape::Cylinder => cylinder(own, half),
                     BlockShape::Capsule => capsule(own, half),
                 };
-                met.map(|met| Met {
-                    normal: axes * met.normal,
-                    ..met
-                })
+                met.map(|met| Met { normal: axes * met.normal, ..met })
             }
         };
         met.filter(|met| met.t < limit)
@@ -216,9 +183,7 @@ impl Shape {
 
 pub fn sphere(ray: Ray, centre: DVec3, radius: f64) -> Option<f64> {
     let least = ray.slack + ROUNDING * radius;
-    crossings(ray.o - centre, ray.d, radius, ray.slack)?
-        .into_iter()
-        .find(|&t| t > least)
+    crossings(ray.o - centre, ray.d, radius, ray.slack)?.into_iter().find(|&t| t > least)
 }
 
 fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {
@@ -227,20 +192,13 @@ fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {
     let p = ray.at(t) - centre;
     // False for NaN and infinity, of a parallel ray.
     let is_hit = above.abs() > ray.slack && t > 0.0 && p.x.abs() <= half_x && p.z.abs() <= half_z;
-    is_hit.then_some(Met {
-        t,
-        normal: DVec3::Y,
-    })
+    is_hit.then_some(Met { t, normal: DVec3::Y })
 }
 
 /// Returns the distance to the face at `at` on axis `i`: 0 if the ray starts there.
 fn face(ray: &Ray, at: f64, i: usize) -> f64 {
     let to_face = at - ray.o[i];
-    if to_face.abs() <= ray.slack {
-        0.0
-    } else {
-        to_face / ray.d[i]
-    }
+    if to_face.abs() <= ray.slack { 0.0 } else { to_face / ray.d[i] }
 }
 
 /// Intersects a box around the origin: a ray hits the last slab that it enters, or the first that it leaves.
@@ -267,15 +225,9 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
     if enter > leave || leave <= 0.0 {
         None
     } else if enter > 0.0 {
-        Some(Met {
-            t: enter,
-            normal: normal(enter_axis, -1.0),
-        })
+        Some(Met { t: enter, normal: normal(enter_axis, -1.0) })
     } else {
-        Some(Met {
-            t: leave,
-            normal: normal(leave_axis, 1.0),
-        })
+        Some(Met { t: leave, normal: normal(leave_axis, 1.0) })
     }
 }
 
@@ -289,20 +241,14 @@ fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
     let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
     let met = crossings(o, d, radius, ray.slack).into_iter().flatten();
     met.filter(move |&t| ray.at(t).y.abs() <= height)
-        .map(move |t| Met {
-            t,
-            normal: ray.at(t).with_y(0.0) / radius,
-        })
+        .map(move |t| Met { t, normal: ray.at(t).with_y(0.0) / radius })
 }
 
 fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
     let cap = |end: f64| {
         let t = face(&ray, end * half.y, 1);
         let is_met = ray.at(t).with_y(0.0).length_squared() <= half.x * half.x;
-        is_met.then_some(Met {
-            t,
-            normal: end * DVec3::Y,
-        })
+        is_met.then_some(Met { t, normal: end * DVec3::Y })
     };
     let caps = [-1.0, 1.0].into_iter().filter_map(cap);
     first(ray, caps.chain(side(ray, half.x, half.y)))
@@ -314,10 +260,10 @@ fn capsule(ray: Ray, half: DVec3) -> Option<Met> {
     let cap = |end: f64| {
         let centre = end * height * DVec3::Y;
         let met = crossings(ray.o - centre, ray.d, half.x, ray.slack);
-        let met = met.into_iter().flatten().map(move |t| Met {
-            t,
-            normal: (ray.at(t) - centre) / half.x,
-        });
+        let met = met
+            .into_iter()
+            .flatten()
+            .map(move |t| Met { t, normal: (ray.at(t) - centre) / half.x });
         met.filter(move |met| end * met.normal.y >= 0.0)
     };
     let caps = [-1.0, 1.0].into_iter().flat_map(cap);

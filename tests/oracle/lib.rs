@@ -151,10 +151,8 @@ fn bodies(scene: &Scene) -> Vec<Body> {
     let lights = scene.lights.iter().enumerate();
     let drawn = lights.filter(|(_, light)| light.drawn_radius > 0.0 && !light.parallel);
     let shown = drawn.map(|(i, light)| {
-        let shape = Shape::Sphere {
-            centre: light.position.as_dvec3(),
-            radius: light.drawn_radius.into(),
-        };
+        let shape =
+            Shape::Sphere { centre: light.position.as_dvec3(), radius: light.drawn_radius.into() };
         (Object::Light(i), shape)
     });
     let all = spheres

@@ -7,11 +7,7 @@ use glam::DVec3;
 
 /// Returns the factor on a light's lengths: parallel lights are far away.
 pub fn reach(light: &Light) -> f64 {
-    if light.parallel {
-        f64::from(Light::FAR)
-    } else {
-        1.0
-    }
+    if light.parallel { f64::from(Light::FAR) } else { 1.0 }
 }
 
 pub fn cone(light: &Light, d: DVec3) -> f64 {
@@ -31,10 +27,7 @@ impl ToLight {
     pub fn new(light: &Light, p: DVec3) -> Self {
         let to_light = reach(light) * light.position.as_dvec3() - p;
         let distance = to_light.length();
-        Self {
-            l: to_light / distance,
-            distance,
-        }
+        Self { l: to_light / distance, distance }
     }
 }
 

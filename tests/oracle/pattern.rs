@@ -59,9 +59,7 @@ fn noise(p: [f64; 2]) -> f64 {
 /// 1.5 * 2^23.
 fn random(point: [u32; 2]) -> f64 {
     let [u, v] = point.map(|n| n.wrapping_add(0x4b40_0000));
-    let h = u
-        .wrapping_mul(0x9e37_79b9)
-        .wrapping_add(v.wrapping_mul(0x85eb_ca6b));
+    let h = u.wrapping_mul(0x9e37_79b9).wrapping_add(v.wrapping_mul(0x85eb_ca6b));
     let h = (h ^ (h >> 15)).wrapping_mul(0x846c_a68b);
     f64::from(h as i32) / 2.0f64.powi(31)
 }

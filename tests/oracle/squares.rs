@@ -24,11 +24,7 @@ fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
 }
 
 pub fn largest(scene: &Scene, quality: &Quality) -> usize {
-    if has_crowd(scene, quality) {
-        quality.square.min(4)
-    } else {
-        quality.square
-    }
+    if has_crowd(scene, quality) { quality.square.min(4) } else { quality.square }
 }
 
 pub struct Squares<'a> {
@@ -179,12 +175,9 @@ impl<'a> Squares<'a> {
     fn split(&mut self, x: usize, y: usize, side: usize) {
         let half = side / 2;
         let [a, b, c, d] = self.corners(x, y, side);
-        for ((u, v), p, q) in [
-            ((half, 0), a, b),
-            ((0, half), a, c),
-            ((side, half), b, d),
-            ((half, side), c, d),
-        ] {
+        for ((u, v), p, q) in
+            [((half, 0), a, b), ((0, half), a, c), ((side, half), b, d), ((half, side), c, d)]
+        {
             if (p.key == q.key || !self.has_keys())
                 && spread(&[p, q, p, q]) <= self.allowed_side(side)
             {
@@ -200,11 +193,7 @@ impl<'a> Squares<'a> {
     fn allowed(&self, corners: &[Traced; 4], side: usize) -> f64 {
         let quality = self.oracle.quality;
         let agree = corners.iter().all(|corner| corner.key == corners[0].key);
-        let spread = if agree {
-            quality.tolerance_agreeing
-        } else {
-            quality.tolerance_differing
-        };
+        let spread = if agree { quality.tolerance_agreeing } else { quality.tolerance_differing };
         f64::from(spread * self.oracle.scene.film.tolerance) * self.growth(side)
     }
 
@@ -217,11 +206,7 @@ impl<'a> Squares<'a> {
     fn allowed_side(&self, side: usize) -> f64 {
         let Film { tolerance, .. } = self.oracle.scene.film;
         let tolerance = f64::from(self.oracle.quality.tolerance_side * tolerance);
-        if tolerance > 0.0 {
-            tolerance * self.growth(side)
-        } else {
-            -1.0
-        }
+        if tolerance > 0.0 { tolerance * self.growth(side) } else { -1.0 }
     }
 
     fn has_keys(&self) -> bool {

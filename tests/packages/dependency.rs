@@ -30,17 +30,10 @@ fn cargo(directory: impl AsRef<Path>, arguments: &[&str]) -> String {
 
 fn package() -> PathBuf {
     let package = ["package", "--package", "eightfold-tracer", "--offline"];
-    cargo(
-        ROOT,
-        &[&package[..], &["--allow-dirty", "--no-verify"]].concat(),
-    );
+    cargo(ROOT, &[&package[..], &["--allow-dirty", "--no-verify"]].concat());
     let name = concat!("eightfold-tracer-", env!("CARGO_PKG_VERSION"));
     let archive = folder().join(format!("target/package/{name}.crate"));
-    run(Command::new("tar")
-        .arg("-xzf")
-        .arg(archive)
-        .arg("-C")
-        .arg(folder()));
+    run(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(folder()));
     folder().join(name)
 }
 

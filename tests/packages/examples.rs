@@ -15,9 +15,7 @@ fn output(name: &str, arguments: &[&str]) -> (TempDir, String) {
     let (output, text) = run(example(name).args(arguments).current_dir(&folder));
     assert!(output.status.success(), "{}", texts(&output).1);
     let written = fs::read_dir(&folder).expect("a folder");
-    let names: Vec<_> = written
-        .map(|entry| entry.expect("an entry").file_name())
-        .collect();
+    let names: Vec<_> = written.map(|entry| entry.expect("an entry").file_name()).collect();
     assert_eq!(names, ["target"]);
     (folder, text)
 }
@@ -40,10 +38,7 @@ fn turntable_turns_objects_under_a_blue_sky() {
     });
     let [_, red, _, blue] = first[20 * 640 + 320].to_be_bytes();
     assert!(blue > red + 20, "the sky");
-    let changed = first
-        .iter()
-        .zip(&last)
-        .filter(|(first, last)| first != last);
+    let changed = first.iter().zip(&last).filter(|(first, last)| first != last);
     let count = changed.count();
     assert!((1000..100_000).contains(&count), "{count} pixels changed");
 }

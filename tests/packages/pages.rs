@@ -20,10 +20,7 @@ fn links_lead_to_files() {
         let targets = text.split("](").skip(1).map(|rest| rest.split(')').next());
         for target in targets.flatten().filter(|link| !link.starts_with("http")) {
             let path = page.with_file_name(target.split('#').next().expect("a part"));
-            assert!(
-                target.starts_with('#') || path.exists(),
-                "{page:?}: {target}"
-            );
+            assert!(target.starts_with('#') || path.exists(), "{page:?}: {target}");
             count += 1;
         }
     }

@@ -44,18 +44,12 @@ pub const ON_FLOORS: usize = 10;
 
 pub const LIGHTS: [(&str, Draw<Light>); 4] = [
     ("point", point),
-    ("sun", |random| Light {
-        parallel: true,
-        ..point(random)
-    }),
+    ("sun", |random| Light { parallel: true, ..point(random) }),
     ("spotlight", |random| {
         let (light, inner) = (point(random), random.between(0.2, 0.5));
         lights::spotlight(light, inner, random.between(0.5, 0.9))
     }),
-    ("area light", |random| Light {
-        diameter: random.between(0.1, 0.6),
-        ..point(random)
-    }),
+    ("area light", |random| Light { diameter: random.between(0.1, 0.6), ..point(random) }),
 ];
 
 pub const FLOORS: [(&str, Draw<Material>); 3] = [
@@ -365,10 +359,8 @@ fn some_bars(scene: &mut Scene, random: &mut Random) {
 
 fn water(scene: &mut Scene, random: &mut Random) {
     let colour = bright(random);
-    scene.planes[0].material = Material {
-        kr: random.between(0.4, 0.8),
-        ..Material::matt(colour, 0.2)
-    };
+    scene.planes[0].material =
+        Material { kr: random.between(0.4, 0.8), ..Material::matt(colour, 0.2) };
     scene.water = Waves {
         slope: random.between(0.003, 0.04),
         length: random.between(0.3, 2.0),

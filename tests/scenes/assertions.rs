@@ -18,10 +18,7 @@ fn draw(renderer: &mut Renderer, scene: &Scene) {
 }
 
 fn scene(random: &mut Random) -> Scene {
-    let shiny_blocks = Kinds {
-        material: materials::shiny,
-        ..Kinds::RICH
-    };
+    let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
     match random.below(7) {
         0 => Hidden::BLOCKS.scene(random),
         1 => random.one_of(Seen::ALL).view(random)[0].scene.clone(),
@@ -40,13 +37,7 @@ fn degenerate(random: &mut Random) -> [Scene; 4] {
     let places: Vec<Vec3> = places.chain([Vec3::ZERO]).collect();
     let place = places[random.below(places.len())];
     scene.camera.up = vec3(0.3, 1.0, 0.2);
-    [
-        place,
-        place + 3.0 * Vec3::Y,
-        place + Vec3::splat(1e-22),
-        Vec3::splat(MAX_LENGTH),
-    ]
-    .map(|eye| {
+    [place, place + 3.0 * Vec3::Y, place + Vec3::splat(1e-22), Vec3::splat(MAX_LENGTH)].map(|eye| {
         let mut scene = scene.clone();
         scene.camera.eye = eye;
         scene.camera.look_at = random.one_of([place, eye + Vec3::Z, eye + Vec3::NEG_Y]);

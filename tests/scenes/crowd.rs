@@ -21,12 +21,7 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     } else {
         (0.8, 0.0, 0.0)
     };
-    Material {
-        kd,
-        kr,
-        kt,
-        ..plastic
-    }
+    Material { kd, kr, kt, ..plastic }
 }
 
 /// Returns a crowd of `spheres` and `blocks`, with these shares of glass and mirrors, over checkers or a plain floor. Up to sixteen

@@ -24,20 +24,10 @@ const LIGHT: Light = Light::new(Vec3::ZERO, Vec3::ONE);
 const COUNT: usize = 40;
 
 impl Hidden {
-    pub const POINT: Self = Self {
-        things: Things::Spheres,
-        floor: GREY,
-        light: Some(LIGHT),
-    };
-    pub const BLOCKS: Self = Self {
-        things: Things::Blocks,
-        ..Self::POINT
-    };
-    pub const MIRROR: Self = Self {
-        things: Things::Both,
-        floor: Material::mirror(0.5),
-        light: None,
-    };
+    pub const POINT: Self = Self { things: Things::Spheres, floor: GREY, light: Some(LIGHT) };
+    pub const BLOCKS: Self = Self { things: Things::Blocks, ..Self::POINT };
+    pub const MIRROR: Self =
+        Self { things: Things::Both, floor: Material::mirror(0.5), light: None };
 
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = floor(random, GREY);
@@ -64,9 +54,7 @@ impl Hidden {
             Things::Both => is_odd,
         };
         if is_block {
-            let thin = random
-                .vector(Vec3::splat(0.03), Vec3::splat(0.3))
-                .with_y(1.0);
+            let thin = random.vector(Vec3::splat(0.03), Vec3::splat(0.3)).with_y(1.0);
             let half = 2.0 * small * thin;
             let block = solids::block(random, centre, half, material);
             scene.blocks.push(block);

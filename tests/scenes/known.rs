@@ -89,12 +89,9 @@ pub fn slivers() -> [View; 3] {
     };
     let low = vec3(0.351_313, 0.002_777_457_2, -2.0);
     let low = Camera::new(0.824_372_23 * Vec3::Y, low, 0.585_265_76);
-    let mut views = [
-        (above(600.0, 0.35), [320, 240]),
-        (above(100.0, 0.8), [320, 240]),
-        (low, [517, 61]),
-    ]
-    .map(|(camera, size)| floor(camera, Vec3::ZERO, [500.0, 500.0], size));
+    let mut views =
+        [(above(600.0, 0.35), [320, 240]), (above(100.0, 0.8), [320, 240]), (low, [517, 61])]
+            .map(|(camera, size)| floor(camera, Vec3::ZERO, [500.0, 500.0], size));
     let place = |i: usize| -52.600_563 + 28.289_38 * i as f32;
     for i in 0..25 {
         let centre = vec3(place(i / 5), 0.0005, place(i % 5));
@@ -119,12 +116,7 @@ pub fn thin_highlights() -> [Scene; 2] {
         vec3(-0.541_434_94, 0.720_930_04, -0.432_559_9),
     );
     let block = |shape, centre, half, [grey, kd, ks, exponent, metallic]: [f32; 5]| {
-        let material = Material {
-            ks,
-            exponent,
-            metallic,
-            ..Material::matt(Vec3::splat(grey), kd)
-        };
+        let material = Material { ks, exponent, metallic, ..Material::matt(Vec3::splat(grey), kd) };
         Block::new(shape, centre, half, material)
     };
     let leaning = Block {
@@ -140,13 +132,7 @@ pub fn thin_highlights() -> [Scene; 2] {
         Shape::Capsule,
         vec3(2.033_094_4, 2.886_908, 3.929_962_2),
         vec3(0.172_525_03, 0.364_133_95, 0.172_525_03),
-        [
-            0.042_877_94,
-            0.125_820_68,
-            0.251_299_44,
-            170.442_4,
-            0.081_142_78,
-        ],
+        [0.042_877_94, 0.125_820_68, 0.251_299_44, 170.442_4, 0.081_142_78],
     );
     let eye = vec3(-5.150_400_6, 2.655_453_2, 8.467_52);
     let look_at = vec3(1.782_630_9, -0.352_265_6, 0.849_080_3);
@@ -158,11 +144,7 @@ pub fn thin_highlights() -> [Scene; 2] {
     let high = vec3(13.445_171, 7.541_676, -2.100_769);
     [
         (beside, leaning, Light::new(low, Vec3::splat(1.207_306_9))),
-        (
-            before,
-            standing,
-            Light::new(high, Vec3::splat(0.721_556_84)),
-        ),
+        (before, standing, Light::new(high, Vec3::splat(0.721_556_84))),
     ]
     .map(|(camera, block, light)| Scene {
         camera,
@@ -176,10 +158,7 @@ pub fn thin_highlights() -> [Scene; 2] {
 
 /// A picture of a colour half-way between two steps: 204.49998 of 255.
 pub fn tie() -> Scene {
-    Scene {
-        background: vec3(0.801_960_7, 0.0, 0.0),
-        ..Scene::default()
-    }
+    Scene { background: vec3(0.801_960_7, 0.0, 0.0), ..Scene::default() }
 }
 
 /// A box where a ray at an edge hit the back face.
@@ -188,10 +167,7 @@ pub fn mirror_box(material: Material) -> Scene {
     let half = vec3(0.741_517_96, 0.575_814_25, 0.917_006_7);
     let eye = vec3(1.619_298_6, -6.583_688_3, -3.228_574_5);
     Scene {
-        camera: Camera {
-            up: vec3(0.1, 1.0, 0.05),
-            ..Camera::new(eye, centre, 0.391_123_4)
-        },
+        camera: Camera { up: vec3(0.1, 1.0, 0.05), ..Camera::new(eye, centre, 0.391_123_4) },
         background: Vec3::ONE,
         blocks: List::of(&[Block::new(Shape::Box, centre, half, material)]),
         ..Scene::default()

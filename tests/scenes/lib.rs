@@ -51,11 +51,7 @@ pub struct View {
 
 impl View {
     pub const fn new(scene: Scene, [width, height]: [usize; 2]) -> Self {
-        Self {
-            scene,
-            width,
-            height,
-        }
+        Self { scene, width, height }
     }
 }
 
@@ -77,11 +73,7 @@ pub fn coloured(scene: &Scene, step: usize) -> Scene {
     for (light, number) in scene.lights.iter_mut().zip(numbers) {
         light.colour = materials::numbered(number, step).colour;
     }
-    Scene {
-        background: materials::numbered(0, step).colour,
-        ambient: Vec3::ONE,
-        ..scene
-    }
+    Scene { background: materials::numbered(0, step).colour, ambient: Vec3::ONE, ..scene }
 }
 
 /// Scales a scene, within the ranges of [`Scene::validate`] for haze, patterns and extents.

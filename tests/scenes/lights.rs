@@ -4,10 +4,7 @@ use glam::vec3;
 
 pub fn point(random: &mut Random) -> Light {
     let position = random.vector(vec3(-8.0, 0.2, -8.0), vec3(8.0, 9.0, 8.0));
-    Light {
-        drawn_radius: random.between(0.05, 0.4),
-        ..Light::new(position, random.colour())
-    }
+    Light { drawn_radius: random.between(0.05, 0.4), ..Light::new(position, random.colour()) }
 }
 
 pub fn any(random: &mut Random) -> Light {
@@ -25,21 +22,11 @@ pub fn any(random: &mut Random) -> Light {
 
 /// Returns the light as a spotlight at the origin, with angles in radians.
 pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
-    Light {
-        spot: Some(Spot {
-            aim: -light.position,
-            inner_angle,
-            outer_angle,
-        }),
-        ..light
-    }
+    Light { spot: Some(Spot { aim: -light.position, inner_angle, outer_angle }), ..light }
 }
 
 pub fn others(light: Light, diameter: f32) -> [Light; 3] {
-    let sun = Light {
-        parallel: true,
-        ..light
-    };
+    let sun = Light { parallel: true, ..light };
     let area = Light { diameter, ..light };
     [sun, spotlight(light, 0.8, 1.05), area]
 }

@@ -77,10 +77,7 @@ pub fn shiny(random: &mut Random) -> Material {
 /// Returns a material with a colour unique to a number: at least `step` of 255 apart in a channel.
 pub fn numbered(number: usize, step: usize) -> Material {
     let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
-    Material {
-        colour: vec3(digit(1), digit(8), digit(64)),
-        ..Material::BLACK
-    }
+    Material { colour: vec3(digit(1), digit(8), digit(64)), ..Material::BLACK }
 }
 
 /// Returns a material with a colour unique to a number below 64; channels are at least half of 255.

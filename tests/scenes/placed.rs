@@ -24,10 +24,8 @@ fn among(random: &mut Random) -> View {
     let any = random.vector(Vec3::NEG_ONE, Vec3::ONE);
     let direction = random.one_of([any, any, any, Vec3::X, Vec3::NEG_Z, Vec3::NEG_Y]);
     let ahead = eye + direction + vec3(0.01, 0.0, 1e-3);
-    let scene = Scene {
-        camera: Camera::new(eye, ahead, random.between(0.2, 2.0)),
-        ..Scene::default()
-    };
+    let scene =
+        Scene { camera: Camera::new(eye, ahead, random.between(0.2, 2.0)), ..Scene::default() };
     View::new(scene, [160, 120].map(|side| 1 + random.below(side)))
 }
 
@@ -74,10 +72,7 @@ pub fn placed(random: &mut Random) -> View {
     }
     for _ in 0..random.below(3) {
         let (position, drawn_radius) = anywhere(random, &view, [-0.3, 1.6], [-1.0, 1.6]);
-        view.scene.lights.push(Light {
-            drawn_radius,
-            ..Light::new(position, Vec3::ZERO)
-        });
+        view.scene.lights.push(Light { drawn_radius, ..Light::new(position, Vec3::ZERO) });
     }
     finished(view, random)
 }

@@ -40,10 +40,7 @@ pub fn shiny(random: &mut Random, are_blocks: bool) -> Scene {
         let [x, z] = [0; 2].map(|_| random.between(-wide, wide));
         let position = vec3(x, random.power(-1.5, 1.2), z);
         let colour = Vec3::splat(random.between(0.2, 1.5));
-        scene.lights.push(Light {
-            parallel: random.below(7) == 0,
-            ..Light::new(position, colour)
-        });
+        scene.lights.push(Light { parallel: random.below(7) == 0, ..Light::new(position, colour) });
     }
     scene
 }

@@ -14,8 +14,5 @@ pub fn fitting(shape: Shape, half: Vec3) -> Vec3 {
 
 pub fn block(random: &mut Random, centre: Vec3, half: Vec3, material: Material) -> Block {
     let shape = random.one_of(SHAPES);
-    Block {
-        axes: random.turn(),
-        ..Block::new(shape, centre, fitting(shape, half), material)
-    }
+    Block { axes: random.turn(), ..Block::new(shape, centre, fitting(shape, half), material) }
 }

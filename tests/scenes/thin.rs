@@ -32,11 +32,8 @@ impl Seen {
         for _ in 0..random.one_of([1, 3, 10, 25]) {
             self.add_bar(&mut bars, random, light);
         }
-        let mut others = Scene {
-            camera: bars.scene.camera,
-            background: Vec3::splat(0.5),
-            ..Scene::default()
-        };
+        let mut others =
+            Scene { camera: bars.scene.camera, background: Vec3::splat(0.5), ..Scene::default() };
         let is_floored = self != Self::Directly || random.below(2) == 0;
         if is_floored {
             let floor = match self {

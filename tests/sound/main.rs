@@ -17,10 +17,7 @@ fn song() -> &'static [[f32; 2]] {
 }
 
 fn peak(samples: &[[f32; 2]]) -> f32 {
-    samples
-        .as_flattened()
-        .iter()
-        .fold(0.0, |peak, sample| peak.max(sample.abs()))
+    samples.as_flattened().iter().fold(0.0, |peak, sample| peak.max(sample.abs()))
 }
 
 /// Returns the amplitude of a level in dB of full scale.

@@ -14,10 +14,7 @@ fn energies() -> Vec<f32> {
         step[0] * step[0] + step[1] * step[1]
     });
     let steps: Vec<f32> = steps.collect();
-    steps
-        .chunks(FRAME)
-        .map(|frame| frame.iter().sum())
-        .collect()
+    steps.chunks(FRAME).map(|frame| frame.iter().sum()).collect()
 }
 
 #[test]
@@ -37,10 +34,7 @@ fn kicks_are_heard_within_10_ms_of_their_beats() {
         let at = (time * 1000.0) as usize;
         let steepest = (at - 60..at + 60).max_by(|&a, &b| rise(a).total_cmp(&rise(b)));
         let onset = steepest.expect("some milliseconds");
-        assert!(
-            onset.abs_diff(at) <= 10,
-            "beat {beat}: {onset} ms, not {at}"
-        );
+        assert!(onset.abs_diff(at) <= 10, "beat {beat}: {onset} ms, not {at}");
     }
     assert!(kicks > 100, "{kicks} kicks");
 }

@@ -35,11 +35,7 @@ fn seeking_gives_the_same_samples_as_playing() {
     let mut synthesizer = Box::<Synthesizer>::default();
     let cuts = show::CUTS.map(|bar| bar as usize * BAR);
     let end = SONG_LENGTH as usize - 100;
-    for start in cuts
-        .into_iter()
-        .step_by(3)
-        .chain([9 * BAR + 1, 0, 12_345, end])
-    {
+    for start in cuts.into_iter().step_by(3).chain([9 * BAR + 1, 0, 12_345, end]) {
         synthesizer.seek(start as u32);
         let mut samples = vec![[0.0; 2]; BAR / 4];
         synthesizer.play(&mut samples);

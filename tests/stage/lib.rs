@@ -87,9 +87,8 @@ impl Process {
     /// Returns the waiting time, the exit code (`None` after a signal), standard output and standard error.
     pub fn end(mut self) -> (Duration, Option<i32>, String, String) {
         let start = Instant::now();
-        let status = wait_for("the end of a process", || {
-            self.0.try_wait().expect("it can be waited for")
-        });
+        let status =
+            wait_for("the end of a process", || self.0.try_wait().expect("it can be waited for"));
         let time = start.elapsed();
         let [mut output, mut errors] = [String::new(), String::new()];
         let pipes = (self.0.stdout.take(), self.0.stderr.take());
@@ -133,9 +132,7 @@ impl Server {
         );
         let mut number = String::new();
         let output = process.0.stdout.take().expect("a pipe");
-        BufReader::new(output)
-            .read_line(&mut number)
-            .expect("Xvfb writes its display's number");
+        BufReader::new(output).read_line(&mut number).expect("Xvfb writes its display's number");
         assert!(!number.trim().is_empty(), "Xvfb does not start");
         Server {
             process,
@@ -190,9 +187,7 @@ impl Server {
     }
 
     pub fn play(&self, options: &str) -> Process {
-        wait_for("the last window to close", || {
-            self.window().is_none().then_some(())
-        });
+        wait_for("the last window to close", || self.window().is_none().then_some(()));
         let mut command = Command::new(intro());
         // Cheap frames leave the processors to other tests.
         let cheap = ["--silent", "--quality", "thesis", "--fps", "20"];
@@ -213,10 +208,7 @@ impl Server {
         // In about one of a hundred runs no window appears, for an unknown reason.
         if try_for(&window).is_none() {
             let ended = program.0.try_wait().expect("a status");
-            assert!(
-                ended.is_none(),
-                "the program ended without a window: {ended:?}"
-            );
+            assert!(ended.is_none(), "the program ended without a window: {ended:?}");
             eprintln!("no window within 10 s: the program is started again");
             drop(program);
             program = Process::start(command);
@@ -281,9 +273,7 @@ fn import(display: &str, arguments: &[&str]) -> Vec<u32> {
     let import = import.env("DISPLAY", display).args(arguments);
     let (output, _) = run(import.args(["-depth", "8", "rgb:-"]));
     let pixels = output.stdout.chunks_exact(3);
-    pixels
-        .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]))
-        .collect()
+    pixels.map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]])).collect()
 }
 
 /// Runs `work` on several servers, given by their arguments. The test program starts itself for this test with another `DISPLAY`:
@@ -305,9 +295,6 @@ pub fn on_displays(servers: &[&[&str]], work: fn()) {
             .expect("this program starts");
         let said = String::from_utf8_lossy(&output.stdout);
         let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(
-            output.status.success(),
-            "it fails on a server with {arguments:?}: {said}{errors}"
-        );
+        assert!(output.status.success(), "it fails on a server with {arguments:?}: {said}{errors}");
     }
 }

@@ -2,15 +2,11 @@ use std::io::Cursor;
 
 /// Decodes an 8-bit RGB PNG file. Returns the width and the `0x00RRGGBB` pixels.
 pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
-    let mut reader = png::Decoder::new(Cursor::new(bytes))
-        .read_info()
-        .expect("a PNG header");
+    let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().expect("a PNG header");
     let mut rgb = vec![0; reader.output_buffer_size().expect("a size")];
     let info = reader.next_frame(&mut rgb).expect("whole data");
     assert_eq!(info.color_type, png::ColorType::Rgb);
-    let pixels = rgb
-        .chunks_exact(3)
-        .map(|c| u32::from_be_bytes([0, c[0], c[1], c[2]]));
+    let pixels = rgb.chunks_exact(3).map(|c| u32::from_be_bytes([0, c[0], c[1], c[2]]));
     (info.width as usize, pixels.collect())
 }
 
@@ -24,8 +20,6 @@ pub fn read_ppm(bytes: &[u8]) -> (usize, Vec<u32>) {
     let rest = parts.next().expect("the largest number and the pixels");
     let rgb = rest.strip_prefix(b"255\n").expect("8 bits a channel");
     assert_eq!(rgb.len(), width * height * 3, "whole data");
-    let pixels = rgb
-        .chunks_exact(3)
-        .map(|c| u32::from_be_bytes([0, c[0], c[1], c[2]]));
+    let pixels = rgb.chunks_exact(3).map(|c| u32::from_be_bytes([0, c[0], c[1], c[2]]));
     (width, pixels.collect())
 }

@@ -13,17 +13,11 @@ use std::{
 /// Tools and their Debian packages. A tool is a command, or a shared library if its name contains `.so`.
 const PACKAGES: &str = include_str!("tools.txt");
 
-pub const DISPLAY: &[&str] = &[
-    "Xvfb", "openbox", "xdotool", "xprop", "xwininfo", "wmctrl", "import",
-];
+pub const DISPLAY: &[&str] =
+    &["Xvfb", "openbox", "xdotool", "xprop", "xwininfo", "wmctrl", "import"];
 
-const LIBRARIES: [&str; 5] = [
-    "/usr/lib/x86_64-linux-gnu",
-    "/usr/lib64",
-    "/usr/lib",
-    "/usr/local/lib",
-    "/lib",
-];
+const LIBRARIES: [&str; 5] =
+    ["/usr/lib/x86_64-linux-gnu", "/usr/lib64", "/usr/lib", "/usr/local/lib", "/lib"];
 
 /// Returns whether one of the tools is missing, and prints that the test is skipped.
 ///
@@ -58,10 +52,7 @@ macro_rules! needs {
 /// If the tool is missing.
 pub fn tool(name: &str) -> Command {
     let package = package(name);
-    assert!(
-        is_there(name),
-        "{name} is missing: apt-get install {package}"
-    );
+    assert!(is_there(name), "{name} is missing: apt-get install {package}");
     Command::new(name)
 }
 

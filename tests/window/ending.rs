@@ -22,10 +22,9 @@ fn closed_window_ends_the_intro() {
     needs!(DISPLAY);
     let server = on_screen(Server::start_managed);
     // Close by a message of the window manager, then by force.
-    for (tool, words) in [
-        ("wmctrl", "-c Eightfold"),
-        ("xdotool", "search --name Eightfold windowclose"),
-    ] {
+    for (tool, words) in
+        [("wmctrl", "-c Eightfold"), ("xdotool", "search --name Eightfold windowclose")]
+    {
         let intro = server.play("--seconds 60");
         sleep(Duration::from_millis(300));
         run(server.tool(tool).args(words.split(' ')));
@@ -57,9 +56,8 @@ fn stopped_process_pauses_the_show() {
     let server = Server::start(320, 240);
     let intro = server.play("--size 64x48 --seconds 3");
     let tell = |signal: &str| {
-        let (output, _) = run(Command::new("sh")
-            .arg("-c")
-            .arg(format!("kill -{signal} {}", intro.0.id())));
+        let (output, _) =
+            run(Command::new("sh").arg("-c").arg(format!("kill -{signal} {}", intro.0.id())));
         assert!(output.status.success(), "{output:?}");
     };
     tell("STOP");
@@ -68,11 +66,6 @@ fn stopped_process_pauses_the_show() {
     let (_, code, output, errors) = intro.end();
     assert_eq!(code, Some(0), "{errors}");
     let (_, time) = output.split_once(" in ").expect("a report");
-    let time: f64 = time
-        .split(' ')
-        .next()
-        .expect("a time")
-        .parse()
-        .expect("a number");
+    let time: f64 = time.split(' ').next().expect("a time").parse().expect("a number");
     assert!(time >= 3.0 + STOP, "{output}");
 }

@@ -53,9 +53,7 @@ fn keys_follow_the_layout_or_the_us_keyboard() {
         ("fr", french_w),
         ("fr,us", usual_w),
     ] {
-        run(server
-            .tool("setxkbmap")
-            .args(["-layout", layout, "-option", "grp:switch"]));
+        run(server.tool("setxkbmap").args(["-layout", layout, "-option", "grp:switch"]));
         let intro = server.play("--size 640x400 --seconds 60");
         let window = server.window().expect("a window");
         server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
@@ -155,11 +153,7 @@ fn fullscreen_follows_the_mode_of_the_display() {
     xrandr("--addmode screen small");
     let intro = server.play("--size 400x300 --seconds 60");
     let window = server.window().expect("a window");
-    server.xdotool(&format!(
-        "mousemove {} {} key f",
-        window[0] + 20,
-        window[1] + 20
-    ));
+    server.xdotool(&format!("mousemove {} {} key f", window[0] + 20, window[1] + 20));
     server.wait_for_window(SCREEN);
     for (mode, screen) in [("small", [0, 0, 800, 600]), ("1280x800", SCREEN)] {
         xrandr(&format!("--output screen --mode {mode}"));

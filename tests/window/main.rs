@@ -19,10 +19,7 @@ fn on_screen(start: fn(usize, usize) -> Server) -> Server {
 }
 
 fn servers() -> [(&'static str, Server); 2] {
-    [
-        ("no window manager", on_screen(Server::start)),
-        ("openbox", on_screen(Server::start_managed)),
-    ]
+    [("no window manager", on_screen(Server::start)), ("openbox", on_screen(Server::start_managed))]
 }
 
 fn end_by_escape(server: &Server, intro: Process) -> String {

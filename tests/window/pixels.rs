@@ -28,10 +28,7 @@ fn check_all_sizes() {
         let mut xdotool = tool("xdotool");
         let words = "search --sync --name Eightfold windowmove 0 0 windowsize";
         let sides = [size.0, size.1].map(|side| side.to_string());
-        run(xdotool
-            .env("DISPLAY", &display)
-            .args(words.split(' '))
-            .args(sides));
+        run(xdotool.env("DISPLAY", &display).args(words.split(' ')).args(sides));
         for _ in 0..500 {
             if window.size() == size {
                 break;
@@ -64,9 +61,6 @@ fn compare(display: &str, (width, height): Size, drawn: Size, round: usize) {
     for (i, pixel) in pixels.into_iter().enumerate() {
         let (x, y) = (i % width, i / width);
         let expected = colour(x * drawn.0 / width, y * drawn.1 / height, round);
-        assert_eq!(
-            pixel, expected,
-            "pixel {x},{y} of {width}x{height}, drawn as {drawn:?}"
-        );
+        assert_eq!(pixel, expected, "pixel {x},{y} of {width}x{height}, drawn as {drawn:?}");
     }
 }

@@ -41,9 +41,7 @@ fn play(server: &Server, command: &mut Command) -> Process {
 fn segments(process: &Process) -> usize {
     let id = process.0.id().to_string();
     let table = fs::read_to_string("/proc/sysvipc/shm").expect("the system tells");
-    let makers = table
-        .lines()
-        .filter_map(|line| line.split_whitespace().nth(4));
+    let makers = table.lines().filter_map(|line| line.split_whitespace().nth(4));
     makers.filter(|&maker| maker == id).count()
 }
 
@@ -75,7 +73,5 @@ fn shared_memory_is_released() {
     assert_eq!(segments(&playing), 1, "the server shares it");
     playing.0.kill().expect("it runs");
     playing.0.wait().expect("it has ended");
-    wait_for("the server to let go", || {
-        (segments(&playing) == 0).then_some(())
-    });
+    wait_for("the server to let go", || (segments(&playing) == 0).then_some(()));
 }

@@ -19,14 +19,8 @@ fn window_has_title_and_size_and_shows_a_frame() {
         assert_eq!(window[2..], [1024, 768], "{manager}");
         let mut xprop = server.tool("xprop");
         let (_, properties) = run(xprop.args(["-name", "Eightfold", "WM_NAME", "_NET_WM_NAME"]));
-        assert_eq!(
-            properties.matches("\"Eightfold\"").count(),
-            2,
-            "{manager}: {properties}"
-        );
-        let (_, class) = run(server
-            .tool("xprop")
-            .args(["-name", "Eightfold", "WM_CLASS"]));
+        assert_eq!(properties.matches("\"Eightfold\"").count(), 2, "{manager}: {properties}");
+        let (_, class) = run(server.tool("xprop").args(["-name", "Eightfold", "WM_CLASS"]));
         assert!(class.contains("\"eightfold\", \"Eightfold\""), "{class}");
         // EWMH asks for both.
         let (_, host) = run(&mut Command::new("hostname"));
@@ -35,10 +29,7 @@ fn window_has_title_and_size_and_shows_a_frame() {
             ("WM_CLIENT_MACHINE", format!("\"{}\"", host.trim())),
         ] {
             let (_, property) = run(server.tool("xprop").args(["-name", "Eightfold", name]));
-            assert!(
-                property.trim().ends_with(&format!("= {value}")),
-                "{property}"
-            );
+            assert!(property.trim().ends_with(&format!("= {value}")), "{property}");
         }
         drop(intro);
 
@@ -86,10 +77,7 @@ fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     sleep(Duration::from_millis(1500));
     let shot = server.window_screenshot();
     let difference = difference_to_show(&shot, 200, start.elapsed());
-    assert!(
-        difference < tolerance,
-        "{which}: the nearest frame differs by {difference} of 255"
-    );
+    assert!(difference < tolerance, "{which}: the nearest frame differs by {difference} of 255");
     drop(intro);
 }
 
@@ -150,10 +138,7 @@ fn window_beyond_largest_picture_is_filled() {
         assert_ne!(server.screenshot([x, y, 1, 1]), [0], "pixel {x},{y}");
     }
     let output = end_by_escape(&server, intro);
-    assert!(
-        output.contains("3840x2060"),
-        "of the window's shape: {output}"
-    );
+    assert!(output.contains("3840x2060"), "of the window's shape: {output}");
 }
 
 #[test]
@@ -168,10 +153,7 @@ fn display_with_colour_table_is_skipped() {
     );
     let (_, code, output, errors) = intro.end();
     assert_eq!(code, Some(0), "{output}{errors}");
-    assert_eq!(
-        errors,
-        "eightfold: X display lacks colours; playing without a screen\n"
-    );
+    assert_eq!(errors, "eightfold: X display lacks colours; playing without a screen\n");
 }
 
 fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {

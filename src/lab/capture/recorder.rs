@@ -76,8 +76,7 @@ impl<'a> Recorder<'a> {
             self.renderer.set_offset(offset.x, offset.y);
             let (level, width) = (cpu::best().level, self.size.width);
             let quality = &arguments.quality.quality;
-            self.renderer
-                .draw(level, &scene, quality, width, &mut self.pixels);
+            self.renderer.draw(level, &scene, quality, width, &mut self.pixels);
             mean.add(&self.pixels);
         }
         mean.write(&mut self.pixels);

@@ -35,13 +35,8 @@ pub fn write(recorder: &mut Recorder<'_>, frames: Range<usize>, name: &Path) -> 
     }
     let out = output::part(name)?;
     let mut ffmpeg = Command::new("ffmpeg");
-    let (size, rate) = (
-        recorder.size.to_string(),
-        recorder.arguments.fps.to_string(),
-    );
-    ffmpeg
-        .args(INPUT.split(' '))
-        .args(["-video_size", &size, "-framerate", &rate, "-i", "-"]);
+    let (size, rate) = (recorder.size.to_string(), recorder.arguments.fps.to_string());
+    ffmpeg.args(INPUT.split(' ')).args(["-video_size", &size, "-framerate", &rate, "-i", "-"]);
     let folder = tempfile::tempdir()?;
     if kind == "webp" {
         ffmpeg.args(WEBP.split(' '));

@@ -51,11 +51,7 @@ impl fmt::Display for Bytes {
 }
 
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let build = if arguments.windows {
-        Build::windows()?
-    } else {
-        Build::release("eightfold")?
-    };
+    let build = if arguments.windows { Build::windows()? } else { Build::release("eightfold")? };
     let file = output::read(&build.program("eightfold")?)?.len() as f64;
     let linked = output::read(&build.linked("eightfold")?)?;
     let (program, packed) = (Program::parse(&linked)?, Packed::new(&linked)?);
@@ -81,11 +77,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let name = format!("headers, {} smaller sections", others.parts);
     row(&name, others)?;
-    let unpacker = Bytes {
-        parts: 1,
-        linked: (file - all.packed).round() as u64,
-        packed: file - all.packed,
-    };
+    let unpacker =
+        Bytes { parts: 1, linked: (file - all.packed).round() as u64, packed: file - all.packed };
     row("unpacker", unpacker)?;
     writeln!(text, "| **the file** | | **{file}** | |\n")?;
 

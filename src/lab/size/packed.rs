@@ -25,17 +25,11 @@ impl Packed {
             sum += f64::from(bits) / 8.0;
             before.push(sum);
         }
-        Ok(Self {
-            segments: segments.collect(),
-            before,
-        })
+        Ok(Self { segments: segments.collect(), before })
     }
 
     pub fn of(&self, addresses: &Range<u64>) -> Bytes {
-        let mut bytes = Bytes {
-            parts: 1,
-            ..Bytes::default()
-        };
+        let mut bytes = Bytes { parts: 1, ..Bytes::default() };
         for (segment, offset) in &self.segments {
             let start = addresses.start.max(segment.start);
             let end = addresses.end.min(segment.end);

@@ -38,10 +38,8 @@ impl Program {
 
 /// Only loaded sections have an address.
 fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
-    let is_zero = matches!(
-        section.kind(),
-        SectionKind::UninitializedData | SectionKind::UninitializedTls
-    );
+    let is_zero =
+        matches!(section.kind(), SectionKind::UninitializedData | SectionKind::UninitializedTls);
     section.address() != 0 && section.size() > 0 && !is_zero
 }
 
@@ -63,11 +61,7 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
         symbols.entry(addresses.start).or_insert_with(|| {
             let name = format!("{:#}", rustc_demangle::demangle(name));
             let of = unit.unwrap_or_else(|| crate_of_path(&name)).to_owned();
-            Part {
-                name,
-                of,
-                addresses,
-            }
+            Part { name, of, addresses }
         });
     }
     symbols.into_values().collect()

@@ -26,16 +26,12 @@ pub fn by_resolution(of: &Measurement) -> Vec<Curve> {
     let sizes = SCALES.into_iter().map(|scale| of.sizes[0].scaled(scale));
     let fits = |size: &Size| size.width <= MAX_WIDTH && size.height <= MAX_HEIGHT;
     let sizes = sizes.filter(fits).collect();
-    curves(of, &[of.shots[0].scene], sizes, |setting| {
-        setting.size.area()
-    })
+    curves(of, &[of.shots[0].scene], sizes, |setting| setting.size.area())
 }
 
 pub fn by_spheres(of: &Measurement) -> Vec<Curve> {
     let fields = SPHERES.map(SceneName::Field);
-    curves(of, &fields, of.sizes.clone(), |setting| {
-        SPHERES[setting.shot]
-    })
+    curves(of, &fields, of.sizes.clone(), |setting| SPHERES[setting.shot])
 }
 
 /// Measures the first frame of each scene. Returns no curves after Ctrl-C.
@@ -48,11 +44,8 @@ fn curves(
     if interrupt::is_stopped() {
         return Vec::new();
     }
-    let shots = scenes.iter().map(|&scene| Shot {
-        scene,
-        times: vec![0.0; FRAMES],
-        views: Vec::new(),
-    });
+    let shots =
+        scenes.iter().map(|&scene| Shot { scene, times: vec![0.0; FRAMES], views: Vec::new() });
     let antialias = of.techniques[0].quality.antialias;
     let named = NamedQuality::all().filter(|named| NAMES.contains(&named.name));
     let techniques = named.map(|named| Technique::named(named, antialias));
@@ -67,10 +60,7 @@ fn curves(
     let curve = |i: usize| {
         let speed_up = |setting: &Setting| quartile(&setting.runs[0]) / quartile(&setting.runs[i]);
         let point = |setting| (x(setting) as f64, speed_up(setting));
-        Curve {
-            name: NAMES[i].to_owned(),
-            points: settings.iter().map(point).collect(),
-        }
+        Curve { name: NAMES[i].to_owned(), points: settings.iter().map(point).collect() }
     };
     (1..NAMES.len()).map(curve).collect()
 }

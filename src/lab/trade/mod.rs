@@ -98,16 +98,11 @@ fn measurement(arguments: &Arguments) -> Measurement {
     let antialias = arguments.antialias;
     let techniques = if arguments.ladder {
         let named = NamedQuality::all();
-        named
-            .map(|named| Technique::named(named, antialias))
-            .collect()
+        named.map(|named| Technique::named(named, antialias)).collect()
     } else {
         let rivals = Technique::rivals(antialias);
         let rivals = rivals.filter(|rival| rival.sampling != Sampling::Full);
-        sweep::techniques(antialias)
-            .into_iter()
-            .chain(rivals)
-            .collect()
+        sweep::techniques(antialias).into_iter().chain(rivals).collect()
     };
     let ShotArguments { scene, views, isa } = arguments.shot;
     Measurement {

@@ -65,11 +65,7 @@ fn squares(trade: &Trade) -> Chart {
         let is_varied = |row: &&Row| {
             let square = row.quality.square;
             let antialias = row.quality.antialias;
-            let varied = Quality {
-                square,
-                antialias,
-                ..base
-            };
+            let varied = Quality { square, antialias, ..base };
             square > 1 && row.quality == varied
         };
         let mut rows: Vec<&Row> = trade.rows.iter().filter(is_varied).collect();
@@ -99,10 +95,5 @@ fn curves(curves: &[Curve], x: &'static str, legend: SeriesLabelPosition) -> Cha
         labels: Vec::new(),
         has_line: true,
     });
-    Chart {
-        x,
-        y: SPEED_UP,
-        legend,
-        series: series.collect(),
-    }
+    Chart { x, y: SPEED_UP, legend, series: series.collect() }
 }

@@ -6,9 +6,7 @@ use eightfold_tracer::Quality;
 
 const BASES: [(&str, Quality); 2] = [("default", Quality::DEFAULT), ("thesis", Quality::THESIS)];
 const SQUARES: [usize; 5] = [2, 4, 8, 16, 32];
-const TOLERANCES: [f32; 12] = [
-    1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 9.0, 12.0, 18.0, 26.0, 40.0, 64.0,
-];
+const TOLERANCES: [f32; 12] = [1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 9.0, 12.0, 18.0, 26.0, 40.0, 64.0];
 const DIFFERING: [f32; 4] = [4.0, 9.0, 18.0, 64.0];
 const SIDES: [f32; 4] = [0.0, 3.0, 5.0, 16.0];
 /// Depths of objects and of lights' states.
@@ -50,9 +48,7 @@ pub fn techniques(antialias: bool) -> Vec<Technique> {
         }
         vary("unguarded", &|it| it.guarded = false);
         for to in UNGUARDED {
-            vary(&format!("unguarded weight {to}"), &|it| {
-                it.unguarded_weight = to
-            });
+            vary(&format!("unguarded weight {to}"), &|it| it.unguarded_weight = to);
         }
         for keys in KEYS {
             vary(&format!("keys {}/{}", keys.0, keys.1), &|it| {
@@ -75,11 +71,7 @@ pub fn techniques(antialias: bool) -> Vec<Technique> {
     }
     for tolerance in TOLERANCES {
         for (depth, least_contribution) in FOLLOWED {
-            let mut quality = Quality {
-                depth,
-                least_contribution,
-                ..Quality::DEFAULT
-            };
+            let mut quality = Quality { depth, least_contribution, ..Quality::DEFAULT };
             set_tolerance(&mut quality, tolerance);
             let name =
                 format!("tolerance {tolerance}, depth {depth}, contribution {least_contribution}");

@@ -55,10 +55,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 fn transported(mut scene: Scene) -> Scene {
     scene.captions.clear();
     scene.copper_bars.clear();
-    scene.film = Film {
-        tolerance: scene.film.tolerance,
-        ..Film::PLAIN
-    };
+    scene.film = Film { tolerance: scene.film.tolerance, ..Film::PLAIN };
     for light in scene.lights.iter_mut() {
         light.glow = 0.0;
     }
@@ -82,10 +79,7 @@ impl Estimate {
             mean += off / count;
             squares += off * (radiance - mean);
         }
-        Self {
-            mean,
-            variance: squares / (count - 1.0) / count,
-        }
+        Self { mean, variance: squares / (count - 1.0) / count }
     }
 
     fn pixel(&self) -> u32 {
@@ -140,10 +134,7 @@ impl Comparison {
             variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();
         }
         let count = 3.0 * truth.len() as f64;
-        Self {
-            error: (squares / count).sqrt(),
-            noise: 255.0 * (variance / count).sqrt(),
-        }
+        Self { error: (squares / count).sqrt(), noise: 255.0 * (variance / count).sqrt() }
     }
 }
 
@@ -151,9 +142,6 @@ impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { error, noise } = self;
         let psnr = 20.0 * (255.0 / error).log10();
-        write!(
-            f,
-            "RMS error {error:.2} of 255, PSNR {psnr:.1} dB, path tracer noise {noise:.2}"
-        )
+        write!(f, "RMS error {error:.2} of 255, PSNR {psnr:.1} dB, path tracer noise {noise:.2}")
     }
 }

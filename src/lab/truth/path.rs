@@ -72,11 +72,7 @@ impl<'a> PathTracer<'a> {
             };
             ray = hit.ray.turned(next.d);
             throughput *= next.weight;
-            length = if next.is_rough {
-                Some(0.0)
-            } else {
-                length.map(|length| length + t)
-            };
+            length = if next.is_rough { Some(0.0) } else { length.map(|length| length + t) };
             bounces += 1;
             if bounces > SURE_BOUNCES {
                 let survival = throughput.max_element().min(MAX_SURVIVAL);
@@ -100,10 +96,7 @@ impl<'a> PathTracer<'a> {
         for light in &self.lights {
             let arriving = light.sample(here, random.units());
             let light = surface.reflected(arriving.d) * arriving.irradiance;
-            let is_free = || {
-                self.oracle
-                    .is_free(here.turned(arriving.d), arriving.distance)
-            };
+            let is_free = || self.oracle.is_free(here.turned(arriving.d), arriving.distance);
             if light != DVec3::ZERO && is_free() {
                 sum += light;
             }
@@ -132,9 +125,8 @@ impl<'a> Surface<'a> {
     fn new(hit: &'a Hit<'a>) -> Self {
         let material = hit.material;
         let [kd, ks, exponent] = [material.kd, material.ks, material.exponent].map(f64::from);
-        let [mirrored, refracted] = hit
-            .bounces()
-            .map(|it| it.map_or(0.0, |(_, share)| share.into()));
+        let [mirrored, refracted] =
+            hit.bounces().map(|it| it.map_or(0.0, |(_, share)| share.into()));
         let diffuse = kd * hit.painted.max_element();
         // Anisotropic lobes are wide: sample them like diffuse ones.
         let shares = if material.anisotropy > 0.0 {

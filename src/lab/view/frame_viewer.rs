@@ -101,9 +101,7 @@ impl FrameViewer {
         }
         let mut pixels = vec![0; size.area()];
         let (level, quality) = (self.isa.level, &controls.quality.quality);
-        let trace = self
-            .renderer
-            .trace(level, scene, quality, size.width, &mut pixels);
+        let trace = self.renderer.trace(level, scene, quality, size.width, &mut pixels);
         match controls.overlay {
             Overlay::Points => trace.draw_points(&mut self.picture),
             Overlay::Squares => trace.draw_squares(&mut self.picture),

@@ -35,14 +35,7 @@ impl Session {
         subject: Subject,
     ) -> Self {
         window.listen();
-        Self {
-            window,
-            viewer,
-            controls,
-            subject,
-            has_keys: false,
-            panel: Panel::default(),
-        }
+        Self { window, viewer, controls, subject, has_keys: false, panel: Panel::default() }
     }
 
     /// Fails if the window is lost, or standard output is closed.
@@ -105,11 +98,7 @@ impl Session {
         let row = |(key, words): (&str, &str)| (key.to_owned(), words.to_owned());
         let mistake = self.subject.mistake().map(|mistake| row(("", mistake)));
         let keys = KEYS.map(row).into_iter().filter(|_| self.has_keys);
-        self.panel.show(
-            mistake.into_iter().chain(keys).collect(),
-            canvas,
-            size.width,
-        );
+        self.panel.show(mistake.into_iter().chain(keys).collect(), canvas, size.width);
         is_new
     }
 

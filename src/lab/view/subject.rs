@@ -23,13 +23,7 @@ impl Subject {
             SceneName::File(file) => Some(Watched::new(file.clone())),
             _ => None,
         };
-        Self {
-            name,
-            file,
-            camera: None,
-            pressed: None,
-            version: 0,
-        }
+        Self { name, file, camera: None, pressed: None, version: 0 }
     }
 
     pub fn at(&self, time: f32) -> Scene {

@@ -13,12 +13,7 @@ pub struct Watched {
 
 impl Watched {
     pub fn new(scene: SceneFile) -> Self {
-        Self {
-            scene,
-            text: None,
-            suspect: None,
-            mistake: None,
-        }
+        Self { scene, text: None, suspect: None, mistake: None }
     }
 
     /// Returns whether the scene has changed. Compares texts: modification times are too coarse for two quick writes, and a replacing

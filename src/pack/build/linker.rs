@@ -32,10 +32,7 @@ impl Settings {
             "windows" => System::Windows,
             _ => System::Linux,
         };
-        Ok(Settings {
-            linker: variable(LINKER_VARIABLE)?,
-            system,
-        })
+        Ok(Settings { linker: variable(LINKER_VARIABLE)?, system })
     }
 
     fn is_for_windows(&self) -> bool {
@@ -142,20 +139,14 @@ fn is_of_linux(argument: &OsStr) -> bool {
 fn name_for_windows(path: &Path) -> Result<PathBuf, Error> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let name = name.rsplit_once('-').map_or(&*name, |(name, _)| name);
-    let folder = path
-        .parent()
-        .and_then(Path::parent)
-        .ok_or("output has no folder")?;
+    let folder = path.parent().and_then(Path::parent).ok_or("output has no folder")?;
     Ok(folder.join(name).with_extension("exe"))
 }
 
 fn expand(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
     let mut words = Vec::new();
     for argument in arguments {
-        match argument
-            .to_str()
-            .and_then(|argument| argument.strip_prefix('@'))
-        {
+        match argument.to_str().and_then(|argument| argument.strip_prefix('@')) {
             Some(file) => words.extend(
                 at(file, fs::read_to_string(file))?
                     .split_whitespace()

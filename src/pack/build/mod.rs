@@ -75,10 +75,7 @@ fn prepare(program: &str) -> Result<(), Error> {
         at(&linker, fs::remove_file(&linker))?;
     }
     let linked = fs::hard_link(&own, &linker);
-    at(
-        &linker,
-        linked.or_else(|_| fs::copy(&own, &linker).map(|_| ())),
-    )?;
+    at(&linker, linked.or_else(|_| fs::copy(&own, &linker).map(|_| ())))?;
     compile_stub(&toolchain, system, &directory.join(STUB))?;
     println!("cargo::rustc-env={LINKER_VARIABLE}={}", toolchain.linker);
     println!("cargo::rustc-env={SYSTEM_VARIABLE}={system}");

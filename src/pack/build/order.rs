@@ -22,9 +22,7 @@ type Terms<'a> = Vec<(&'a [u8], f64)>;
 /// Returns orders of a program's functions by similarity. Each begins with one of the largest functions.
 pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
     let file = object::File::parse(program)?;
-    let section = file
-        .section_by_name(".text")
-        .ok_or("section .text is missing")?;
+    let section = file.section_by_name(".text").ok_or("section .text is missing")?;
     let code = section.data()?;
     let mut functions = Vec::new();
     for symbol in file.symbols() {
@@ -45,10 +43,7 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
     starts.truncate(ORDERS);
     let likeness = likeness(&codes);
     let names = |order: Vec<usize>| order.into_iter().map(|i| functions[i].1.into()).collect();
-    Ok(starts
-        .into_iter()
-        .map(|start| names(chain(&likeness, start)))
-        .collect())
+    Ok(starts.into_iter().map(|start| names(chain(&likeness, start))).collect())
 }
 
 /// Returns the order from `start` that continues with the function most similar to the previous ones, whose weights halve with each
@@ -133,14 +128,7 @@ mod tests {
 
     #[test]
     fn similar_functions_are_adjacent() {
-        let codes = [
-            &b"abcdefgh"[..],
-            b"rstuvw",
-            b"xabcdef",
-            b"nothing",
-            b"pqrstuv",
-            b"cdefghi",
-        ];
+        let codes = [&b"abcdefgh"[..], b"rstuvw", b"xabcdef", b"nothing", b"pqrstuv", b"cdefghi"];
         assert_eq!(chain(&likeness(&codes), 0), [0, 2, 5, 1, 4, 3]);
         assert_eq!(chain(&likeness(&codes[..1]), 0), [0]);
     }

@@ -29,14 +29,7 @@ use super::at;
 use crate::{Error, panics::ABORT};
 
 /// The last three have inlined copies of the others' functions.
-const CRATES: [&str; 6] = [
-    "core",
-    "alloc",
-    "std",
-    "gimli",
-    "addr2line",
-    "rustc_demangle",
-];
+const CRATES: [&str; 6] = ["core", "alloc", "std", "gimli", "addr2line", "rustc_demangle"];
 
 /// Parts of the paths of the functions that [`ABORT`] replaces. The linker warns of missing ones.
 const REPLACED: [&str; 8] = [

@@ -25,10 +25,7 @@ impl Toolchain {
         let output = Command::new(&rustc).args(["--print", "sysroot"]).output();
         let output = at(&rustc, output)?;
         let sysroot = PathBuf::from(String::from_utf8(output.stdout)?.trim());
-        let own = sysroot
-            .join("lib/rustlib")
-            .join(variable("HOST")?)
-            .join("bin/gcc-ld/ld.lld");
+        let own = sysroot.join("lib/rustlib").join(variable("HOST")?).join("bin/gcc-ld/ld.lld");
         let own = own.to_str().filter(|_| own.exists());
         let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
         let linker = linker(&flags, env::var("RUSTC_LINKER").ok(), own)?;
@@ -47,10 +44,8 @@ impl Toolchain {
 /// Returns the linker, from the user's flags for rustc, cargo's C compiler, and rustc's own linker.
 fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
     // Options for code generation are `-Cname=value`, `-C name=value`, and the same with `--codegen`.
-    let flags = flags
-        .replace("--codegen=", "-C")
-        .replace("--codegen\x1f", "-C")
-        .replace("-C\x1f", "-C");
+    let flags =
+        flags.replace("--codegen=", "-C").replace("--codegen\x1f", "-C").replace("-C\x1f", "-C");
     let options = flags.split('\x1f');
     let (mut compiler, mut chosen, mut own) = (compiler, None, own);
     for (name, value) in options.filter_map(|option| option.strip_prefix("-C")?.split_once('=')) {
@@ -73,10 +68,7 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
         }
     }
     let compiler = compiler.unwrap_or("cc".into());
-    let name = Path::new(&compiler)
-        .file_stem()
-        .unwrap_or_default()
-        .to_string_lossy();
+    let name = Path::new(&compiler).file_stem().unwrap_or_default().to_string_lossy();
     if name.ends_with("ld") || name.ends_with("ld.lld") || name == "mold" {
         return Err(format!("linker is {compiler}; must be a C compiler").into());
     }

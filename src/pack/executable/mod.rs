@@ -62,25 +62,16 @@ pub fn packed_size(program: &[u8]) -> Result<usize, Error> {
 /// # Errors
 /// If the file is not a packed executable, or damaged.
 pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
-    let mut unpacked = if windows::is_pe(file) {
-        windows::unpack(file)?
-    } else {
-        linux::unpack(file)?
-    };
-    let ends = elf::segments(&unpacked)?
-        .into_iter()
-        .map(|segment| segment.range().end);
+    let mut unpacked =
+        if windows::is_pe(file) { windows::unpack(file)? } else { linux::unpack(file)? };
+    let ends = elf::segments(&unpacked)?.into_iter().map(|segment| segment.range().end);
     unpacked.truncate(ends.max().unwrap_or_default());
     Ok(unpacked)
 }
 
 fn encode_both(unpacked: &[u8]) -> Result<Vec<u8>, Error> {
     if unpacked.len() > LONGEST {
-        return Err(format!(
-            "program size is {}; must be at most {LONGEST}",
-            unpacked.len()
-        )
-        .into());
+        return Err(format!("program size is {}; must be at most {LONGEST}", unpacked.len()).into());
     }
     let packed = encode(unpacked);
     if decode(&packed, unpacked.len())? != unpacked {

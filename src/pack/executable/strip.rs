@@ -43,10 +43,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     }
     let mut stripped = Vec::new();
     let before = segments.clone();
-    for load in segments
-        .iter_mut()
-        .filter(|segment| segment.kind == elf::LOAD)
-    {
+    for load in segments.iter_mut().filter(|segment| segment.kind == elf::LOAD) {
         let mut range = load.range();
         // At the end of a segment, leave the blank section out.
         while let Some(last) = unwinding.iter().find(|section| {
@@ -65,11 +62,8 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         load.offset = stripped.len() as u64;
         stripped.extend(program.get(range).ok_or("segment is outside the file")?);
     }
-    let loads: Vec<_> = segments
-        .iter()
-        .filter(|segment| segment.kind == elf::LOAD)
-        .copied()
-        .collect();
+    let loads: Vec<_> =
+        segments.iter().filter(|segment| segment.kind == elf::LOAD).copied().collect();
     for (segment, before) in segments.iter_mut().zip(&before) {
         if [elf::UNWINDING, elf::NOTE].contains(&segment.kind) {
             *segment = Segment::default();

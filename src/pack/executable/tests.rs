@@ -15,9 +15,7 @@ use crate::{
 const BASE: u64 = 0x41_0000;
 
 fn program() -> Vec<u8> {
-    let code: Vec<u8> = (0..3000)
-        .map(|i| [0xc3, 0x89, 0x8b, i as u8][i % 4])
-        .collect();
+    let code: Vec<u8> = (0..3000).map(|i| [0xc3, 0x89, 0x8b, i as u8][i % 4]).collect();
     let parts = [
         (READ, vec![7; 600], 600),
         (READ | EXECUTE, code, 3000),
@@ -25,13 +23,8 @@ fn program() -> Vec<u8> {
     ];
     let kinds = [elf::INTERPRETER, elf::PROGRAM_HEADERS];
     let head = HEADER_SIZE + (parts.len() + kinds.len()) * Segment::SIZE;
-    let mut segments = kinds
-        .map(|kind| Segment {
-            kind,
-            address: BASE,
-            ..Segment::default()
-        })
-        .to_vec();
+    let mut segments =
+        kinds.map(|kind| Segment { kind, address: BASE, ..Segment::default() }).to_vec();
     let mut bytes = vec![0; head];
     for (i, (flags, part, size)) in parts.into_iter().enumerate() {
         let offset = if i == 0 { 0 } else { bytes.len() };
@@ -128,9 +121,7 @@ fn windows_file_is_valid() {
     let name = table.name(library.name.get(LE)).expect("a name");
     assert_eq!(name, b"kernel32.dll");
     assert!(libraries.next().expect("an end").is_none());
-    let mut thunks = table
-        .thunks(library.first_thunk.get(LE))
-        .expect("functions");
+    let mut thunks = table.thunks(library.first_thunk.get(LE)).expect("functions");
     for function in windows::FUNCTIONS {
         let thunk = thunks.next::<pe::ImageNtHeaders64>().expect("a function");
         let import = table.import::<pe::ImageNtHeaders64>(thunk.expect("enough thunks"));
@@ -150,10 +141,7 @@ fn programs_without_header_space_are_refused() {
         let segments = elf::segments(&program).expect("segments");
         let moved: Vec<_> = segments
             .into_iter()
-            .map(|segment| Segment {
-                address: segment.address - BASE + base,
-                ..segment
-            })
+            .map(|segment| Segment { address: segment.address - BASE + base, ..segment })
             .collect();
         elf::set_segments(&mut program, &moved).expect("the same number of segments");
         let packed = pack_executable(&program, &stub(), &System::Windows);

@@ -58,9 +58,7 @@ pub fn is_pe(file: &[u8]) -> bool {
 
 impl Memory {
     fn base(&self, size: u64) -> Result<u64, Error> {
-        let base = self
-            .start
-            .checked_sub(size.next_multiple_of(BASE_ALIGNMENT));
+        let base = self.start.checked_sub(size.next_multiple_of(BASE_ALIGNMENT));
         let base = base.filter(|&base| base != 0 && base % BASE_ALIGNMENT == 0);
         base.ok_or_else(|| {
             let start = self.start;
@@ -109,12 +107,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         end: memory.end.next_multiple_of(PAGE) - base,
         entry,
         sections: vec![
-            Section {
-                name: ".text",
-                flags: CODE,
-                address: START,
-                bytes,
-            },
+            Section { name: ".text", flags: CODE, address: START, bytes },
             Section {
                 name: ".bss",
                 flags: MEMORY,
@@ -124,10 +117,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         ],
         directories: vec![
             (IMAGE_DIRECTORY_ENTRY_IAT, START..entry),
-            (
-                IMAGE_DIRECTORY_ENTRY_IMPORT,
-                names_at..names_at + Imports::DIRECTORY,
-            ),
+            (IMAGE_DIRECTORY_ENTRY_IMPORT, names_at..names_at + Imports::DIRECTORY),
         ],
     }
     .to_bytes(&record.map(|number| (number as u32).to_le_bytes()).concat())

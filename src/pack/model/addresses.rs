@@ -14,12 +14,7 @@ pub fn to_offset(bytes: &mut [u8], offset: usize) {
 
 #[inline(always)]
 fn add(bytes: &mut [u8], place: usize, summand: u32) {
-    if let Some(field) = bytes
-        .get_mut(place..)
-        .and_then(|rest| rest.first_chunk_mut())
-    {
-        *field = u32::from_le_bytes(*field)
-            .wrapping_add(summand)
-            .to_le_bytes();
+    if let Some(field) = bytes.get_mut(place..).and_then(|rest| rest.first_chunk_mut()) {
+        *field = u32::from_le_bytes(*field).wrapping_add(summand).to_le_bytes();
     }
 }

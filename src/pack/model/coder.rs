@@ -17,12 +17,7 @@ impl<'a> Decoder<'a> {
     #[inline(always)]
     pub fn new(bytes: &'a [u8]) -> Decoder<'a> {
         // A range of 1 makes the first bit read four bytes.
-        Decoder {
-            bytes,
-            range: 1,
-            place: 0,
-            missing: false,
-        }
+        Decoder { bytes, range: 1, place: 0, missing: false }
     }
 
     pub fn is_at_end(&self) -> bool {

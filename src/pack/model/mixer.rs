@@ -81,10 +81,7 @@ impl Mixer {
         let error = ((bit as i32) << 16) - self.probability;
         let error = Lanes::splat(((error * RATE) >> 8) as i16);
         for &set in sets {
-            for (weight, inputs) in self.weights[set as usize % SETS]
-                .iter_mut()
-                .zip(&self.inputs)
-            {
+            for (weight, inputs) in self.weights[set as usize % SETS].iter_mut().zip(&self.inputs) {
                 let inputs = Lanes::new(inputs);
                 let change = inputs.saturating_add(inputs).multiply_high(error);
                 let change = change.saturating_add(Lanes::splat(1)).halve();

@@ -26,13 +26,7 @@ use slot::{HISTORIES, OPPOSITE, Rates, Slot, Slots};
 
 /// Bit sets of features, found by random changes that improve the packed intro. Two neighbours at an even index form a pair.
 static CONTEXTS: [u32; COUNT] = [
-    context(&[
-        KIND,
-        OPCODE,
-        before(OPCODE, 1),
-        before(OPCODE, 2),
-        before(OPCODE, 3),
-    ]),
+    context(&[KIND, OPCODE, before(OPCODE, 1), before(OPCODE, 2), before(OPCODE, 3)]),
     expecting(SAME_OPCODE, &[KIND, OPCODE]),
     context(&[0, KIND]),
     context(&[0, PLACE]),
@@ -61,28 +55,12 @@ static CONTEXTS: [u32; COUNT] = [
     context(&[KIND, OPCODE, TARGET, FIRST, LENGTH]),
     context(&[KIND, OPCODE, before(OPCODE, 1), TARGET]),
     context(&[0, 1, PREFIXES]),
-    context(&[
-        0,
-        OPCODE,
-        MODRM,
-        before(OPCODE, 1),
-        before(DESTINATION, 1),
-        OPERAND,
-        EXTENSION,
-    ]),
+    context(&[0, OPCODE, MODRM, before(OPCODE, 1), before(DESTINATION, 1), OPERAND, EXTENSION]),
     expecting(SAME_OPERAND, &[0, KIND, before(OPCODE, 1)]),
     expecting(SAME_OPERAND, &[KIND, SAME_OPCODE, SAME_OPERAND]),
     expecting(
         SAME_OPERAND,
-        &[
-            2,
-            OPCODE,
-            PREFIXES,
-            before(OPCODE, 1),
-            before(PREFIXES, 1),
-            TARGET,
-            FIRST,
-        ],
+        &[2, OPCODE, PREFIXES, before(OPCODE, 1), before(PREFIXES, 1), TARGET, FIRST],
     ),
     context(&[KIND, before(DESTINATION, 1), TARGET, OPERAND, EXTENSION]),
 ];

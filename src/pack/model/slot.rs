@@ -94,9 +94,7 @@ impl Slots {
             // The sum saturates at a count of 127; the mask drops its effect on the history.
             let counted = moved.saturating_add(Lanes::splat_pair(0x100_0000));
             let rest = counted.and(Lanes::splat_pair(0xff00_ffff));
-            let history = old
-                .add(old)
-                .and(Lanes::splat_pair((HISTORIES as u32 - 2) << 16));
+            let history = old.add(old).and(Lanes::splat_pair((HISTORIES as u32 - 2) << 16));
             *slots = rest.xor(history).xor(flip_back).to_pairs();
         }
     }

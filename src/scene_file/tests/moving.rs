@@ -55,9 +55,7 @@ fn motion_beyond_range_is_refused_at_its_key() {
     let mut wrong = String::new();
     for row in REFUSED.trim().lines() {
         let (motions, says) = row.split_once(" | ").expect("two columns");
-        let fault = read(motions)
-            .map(|_| "no fault")
-            .map_or_else(|fault| fault, str::to_owned);
+        let fault = read(motions).map(|_| "no fault").map_or_else(|fault| fault, str::to_owned);
         if !fault.starts_with("a.ron:9:") || !fault.contains(says) {
             wrong += &format!("{motions}: {fault}\n");
         }
@@ -114,9 +112,8 @@ fn motion(random: &mut Random) -> String {
     let between = ["Linear", "Smooth", "Spline", "Spline", "Hold"][random.below(5)];
     let (mut time, mut keys) = (0.0, String::new());
     for _ in 0..2 + random.below(4) {
-        let numbers: Vec<String> = (0..count)
-            .map(|_| (scale * random.below(10) as f32).to_string())
-            .collect();
+        let numbers: Vec<String> =
+            (0..count).map(|_| (scale * random.below(10) as f32).to_string()).collect();
         keys += &format!("({time}, ({})), ", numbers.join(", "));
         time += [0.25, 0.7, 1.3][random.below(3)];
     }

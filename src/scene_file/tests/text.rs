@@ -22,10 +22,7 @@ fn place(message: &str) -> Option<(usize, usize)> {
 fn number_beyond_its_range_is_refused_at_its_place() {
     let texts = [2008, 2009].map(|seed| Text::of(&written(Kinds::RICH, &mut Random::new(seed))));
     let mut count = 0;
-    for (text, i) in texts
-        .iter()
-        .flat_map(|text| (0..text.numbers.len()).map(move |i| (text, i)))
-    {
+    for (text, i) in texts.iter().flat_map(|text| (0..text.numbers.len()).map(move |i| (text, i))) {
         let error = |number| text.scene_with(i, number).0.validate().err();
         let range = |number| error(number).map(|error| error.range);
         let (start, name) = text.field(i);
@@ -58,11 +55,7 @@ fn scene_is_read_as_it_was_written() {
         let json = serde_json::to_string(&scene).expect("JSON");
         let file = SceneFile::parse("a.ron", &ron).expect("a scene file");
         let read = ron::from_str(&ron).expect("a scene");
-        for read in [
-            file.at(0.0),
-            read,
-            serde_json::from_str(&json).expect(&json),
-        ] {
+        for read in [file.at(0.0), read, serde_json::from_str(&json).expect(&json)] {
             assert_eq!(contents(&read), contents(&scene), "case {}", random.seed);
         }
     }
@@ -138,9 +131,7 @@ fn mistake_is_explained_at_its_place() {
     for row in EXPLAINED.trim().lines() {
         let (text, says) = row.split_once(" | ").expect("two columns");
         let text = text.replace("\\n", "\n").replace("\\e", "\x1b");
-        let text = text
-            .replace("DEEP", &deep)
-            .replace("LONG", &format!("{long:?}"));
+        let text = text.replace("DEEP", &deep).replace("LONG", &format!("{long:?}"));
         let fault = SceneFile::parse("a.ron", &text).expect_err(says);
         assert!(fault.contains(says), "{fault}");
         assert!(place(&fault).is_some() && fault.len() <= 200, "{fault}");
@@ -162,8 +153,5 @@ fn byte_outside_utf_8_has_line_and_column() {
     let fault = fault.expect_err("not UTF-8");
     assert_eq!(fault, "a.ron:2:7: byte is 0xe9; must be UTF-8");
     let text = "(haze: 1) // \u{e9}".to_owned();
-    assert_eq!(
-        SceneFile::decode("a.ron", text.clone().into_bytes()),
-        Ok(text)
-    );
+    assert_eq!(SceneFile::decode("a.ron", text.clone().into_bytes()), Ok(text));
 }

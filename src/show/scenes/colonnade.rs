@@ -20,11 +20,7 @@ static ENVIRONMENT: Environment = Environment {
     floor_half: FAR,
     swell: 0.0,
     lights: &[
-        Light {
-            diameter: 0.2,
-            glow: 0.3,
-            ..sun([7.0, 2.0, -3.4], [1.00, 0.70, 0.40])
-        },
+        Light { diameter: 0.2, glow: 0.3, ..sun([7.0, 2.0, -3.4], [1.00, 0.70, 0.40]) },
         sun([-4.0, 5.0, -5.0], [0.16, 0.22, 0.38]),
         Light {
             diameter: 1.2,

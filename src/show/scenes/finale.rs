@@ -9,10 +9,8 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Vec3, vec3};
 
-pub(in crate::show) const SCENE: ShowScene = ShowScene {
-    captions: CAPTIONS,
-    ..ShowScene::new(&ENVIRONMENT, SHOTS)
-};
+pub(in crate::show) const SCENE: ShowScene =
+    ShowScene { captions: CAPTIONS, ..ShowScene::new(&ENVIRONMENT, SHOTS) };
 
 static ENVIRONMENT: Environment = Environment {
     background: vec3(0.98, 0.50, 0.22),
@@ -25,15 +23,8 @@ static ENVIRONMENT: Environment = Environment {
     swell: 0.0125,
     lights: &[
         // The sun.
-        Light {
-            drawn_radius: 5.0,
-            glow: 7.0,
-            ..point([4.0, 5.2, 70.0], [1.00, 0.72, 0.42])
-        },
-        Light {
-            diameter: 1.0,
-            ..point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72])
-        },
+        Light { drawn_radius: 5.0, glow: 7.0, ..point([4.0, 5.2, 70.0], [1.00, 0.72, 0.42]) },
+        Light { diameter: 1.0, ..point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72]) },
     ],
     kick_response: 0.0,
     props: PROPS,

@@ -23,10 +23,7 @@ static ENVIRONMENT: Environment = Environment {
     floor_half: FAR,
     swell: 0.0,
     lights: &[
-        Light {
-            diameter: 0.9,
-            ..point([6.0, 9.0, -5.0], [0.95, 0.80, 0.62])
-        },
+        Light { diameter: 0.9, ..point([6.0, 9.0, -5.0], [0.95, 0.80, 0.62]) },
         point([-8.0, 3.0, -2.0], [0.20, 0.34, 0.62]),
     ],
     kick_response: 1.0,

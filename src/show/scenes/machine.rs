@@ -21,11 +21,7 @@ static ENVIRONMENT: Environment = Environment {
     swell: 0.0,
     lights: &[
         // The orrery's sun.
-        Light {
-            drawn_radius: 0.5,
-            glow: 0.6,
-            ..point([0.0, HEIGHT, 0.0], [0.87, 0.66, 0.35])
-        },
+        Light { drawn_radius: 0.5, glow: 0.6, ..point([0.0, HEIGHT, 0.0], [0.87, 0.66, 0.35]) },
         Light {
             diameter: 0.8,
             spot: Some(Spot {
@@ -86,11 +82,8 @@ static PLANETS: [Planet; 6] = [
     Planet { material: &material::GOLD, orbit: 4.0, radius: 0.42, speed: 0.03125 },
 ];
 
-const TILTED: Mat3 = Mat3::from_cols(
-    vec3(0.96, 0.28, 0.0),
-    vec3(-0.28, 0.96, 0.0),
-    vec3(0.0, 0.0, 1.0),
-);
+const TILTED: Mat3 =
+    Mat3::from_cols(vec3(0.96, 0.28, 0.0), vec3(-0.28, 0.96, 0.0), vec3(0.0, 0.0, 1.0));
 
 fn add(beat: f32, scene: &mut Scene) {
     let ticks = ticks(beat);
@@ -99,14 +92,7 @@ fn add(beat: f32, scene: &mut Scene) {
     }
     let ringed = scene.spheres[PLANETS.len() - 1].centre;
     let ring = vec3(0.8, 0.02, 0.8);
-    add_block(
-        Shape::Cylinder,
-        ringed,
-        ring,
-        TILTED,
-        &material::SILVER,
-        scene,
-    );
+    add_block(Shape::Cylinder, ringed, ring, TILTED, &material::SILVER, scene);
     // Two meshing wheels advance by a tooth per tick.
     add_wheel(Vec3::Y * 0.5, 1.5, 16, ticks / 16.0, scene);
     add_wheel(vec3(2.25, 0.5, 0.0), 0.65, 8, 0.0625 - ticks / 8.0, scene);
@@ -120,11 +106,7 @@ impl Planet {
         let place = out * self.orbit;
         // Longer arms are lower than shorter ones, to avoid their stems.
         let low = 1.65 - 0.15 * number;
-        let [hub, elbow, top] = [
-            Vec3::Y * low,
-            place + Vec3::Y * low,
-            place + Vec3::Y * HEIGHT,
-        ];
+        let [hub, elbow, top] = [Vec3::Y * low, place + Vec3::Y * low, place + Vec3::Y * HEIGHT];
         let side = Vec3::Y.cross(out);
         // The stem is slightly thinner, so that its end is hidden in the arm's.
         for (ends, radius) in [([hub, elbow], ROD), ([elbow, top], 0.98 * ROD)] {
@@ -138,12 +120,7 @@ fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene
     let mut add = |shape, centre, half, axes| {
         add_block(shape, centre, half, axes, &material::BRASS, scene);
     };
-    add(
-        Shape::Cylinder,
-        centre,
-        vec3(radius, 0.1, radius),
-        Mat3::IDENTITY,
-    );
+    add(Shape::Cylinder, centre, vec3(radius, 0.1, radius), Mat3::IDENTITY);
     for tooth in 0..teeth {
         let out = around(f32::from(tooth) / f32::from(teeth) + turns);
         let half = vec3(0.11, 0.085, 0.12);

@@ -24,11 +24,7 @@ static ENVIRONMENT: Environment = Environment {
     floor_half: FAR,
     swell: 0.0,
     lights: &[
-        Light {
-            drawn_radius: 0.2,
-            glow: 0.3,
-            ..point([0.0, 1.6, 0.0], [1.10, 0.80, 0.45])
-        },
+        Light { drawn_radius: 0.2, glow: 0.3, ..point([0.0, 1.6, 0.0], [1.10, 0.80, 0.45]) },
         point([2.0, 7.0, -1.0], [0.34, 0.36, 0.52]),
     ],
     kick_response: 0.0,
@@ -42,12 +38,7 @@ const HALF: f32 = 5.0;
 /// Large tiles, without reflections, which would appear in many mirrors.
 static FLOOR: Material = Material {
     colour: vec3(0.62, 0.58, 0.62),
-    pattern: Pattern {
-        waves: vec3(0.2, 0.0, 0.2),
-        depth: 0.4,
-        edge: 40.0,
-        ..Pattern::NONE
-    },
+    pattern: Pattern { waves: vec3(0.2, 0.0, 0.2), depth: 0.4, edge: 40.0, ..Pattern::NONE },
     ..material::SANDSTONE
 };
 

@@ -62,10 +62,7 @@ pub const CUTS: [u32; ALL.len()] = {
 /// The length of the show in bars.
 pub const BARS: u32 = CUTS[ALL.len() - 1] + ALL[ALL.len() - 1].bars();
 
-const _: () = assert!(
-    BARS == sound::BARS,
-    "the song has as many bars as the show's scenes"
-);
+const _: () = assert!(BARS == sound::BARS, "the song has as many bars as the show's scenes");
 
 /// The length of the show in seconds.
 pub const LENGTH: f32 = BAR * BARS as f32;

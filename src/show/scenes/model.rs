@@ -21,14 +21,8 @@ pub(in crate::show) static ENVIRONMENT: Environment = Environment {
     floor_half: 12.0,
     swell: 0.0,
     lights: &[
-        Light {
-            drawn_radius: 0.15,
-            ..point([-4.0, 6.0, -4.0], [0.90, 0.85, 0.80])
-        },
-        Light {
-            drawn_radius: 0.15,
-            ..point([5.0, 5.0, -2.0], [0.35, 0.40, 0.50])
-        },
+        Light { drawn_radius: 0.15, ..point([-4.0, 6.0, -4.0], [0.90, 0.85, 0.80]) },
+        Light { drawn_radius: 0.15, ..point([5.0, 5.0, -2.0], [0.35, 0.40, 0.50]) },
     ],
     kick_response: 0.0,
     props: PROPS,

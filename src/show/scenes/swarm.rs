@@ -23,11 +23,7 @@ static ENVIRONMENT: Environment = Environment {
     swell: 0.0,
     lights: &[
         point([-8.0, 12.0, -7.5], [0.95, 0.86, 0.74]),
-        Light {
-            drawn_radius: 0.3,
-            glow: 0.5,
-            ..point(MIDDLE.to_array(), [1.00, 0.75, 0.45])
-        },
+        Light { drawn_radius: 0.3, glow: 0.5, ..point(MIDDLE.to_array(), [1.00, 0.75, 0.45]) },
     ],
     kick_response: 1.0,
     props: &[],

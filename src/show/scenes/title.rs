@@ -28,11 +28,7 @@ static ENVIRONMENT: Environment = Environment {
     floor_half: FAR,
     swell: 0.006,
     lights: &[
-        Light {
-            drawn_radius: 0.12,
-            glow: 0.15,
-            ..point([0.0, 1.1, -1.4], [0.86, 0.69, 0.43])
-        },
+        Light { drawn_radius: 0.12, glow: 0.15, ..point([0.0, 1.1, -1.4], [0.86, 0.69, 0.43]) },
         point([7.0, 8.0, -9.0], [0.67, 0.52, 0.34]),
         point([-9.0, 4.0, -5.0], [0.26, 0.41, 0.81]),
     ],

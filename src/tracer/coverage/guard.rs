@@ -28,11 +28,7 @@ pub(crate) struct Guard {
 
 impl Guard {
     pub const fn new() -> Self {
-        Self {
-            outlines: [0; MAX_OUTLINES],
-            count: 0,
-            highlights: [0; _],
-        }
+        Self { outlines: [0; MAX_OUTLINES], count: 0, highlights: [0; _] }
     }
 
     pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
@@ -112,9 +108,7 @@ impl Search<'_> {
         let (light, id) = match outline {
             Outline::Object(id) => (None, id),
             Outline::Image(_) => (None, plane(0)),
-            Outline::Shadow {
-                plane: i, light, ..
-            } => (Some(light), plane(i)),
+            Outline::Shadow { plane: i, light, .. } => (Some(light), plane(i)),
         };
         let is_object = matches!(outline, Outline::Object(_));
         if light != self.light {
@@ -168,9 +162,7 @@ impl Search<'_> {
     /// eye and the corners' points. A plane that separates `back` from the pyramid proves that it is hidden.
     #[inline(never)]
     fn is_hidden(&self, back: ObjectId, front: u32, x: usize, y: usize) -> bool {
-        let &Squares {
-            world, coverage, ..
-        } = self.squares;
+        let &Squares { world, coverage, .. } = self.squares;
         if front == 0 || front as usize > world.background() {
             return false;
         }
@@ -251,11 +243,7 @@ struct Covered {
 }
 
 impl Covered {
-    const NONE: Self = Self {
-        wholly: Bits::NONE,
-        partly: Bits::NONE,
-        missed: Bits::NONE,
-    };
+    const NONE: Self = Self { wholly: Bits::NONE, partly: Bits::NONE, missed: Bits::NONE };
 }
 
 pub(crate) struct Squares<'a> {
@@ -339,13 +327,9 @@ impl<'a> Squares<'a> {
             let column = axes.column::<Baseline>(u) - (pixels(self.area.left) - margin);
             let square = column / pixels(self.side());
             let square = square.max(splat(simd, 0.0));
-            square
-                .min(splat(simd, pixels(self.columns - 1)))
-                .to_int::<I<Baseline>>()
+            square.min(splat(simd, pixels(self.columns - 1))).to_int::<I<Baseline>>()
         });
-        let last = from
-            .simd_le(to)
-            .select(last, I::<Baseline>::splat(simd, -1));
+        let last = from.simd_le(to).select(last, I::<Baseline>::splat(simd, -1));
         [first, last].map(|squares| squares.into())
     }
 

@@ -59,9 +59,7 @@ impl Highlight {
     };
 
     pub fn meets(&self, rect: Vec4) -> bool {
-        self.bounds
-            .cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0))
-            .all()
+        self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
     /// Returns whether squares of `side` pixels are nowhere visibly brighter than their corners, if all of these show the object.
@@ -92,16 +90,9 @@ impl Highlight {
         let [top, bottom] = [top, bottom].map(|y| y - self.middle.y);
         let near = top.max(0.0).min(bottom);
         let rest = reach - (c * (1.0 - DRAWN_OUT) - b * b / a) * near * near;
-        let half = if rest < 0.0 {
-            f32::NEG_INFINITY
-        } else {
-            sqrt(rest / a)
-        };
+        let half = if rest < 0.0 { f32::NEG_INFINITY } else { sqrt(rest / a) };
         let [x, other] = [top, bottom].map(|y| self.middle.x - b / a * y);
-        [
-            (x.min(other) - half).max(self.bounds.x),
-            (x.max(other) + half).min(-self.bounds.z),
-        ]
+        [(x.min(other) - half).max(self.bounds.x), (x.max(other) + half).min(-self.bounds.z)]
     }
 
     /// Returns whether a square, in pixels, may be visibly brighter than the corners whose bits are set: upper left, upper right, lower
@@ -117,9 +108,7 @@ impl Highlight {
         let mut least = 0.0;
         if rect.xy().max(-rect.zw()).max_element() > 0.0 {
             let sides = rect.xzyw();
-            let along = (-b * sides / Vec4::new(c, c, a, a))
-                .max(rect.yyxx())
-                .min(rect.wwzz());
+            let along = (-b * sides / Vec4::new(c, c, a, a)).max(rect.yyxx()).min(rect.wwzz());
             let x = Vec4::from((sides.xy(), along.zw()));
             let y = Vec4::from((along.xy(), sides.zw()));
             least = u(x, y).min_element();
@@ -189,12 +178,7 @@ impl Highlight {
 impl Mirror {
     /// Returns the highlight at this point; `None` if it is hidden from the eye or light, both relative to the object's centre.
     fn seen(&self, axes: &Axes, eye: Vec3A, light: Vec3A, half_exponent: f32) -> Option<Highlight> {
-        let &Self {
-            p,
-            n,
-            curvature,
-            axis,
-        } = self;
+        let &Self { p, n, curvature, axis } = self;
         let (to, to_light) = (p - eye, light - p);
         let (distance, light_distance) = (to.length(), to_light.length());
         let (d, l) = (to / distance, to_light / light_distance);

@@ -77,12 +77,7 @@ impl Mirror {
             let back = 0.25 * radius * (a + b) * length;
             n = unit(n + (half / length - n) / (1.0 + back));
         }
-        Self {
-            p: n * radius + axis * height,
-            n,
-            curvature: 1.0 / radius,
-            axis,
-        }
+        Self { p: n * radius + axis * height, n, curvature: 1.0 / radius, axis }
     }
 
     /// Returns the point on the face towards the eye, at the distance `half` along the axis.
@@ -90,11 +85,6 @@ impl Mirror {
         let n = axis * 1.0_f32.copysign(eye.dot(axis));
         let [above, light_above] = [eye, light].map(|point| point.dot(n) - half);
         let p = eye.lerp(light, above / (above + light_above));
-        Self {
-            p: p + n * (half - p.dot(n)),
-            n,
-            curvature: 0.0,
-            axis,
-        }
+        Self { p: p + n * (half - p.dot(n)), n, curvature: 0.0, axis }
     }
 }

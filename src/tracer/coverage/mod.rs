@@ -150,11 +150,7 @@ impl Coverage {
         let (id, view, shown) = match self.outlines[number] {
             Outline::Object(id) => (id, &self.eye, None),
             Outline::Image(id) => (id, &self.image, Some((0, world.eye))),
-            Outline::Shadow {
-                object,
-                plane,
-                light,
-            } => {
+            Outline::Shadow { object, plane, light } => {
                 let plane = usize::from(plane);
                 let view = &self.shadows[plane][usize::from(light)];
                 (object, view, Some((plane, view.from)))
@@ -193,9 +189,7 @@ impl Coverage {
     pub fn visible_groups(&self, rect: Rect) -> VisibleGroups {
         let [directly, mirrored] = self.groups.each_ref().map(|bounds| {
             let meeting = bounds.iter().map(|bounds| bounds.meets(rect));
-            meeting
-                .rev()
-                .fold(0, |groups, meets| groups << 1 | GroupSet::from(meets))
+            meeting.rev().fold(0, |groups, meets| groups << 1 | GroupSet::from(meets))
         });
         VisibleGroups { directly, mirrored }
     }

@@ -98,12 +98,7 @@ fn power(to: Vec3A, node: &BvhNode) -> Option<[f32; 2]> {
 fn extent(block: &Block, forward: Vec3A) -> Vec4 {
     let inward = Mat3A::from(block.axes).transpose();
     let half = Vec3A::from(block.half);
-    let own = [
-        inward.x_axis,
-        inward.y_axis,
-        inward.z_axis,
-        inward * forward,
-    ];
+    let own = [inward.x_axis, inward.y_axis, inward.z_axis, inward * forward];
     Vec4::from(own.map(|axis| {
         // Exact for an aligned axis; otherwise with a margin for the error of the block's axes.
         let tilt = (axis.abs().element_sum() - 1.0).abs();
@@ -123,20 +118,12 @@ impl Coverage {
             self.groups[0][node.group()].join(screen);
             let (power, thickness, extent) = match world.object(node.object).0 {
                 Object::Block(block) => (None, block.half.min_element(), extent(block, forward)),
-                _ => (
-                    power(node.centre - world.eye, node),
-                    node.radius,
-                    Vec4::splat(node.radius),
-                ),
+                _ => (power(node.centre - world.eye, node), node.radius, Vec4::splat(node.radius)),
             };
             let [least, most] = ends(node.centre, extent);
             let object = ObjectBounds {
                 node: number as u16,
-                screen: if most.is_finite() {
-                    screen
-                } else {
-                    ScreenBounds::NONE
-                },
+                screen: if most.is_finite() { screen } else { ScreenBounds::NONE },
                 power,
                 thickness,
                 least,
@@ -151,12 +138,8 @@ impl Coverage {
             // No bound forward: planes have no order.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
             let [least, most] = ends(plane.centre.into(), extent);
-            self.objects[id.index()] = ObjectBounds {
-                screen: ScreenBounds::ALL,
-                least,
-                most,
-                ..ObjectBounds::ZERO
-            };
+            self.objects[id.index()] =
+                ObjectBounds { screen: ScreenBounds::ALL, least, most, ..ObjectBounds::ZERO };
             let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
             let far = self.eye.reach(centre, half.length());
             let to = (centre - world.eye).abs();

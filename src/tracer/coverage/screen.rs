@@ -44,12 +44,8 @@ pub(super) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
 pub(super) struct ScreenBounds(Vec4);
 
 impl Axes {
-    pub const ZERO: Self = Self {
-        rows: [Vec3A::ZERO; 3],
-        pixel: 0.0,
-        reach: 0.0,
-        middle: Vec4::ZERO,
-    };
+    pub const ZERO: Self =
+        Self { rows: [Vec3A::ZERO; 3], pixel: 0.0, reach: 0.0, middle: Vec4::ZERO };
 
     /// Returns the axes of a picture whose samples are `offset` pixels off the pixels' centres; `raster` has no offset.
     pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {

@@ -24,11 +24,7 @@ impl View {
         Self {
             from: light.position,
             rays: axes.map(|ray| ray * height + to * ray.y),
-            normals: if is_sure {
-                axes.map(normal)
-            } else {
-                [Vec3A::ZERO; 3]
-            },
+            normals: if is_sure { axes.map(normal) } else { [Vec3A::ZERO; 3] },
             corner: CORNER_BY_LIGHT,
             rounding: if light.is_point { 1.0 } else { USUAL },
         }

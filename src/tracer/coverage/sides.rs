@@ -35,10 +35,7 @@ pub(super) enum Sides {
         unsure: f32,
     },
     /// The rays on the inner side of eight planes around the object, and of eight planes inside it.
-    Flat {
-        outer: [Terms; 2],
-        inner: [Terms; 2],
-    },
+    Flat { outer: [Terms; 2], inner: [Terms; 2] },
 }
 
 impl Sides {
@@ -59,21 +56,13 @@ impl Sides {
         } else {
             [[Vec4::ZERO, Vec4::ZERO, Vec4::NEG_ONE]; 2]
         };
-        Self::Flat {
-            outer: silhouette_terms(shape, centre, half + slack, 1.0, &rays),
-            inner,
-        }
+        Self::Flat { outer: silhouette_terms(shape, centre, half + slack, 1.0, &rays), inner }
     }
 
     pub fn of_rectangle(rays: &[Vec3A; 3], eye: Vec3A, plane: &Plane) -> Self {
-        let terms = [
-            rays.map(|ray| plane::sides(plane, eye, ray)),
-            [Vec4::ZERO, Vec4::ZERO, Vec4::ONE],
-        ];
-        Self::Flat {
-            outer: terms,
-            inner: terms,
-        }
+        let terms =
+            [rays.map(|ray| plane::sides(plane, eye, ray)), [Vec4::ZERO, Vec4::ZERO, Vec4::ONE]];
+        Self::Flat { outer: terms, inner: terms }
     }
 
     /// Clips rectangles to the range of u whose rays may be inside, by a margin. For a cone these are tangent planes from both ends, each a
@@ -185,12 +174,7 @@ impl Region {
     /// Returns the region inside some sides. `rounding` is the applicable share of [`SIDE`].
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
         let rounding = SIDE * axes.reach * rounding;
-        Self {
-            bounds,
-            sides,
-            rounding,
-            margin: rounding,
-        }
+        Self { bounds, sides, rounding, margin: rounding }
     }
 
     /// Returns the least and greatest u of the region in each rectangle; least > greatest for an empty one.
@@ -268,13 +252,7 @@ impl Silhouette {
 
     /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1.
     pub fn ends(&self, sign: f32) -> [Vec4; 2] {
-        let &Self {
-            a,
-            b,
-            half_a,
-            half_b,
-            ..
-        } = self;
+        let &Self { a, b, half_a, half_b, .. } = self;
         let is_below = Vec4::select(self.is_beside, a * sign, b).cmplt(Vec4::ZERO);
         let mut y = Vec4::select(is_below, b + half_b, b - half_b);
         let is_left = (y * sign).cmplt(Vec4::ZERO);

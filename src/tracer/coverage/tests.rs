@@ -51,27 +51,22 @@ fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
         (vector(4.0, 1.0..3.0), 0.01_f32..1.0),
         block(),
         (vector(6.0, 4.5..9.0), 1.0_f32..8.0),
-        [
-            prop_oneof![Just(0.0), 0.0..=light],
-            prop_oneof![Just(0.0), 0.0..=telescope],
-        ],
+        [prop_oneof![Just(0.0), 0.0..=light], prop_oneof![Just(0.0), 0.0..=telescope]],
     )
-        .prop_map(
-            |(eye, look_at, (centre, radius), block, (light, far), decades)| {
-                let [by_light, by_eye] = decades.map(|decades| libm::powf(10.0, decades));
-                Scene {
-                    camera: Camera::new(eye * by_eye, look_at, 1.0 / by_eye),
-                    spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
-                    blocks: List::of(&[block]),
-                    planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, Material::BLACK)]),
-                    lights: List::of(&[Light {
-                        position: light * Vec3::new(far, 1.0, far) * by_light,
-                        ..Light::DARK
-                    }]),
-                    ..Scene::default()
-                }
-            },
-        )
+        .prop_map(|(eye, look_at, (centre, radius), block, (light, far), decades)| {
+            let [by_light, by_eye] = decades.map(|decades| libm::powf(10.0, decades));
+            Scene {
+                camera: Camera::new(eye * by_eye, look_at, 1.0 / by_eye),
+                spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
+                blocks: List::of(&[block]),
+                planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, Material::BLACK)]),
+                lights: List::of(&[Light {
+                    position: light * Vec3::new(far, 1.0, far) * by_light,
+                    ..Light::DARK
+                }]),
+                ..Scene::default()
+            }
+        })
 }
 
 /// Returns a point inside a block; `at` is within -1 to 1 along each axis.
@@ -256,10 +251,7 @@ fn small_shadows_have_small_bounds() {
 
 #[test]
 fn planes_have_outlines_but_no_images() {
-    let scene = Scene {
-        planes: List::of(&[Plane::default(); 2]),
-        ..Scene::default()
-    };
+    let scene = Scene { planes: List::of(&[Plane::default(); 2]), ..Scene::default() };
     let coverage = Bounds::of(&scene).coverage;
     let outlines = &coverage.outlines[..coverage.outlined];
     for (number, outline) in outlines.iter().enumerate() {

@@ -27,10 +27,7 @@ impl Squares<'_> {
     fn may_show_unguarded(&self, x: usize, y: usize) -> bool {
         let row = &self.grid[y * self.stride + x..];
         let samples = [row[0], row[1], row[self.stride], row[self.stride + 1]].map(Sample);
-        if samples
-            .iter()
-            .any(|sample| sample.0 & Sample::UNGUARDED != 0)
-        {
+        if samples.iter().any(|sample| sample.0 & Sample::UNGUARDED != 0) {
             return true;
         }
         let [first, others @ ..] = samples;
@@ -38,9 +35,7 @@ impl Squares<'_> {
             let pixel = |sample: Sample| sample.pixel(Sample::HALF_STEP);
             return others.map(pixel) == [pixel(first); 3];
         }
-        first
-            .object()
-            .is_some_and(|id| self.may_be_shadowed(id, x, y))
+        first.object().is_some_and(|id| self.may_be_shadowed(id, x, y))
     }
 
     /// Returns whether an object may cast a shadow that the guard does not know on a square's part of the object `id`.
@@ -93,13 +88,7 @@ impl Beam {
     fn to_light(from: Vec3A, radius: f32, light: &PreparedLight) -> Self {
         let to_light = light.position - from;
         let length = to_light.length();
-        Self {
-            from,
-            d: to_light / length,
-            length,
-            radius,
-            growth: 0.5 * light.diameter / length,
-        }
+        Self { from, d: to_light / length, length, radius, growth: 0.5 * light.diameter / length }
     }
 
     /// Returns whether the beam may meet a node's bounding sphere and, of a block, the capsule around its bounding cylinder

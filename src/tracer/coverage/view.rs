@@ -30,13 +30,7 @@ impl View {
     };
 
     pub fn eye(from: Vec3A, axes: [Vec3A; 3]) -> Self {
-        Self {
-            from,
-            rays: axes,
-            normals: axes,
-            corner: CORNER,
-            rounding: 1.0,
-        }
+        Self { from, rays: axes, normals: axes, corner: CORNER, rounding: 1.0 }
     }
 
     pub fn reach(&self, centre: Vec3A, radius: f32) -> f32 {

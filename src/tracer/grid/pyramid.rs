@@ -48,11 +48,7 @@ pub(crate) const SCRATCH: usize = 2 * TILE_WIDTH * TILE_HEIGHT / 8;
 
 impl Pyramid {
     pub const fn new() -> Self {
-        Self {
-            samples: [0; POINTS],
-            keys: [0; POINTS],
-            layers: [[0.0; 8]; POINTS],
-        }
+        Self { samples: [0; POINTS], keys: [0; POINTS], layers: [[0.0; 8]; POINTS] }
     }
 
     pub fn index(level: usize, x: usize, y: usize) -> usize {
@@ -80,10 +76,7 @@ impl Pyramid {
     pub fn row(&self, level: usize, y: usize) -> GridRow<'_> {
         let start = Self::index(level, 0, y);
         let range = start..start + columns(level) + 2 * MAX_LANES - 1;
-        GridRow {
-            samples: &self.samples[range.clone()],
-            keys: &self.keys[range],
-        }
+        GridRow { samples: &self.samples[range.clone()], keys: &self.keys[range] }
     }
 
     /// Returns the corners of the square (x, y): upper left, upper right, lower left, lower right.

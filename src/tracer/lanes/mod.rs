@@ -60,21 +60,13 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
 /// Returns the maximum, or `least` where `v` is NaN. (The result of `max` depends on the CPU.)
 #[inline(always)]
 pub(crate) fn at_least<S: Isa>(v: F<S>, least: F<S>) -> F<S> {
-    if S::LIMITS_REPLACE_NAN {
-        v.max(least)
-    } else {
-        v.simd_gt(least).select(v, least)
-    }
+    if S::LIMITS_REPLACE_NAN { v.max(least) } else { v.simd_gt(least).select(v, least) }
 }
 
 /// Returns the minimum, or `most` where `v` is NaN.
 #[inline(always)]
 pub(crate) fn at_most<S: Isa>(v: F<S>, most: F<S>) -> F<S> {
-    if S::LIMITS_REPLACE_NAN {
-        v.min(most)
-    } else {
-        v.simd_lt(most).select(v, most)
-    }
+    if S::LIMITS_REPLACE_NAN { v.min(most) } else { v.simd_lt(most).select(v, most) }
 }
 
 /// Clamps to `least` to `most`; `least` where `v` is NaN.

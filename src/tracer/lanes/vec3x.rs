@@ -14,11 +14,7 @@ impl<S: Simd> Vec3x<S> {
     #[inline(always)]
     pub fn splat(simd: S, v: impl Into<Vec3>) -> Self {
         let v = v.into();
-        Self {
-            x: splat(simd, v.x),
-            y: splat(simd, v.y),
-            z: splat(simd, v.z),
-        }
+        Self { x: splat(simd, v.x), y: splat(simd, v.y), z: splat(simd, v.z) }
     }
 
     #[inline(always)]
@@ -50,11 +46,7 @@ impl<S: Simd> Vec3x<S> {
     /// Returns `self + b s`.
     #[inline(always)]
     pub fn add_scaled(self, b: Self, s: F<S>) -> Self {
-        Self {
-            x: b.x.mul_add(s, self.x),
-            y: b.y.mul_add(s, self.y),
-            z: b.z.mul_add(s, self.z),
-        }
+        Self { x: b.x.mul_add(s, self.x), y: b.y.mul_add(s, self.y), z: b.z.mul_add(s, self.z) }
     }
 
     /// Inverts the bits of each component that are set in `flip`.
@@ -70,11 +62,7 @@ impl<S: Simd> Vec3x<S> {
     /// Returns `self s - b`.
     #[inline(always)]
     pub fn scaled_minus(self, s: F<S>, b: Self) -> Self {
-        Self {
-            x: self.x.mul_sub(s, b.x),
-            y: self.y.mul_sub(s, b.y),
-            z: self.z.mul_sub(s, b.z),
-        }
+        Self { x: self.x.mul_sub(s, b.x), y: self.y.mul_sub(s, b.y), z: self.z.mul_sub(s, b.z) }
     }
 }
 
@@ -82,11 +70,7 @@ impl<S: Simd> Add for Vec3x<S> {
     type Output = Self;
     #[inline(always)]
     fn add(self, b: Self) -> Self {
-        Self {
-            x: self.x + b.x,
-            y: self.y + b.y,
-            z: self.z + b.z,
-        }
+        Self { x: self.x + b.x, y: self.y + b.y, z: self.z + b.z }
     }
 }
 
@@ -94,11 +78,7 @@ impl<S: Simd> Sub for Vec3x<S> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, b: Self) -> Self {
-        Self {
-            x: self.x - b.x,
-            y: self.y - b.y,
-            z: self.z - b.z,
-        }
+        Self { x: self.x - b.x, y: self.y - b.y, z: self.z - b.z }
     }
 }
 
@@ -107,30 +87,18 @@ impl<S: Simd> Mul for Vec3x<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
-        Self {
-            x: self.x * b.x,
-            y: self.y * b.y,
-            z: self.z * b.z,
-        }
+        Self { x: self.x * b.x, y: self.y * b.y, z: self.z * b.z }
     }
 }
 
 impl<S: Simd> Vec3x<S> {
     #[inline(always)]
     pub fn select(mask: M<S>, a: Self, b: Self) -> Self {
-        Self {
-            x: mask.select(a.x, b.x),
-            y: mask.select(a.y, b.y),
-            z: mask.select(a.z, b.z),
-        }
+        Self { x: mask.select(a.x, b.x), y: mask.select(a.y, b.y), z: mask.select(a.z, b.z) }
     }
 
     #[inline(always)]
     pub fn scaled(self, s: F<S>) -> Self {
-        Self {
-            x: self.x * s,
-            y: self.y * s,
-            z: self.z * s,
-        }
+        Self { x: self.x * s, y: self.y * s, z: self.z * s }
     }
 }

@@ -51,11 +51,7 @@ pub(crate) struct Tap {
 }
 
 impl Tap {
-    const ZERO: Self = Self {
-        height: 0.0,
-        range: 0.0,
-        weight: 0.0,
-    };
+    const ZERO: Self = Self { height: 0.0, range: 0.0, weight: 0.0 };
 }
 
 /// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. A point on whose normal the farthest tap is its own
@@ -119,10 +115,7 @@ impl Ambience {
         self.bounces = ambience.bounce > 0.0;
         self.sky = scene.ambient.into();
         self.ground = ambience.ground.into();
-        self.floor = scene
-            .planes
-            .first()
-            .map_or(f32::MIN, |plane| plane.centre.y);
+        self.floor = scene.planes.first().map_or(f32::MIN, |plane| plane.centre.y);
         self.contact = CONTACT * ambience.reach;
         for node in nodes.iter().filter(|node| !node.is_bound) {
             self.add(scene, node, lights);
@@ -132,12 +125,7 @@ impl Ambience {
     }
 
     fn add(&mut self, scene: &Scene, node: &BvhNode, lights: &[PreparedLight]) {
-        let scene::Ambience {
-            occlusion,
-            reach,
-            bounce,
-            ..
-        } = scene.ambience;
+        let scene::Ambience { occlusion, reach, bounce, .. } = scene.ambience;
         let (object, material) = object::of(scene, node.object);
         let i = self.count % CAPACITY;
         self.count = i + 1;

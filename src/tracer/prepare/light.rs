@@ -33,18 +33,10 @@ pub(crate) struct SpotCone {
 }
 
 impl SpotCone {
-    const ZERO: Self = Self {
-        aim: Vec3::ZERO,
-        cos_inner: 0.0,
-        cos_outer: 0.0,
-    };
+    const ZERO: Self = Self { aim: Vec3::ZERO, cos_inner: 0.0, cos_outer: 0.0 };
 
     /// All directions, with a margin.
-    const ALL_BRIGHT: Self = Self {
-        aim: Vec3::ZERO,
-        cos_inner: -1.0,
-        cos_outer: -2.0,
-    };
+    const ALL_BRIGHT: Self = Self { aim: Vec3::ZERO, cos_inner: -1.0, cos_outer: -2.0 };
 
     fn new(spot: Spot) -> Self {
         Self {
@@ -179,12 +171,7 @@ impl ShadowCone {
             side: side.into(),
             sine2: side.length_squared() * sine * sine,
             radius: node.radius * (1.0 + BOUND) + error,
-            r2: node.r2
-                + if self.around_light {
-                    r2_error
-                } else {
-                    -r2_error
-                },
+            r2: node.r2 + if self.around_light { r2_error } else { -r2_error },
         }
     }
 }

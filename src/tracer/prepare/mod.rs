@@ -151,9 +151,6 @@ impl Prepared {
         }
         let lights = &self.lights[..self.light_count];
         self.ambience.set(scene, self.tree.solid_nodes(), lights);
-        World {
-            scene,
-            prepared: self,
-        }
+        World { scene, prepared: self }
     }
 }

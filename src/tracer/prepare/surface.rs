@@ -82,10 +82,7 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
         NO_HIGHLIGHT
     };
     set(Parameter::Emitted, &emitted.to_array());
-    set(
-        Parameter::Diffuse,
-        &(material.colour * material.kd).to_array(),
-    );
+    set(Parameter::Diffuse, &(material.colour * material.kd).to_array());
     set(Parameter::Highlight, &highlight.to_array());
     set(Parameter::Ks, &[material.ks]);
     set(Parameter::Exponent, &[material.exponent]);
@@ -119,10 +116,7 @@ mod tests {
                 let x = MIN_HIGHLIGHT.max(i as f32 / 100_000.0);
                 let root = libm::powf(x, 1.0 / h);
                 let below = root_below(x, h);
-                assert!(
-                    below <= root && below >= 0.8 * root,
-                    "{x}, {h}: {below}, {root}"
-                );
+                assert!(below <= root && below >= 0.8 * root, "{x}, {h}: {below}, {root}");
             }
         }
     }

@@ -85,11 +85,7 @@ const UNBOUNDED: f32 = 1e18;
 impl Tree {
     pub const ZERO: Self = Self {
         eye: Vec3A::ZERO,
-        balls: [Ball {
-            centre: Vec3A::ZERO,
-            radius: 0.0,
-            object: ObjectId::FIRST,
-        }; MAX_SOLIDS],
+        balls: [Ball { centre: Vec3A::ZERO, radius: 0.0, object: ObjectId::FIRST }; MAX_SOLIDS],
         solid_count: 0,
         nodes: [BvhNode::ZERO; MAX_NODES],
         len: 0,
@@ -102,11 +98,7 @@ impl Tree {
 
     /// Returns the first node for rays that can only meet `groups`. Skips the root, which such rays probably meet.
     pub fn start(&self, groups: GroupSet) -> usize {
-        if self.nodes[0].groups & groups != 0 {
-            1
-        } else {
-            self.solid_node_end
-        }
+        if self.nodes[0].groups & groups != 0 { 1 } else { self.solid_node_end }
     }
 
     pub fn solid_nodes(&self) -> &[BvhNode] {
@@ -133,11 +125,7 @@ impl Tree {
                 Object::Block(block) => (block.centre, block::bounding_radius(block)),
                 Object::Light(_) | Object::Plane(_) | Object::Background => (Vec3::ZERO, 0.0),
             };
-            *ball = Ball {
-                centre: centre.into(),
-                radius: valid_radius(radius),
-                object: id,
-            };
+            *ball = Ball { centre: centre.into(), radius: valid_radius(radius), object: id };
         }
         sort(&mut self.balls[..self.solid_count]);
         self.len = 0;
@@ -145,11 +133,7 @@ impl Tree {
         self.solid_node_end = self.len;
         for (i, light) in scene.lights.iter().enumerate() {
             let groups = 1 << (SOLID_GROUPS + i);
-            let node = self.push(
-                light.position.into(),
-                valid_radius(light.drawn_radius),
-                groups,
-            );
+            let node = self.push(light.position.into(), valid_radius(light.drawn_radius), groups);
             node.object = ObjectId::new(scene.solids() + i);
             if light.parallel || light.drawn_radius == 0.0 {
                 node.r2 = -1.0;
@@ -222,11 +206,7 @@ impl Tree {
 const MAX_RADIUS: f32 = 2.0 * MAX_LENGTH;
 
 fn valid_radius(radius: f32) -> f32 {
-    if (0.0..MAX_RADIUS).contains(&radius) {
-        radius
-    } else {
-        0.0
-    }
+    if (0.0..MAX_RADIUS).contains(&radius) { radius } else { 0.0 }
 }
 
 fn extent(balls: &[Ball]) -> [Vec3A; 2] {

@@ -74,12 +74,7 @@ impl Seams {
     /// Computes the marks of a drawn picture.
     pub fn set(&mut self, plan: &FramePlan, picture: &Band<'_>) {
         let finished = plan.finished;
-        let &Band {
-            stride,
-            ref pixels,
-            ref rough,
-            ..
-        } = picture;
+        let &Band { stride, ref pixels, ref rough, .. } = picture;
         let ends = (TILE_HEIGHT * stride..pixels.len()).step_by(TILE_HEIGHT * stride);
         for (number, end) in ends.enumerate() {
             let (above, below) = (&pixels[end - stride..], &pixels[end..]);
@@ -134,9 +129,7 @@ fn mark(plan: &FramePlan, line: &[u32], other: &[u32], cells: u64) -> u64 {
             (Some(a), Some(b)) => edges(edge, a, b) << start,
             _ => {
                 let pairs = line.iter().zip(other).enumerate().skip(start);
-                pairs.fold(0, |marks, (i, (&a, &b))| {
-                    marks | u64::from(is_edge(edge, a, b)) << i
-                })
+                pairs.fold(0, |marks, (i, (&a, &b))| marks | u64::from(is_edge(edge, a, b)) << i)
             }
         };
     });
@@ -161,11 +154,7 @@ fn mark_stretch(
         let rough = &band.rough[y / CELL];
         let here = rough_cells(rough, word);
         // The last pixel of a cell is adjacent to the next cell.
-        let next = if word + 1 < MAX_STRETCHES {
-            rough_cells(rough, word + 1) & 1
-        } else {
-            0
-        };
+        let next = if word + 1 < MAX_STRETCHES { rough_cells(rough, word + 1) & 1 } else { 0 };
         let adjacent = here | here >> 1 | next << (CELLS - 1);
         marks[ROWS * y + 1] = mark(plan, line(y, &stretch), line(y, &right), adjacent);
         marks[ROWS * y + 2] = if y + 1 < rows {
@@ -211,10 +200,7 @@ fn mix<O: Observer>(
     let (top, height) = (band.top, band.height());
     for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
         mark_stretch(plan, band, word, borders, &mut marks);
-        let any = marks[..=ROWS * height]
-            .iter()
-            .chain(&before)
-            .fold(0, |all, row| all | row);
+        let any = marks[..=ROWS * height].iter().chain(&before).fold(0, |all, row| all | row);
         if any == 0 {
             continue;
         }
@@ -229,11 +215,8 @@ fn mix<O: Observer>(
                 trace_middles(context, seen, start, band, worker);
             }
             let points = &mut worker.batch.points;
-            let [x, y] = [
-                ROWS * start + number % ROWS,
-                (ROWS * top + number).wrapping_sub(1),
-            ]
-            .map(|at| at.wrapping_mul(PARTS / ROWS));
+            let [x, y] = [ROWS * start + number % ROWS, (ROWS * top + number).wrapping_sub(1)]
+                .map(|at| at.wrapping_mul(PARTS / ROWS));
             if number % ROWS != 0 && before[number / ROWS] != 0 {
                 points.push(x - PARTS, y);
             }

@@ -36,11 +36,7 @@ pub(super) fn fill<S: Simd>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
 /// Fills squares of `1 << LOG` pixels, and larger ones in parts.
 #[inline(always)]
 fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
-    let parts = if LOG < 3 {
-        1
-    } else {
-        1 << (run.level as u32 - LOG)
-    };
+    let parts = if LOG < 3 { 1 } else { 1 << (run.level as u32 - LOG) };
     let mut aside = [0; MAX_PIXELS];
     run.filled.for_each(
         #[inline(always)]
@@ -77,11 +73,8 @@ fn fill_part<S: Simd, const LOG: u32>(
     let start = y * band.stride + x;
     let end = start + (side - 1) * band.stride + side;
     let is_whole = x + side <= band.width && end <= band.pixels.len();
-    let (pixels, stride) = if is_whole {
-        (&mut band.pixels[start..], band.stride)
-    } else {
-        (&mut aside[..], side)
-    };
+    let (pixels, stride) =
+        if is_whole { (&mut band.pixels[start..], band.stride) } else { (&mut aside[..], side) };
     let (column, first_row) = if LOG == 1 { (x % 4, y) } else { (0, 0) };
     let thresholds = [0, 1, 2, 3].map(|row| {
         let row = &dither[(first_row + row) % 4];
@@ -167,9 +160,5 @@ fn four<S: Simd>(simd: S, sample: u64) -> Four<S> {
 fn step<S: Simd, const LOG: u32>(to: Four<S>, from: Four<S>) -> Four<S> {
     let difference: i16x16<S> = (to - from).bitcast();
     // A single halving is exact; otherwise the rounding term cannot overflow.
-    if LOG == 1 {
-        difference.bitcast()
-    } else {
-        (((difference >> (LOG - 2)) + 1) >> 1).bitcast()
-    }
+    if LOG == 1 { difference.bitcast() } else { (((difference >> (LOG - 2)) + 1) >> 1).bitcast() }
 }

@@ -50,11 +50,7 @@ impl Kernels {
             level,
             trace: |level, world, quality, seen, batch| {
                 let isa = in_level::<R>(level);
-                let tracer = Tracer {
-                    isa,
-                    world,
-                    quality,
-                };
+                let tracer = Tracer { isa, world, quality };
                 trace::trace(tracer, seen, batch);
             },
             judge: |level, limits, squares, above, below| {

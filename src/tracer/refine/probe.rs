@@ -60,23 +60,13 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         return;
     }
     // Probes are far apart: culling groups would not pay.
-    let all = VisibleGroups {
-        directly: GroupSet::MAX,
-        mirrored: GroupSet::MAX,
-    };
-    let sides = if plan.quality.antialias {
-        &SIDES[..]
-    } else {
-        &[]
-    };
+    let all = VisibleGroups { directly: GroupSet::MAX, mirrored: GroupSet::MAX };
+    let sides = if plan.quality.antialias { &SIDES[..] } else { &[] };
     // The index of a pixel in the band, beyond its end for pixels of other rows; above, it wraps around.
     let (top, stride) = (band.top, band.stride);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();
-    let mut places = plan
-        .probing
-        .places(size)
-        .filter(|&place| index(place) < count);
+    let mut places = plan.probing.places(size).filter(|&place| index(place) < count);
     worker.batch.begin();
     worker.pyramid.scratch().fill(0);
     loop {
@@ -116,11 +106,7 @@ fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize;
         // A pixel on the picture's border is its own neighbour, without an edge.
         let neighbour = [0, 1].map(|i| {
             let neighbour = place[i].wrapping_add(step[i]);
-            if neighbour < size[i] {
-                neighbour
-            } else {
-                place[i]
-            }
+            if neighbour < size[i] { neighbour } else { place[i] }
         });
         let [x, y] = [x + neighbour[0], y + neighbour[1]].map(|at| PARTS / 2 * at);
         batch.points.push(x, y);
@@ -147,11 +133,7 @@ fn add_sides(
     let (x, y) = worker.batch.points.pixel(first);
     for side in 0..sides {
         let middle = first + 1 + 2 * side;
-        if is_edge(
-            plan.quality.edge,
-            pixel,
-            own(film, &worker.batch, middle + 1),
-        ) {
+        if is_edge(plan.quality.edge, pixel, own(film, &worker.batch, middle + 1)) {
             add_middle(plan, worker, middle, pixel, [x, y], probe, side);
         }
     }

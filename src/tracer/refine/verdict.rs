@@ -55,20 +55,11 @@ pub(super) struct Verdict {
 }
 
 impl Verdict {
-    pub const NONE: Self = Self {
-        agreeing: Bits::NONE,
-        flat: Bits::NONE,
-        filled: Bits::NONE,
-        patterned: Bits::NONE,
-    };
+    pub const NONE: Self =
+        Self { agreeing: Bits::NONE, flat: Bits::NONE, filled: Bits::NONE, patterned: Bits::NONE };
 
     pub fn coarse(squares: Bits) -> Self {
-        Self {
-            agreeing: squares,
-            flat: squares,
-            filled: squares,
-            ..Self::NONE
-        }
+        Self { agreeing: squares, flat: squares, filled: squares, ..Self::NONE }
     }
 }
 

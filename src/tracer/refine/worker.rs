@@ -104,12 +104,7 @@ pub(super) struct Interval {
 }
 
 impl Interval {
-    const NONE: Self = Self {
-        ends: [0; 2],
-        start: 0,
-        half: 0,
-        word: 0,
-    };
+    const NONE: Self = Self { ends: [0; 2], start: 0, half: 0, word: 0 };
 
     pub fn middle(&self) -> u32 {
         let step = i32::from(self.half) << (16 * (self.word % 2));

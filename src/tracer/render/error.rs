@@ -40,10 +40,9 @@ impl From<RangeError> for Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Size { width, height } => write!(
-                f,
-                "frame size is {width}x{height}; must be 1x1 to {MAX_WIDTH}x{MAX_HEIGHT}"
-            ),
+            Self::Size { width, height } => {
+                write!(f, "frame size is {width}x{height}; must be 1x1 to {MAX_WIDTH}x{MAX_HEIGHT}")
+            }
             Self::Stride { width, stride } => {
                 write!(f, "frame stride is {stride}; must be {width} or more")
             }

@@ -69,13 +69,7 @@ impl Memory {
         let [width, height] = plan.size;
         let world = self.prepared.prepare(scene, plan.size, plan.offset);
         self.coverage.set(world, plan.size, plan.offset);
-        let context = &Context {
-            plan,
-            kernels,
-            world,
-            coverage: &self.coverage,
-            observer,
-        };
+        let context = &Context { plan, kernels, world, coverage: &self.coverage, observer };
         let picture = &mut frame.band(&mut self.rough);
         let has_edges = plan.quality.antialias;
         let job = |worker: &mut Worker, band: &mut Band<'_>| {

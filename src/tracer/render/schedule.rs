@@ -10,9 +10,7 @@ pub(super) struct Schedule {
 impl Schedule {
     /// Without a previous frame bands are drawn from the bottom up, since the sky needs the fewest rays.
     pub const fn new() -> Self {
-        Self {
-            rays: [0; MAX_BANDS],
-        }
+        Self { rays: [0; MAX_BANDS] }
     }
 
     pub fn run(

@@ -25,9 +25,7 @@ impl ScopedThreads {
     /// Returns `count` threads, the caller's included; 0 counts as 1.
     #[must_use]
     pub fn of(count: usize) -> Self {
-        Self {
-            workers: Worker::several(count.max(1)),
-        }
+        Self { workers: Worker::several(count.max(1)) }
     }
 
     /// Returns the number of threads.
@@ -80,22 +78,14 @@ mod tests {
     #[test]
     fn any_number_of_threads_draws_all_bands_per_phase() {
         let mut renderer = Renderer::detect();
-        let mut scene = Scene {
-            background: glam::Vec3::ONE,
-            ..Scene::default()
-        };
+        let mut scene = Scene { background: glam::Vec3::ONE, ..Scene::default() };
         for (asked, count) in [(0, 1), (1, 1), (3, 3), (100, 100)] {
             for (antialias, captions) in [(false, 0), (false, 1), (true, 0), (true, 1)] {
                 let mut threads = Counting(ScopedThreads::of(asked), 0);
                 assert_eq!(threads.0.count(), count);
                 scene.captions.clear();
-                scene
-                    .captions
-                    .extend((0..captions).map(|_| Default::default()));
-                let quality = Quality {
-                    antialias,
-                    ..Quality::DEFAULT
-                };
+                scene.captions.extend((0..captions).map(|_| Default::default()));
+                let quality = Quality { antialias, ..Quality::DEFAULT };
                 let mut pixels = vec![0; 200 * 100];
                 let frame = Frame::new(200, 100, &mut pixels);
                 let drawn = renderer.render(&scene, &quality, frame, &mut threads);

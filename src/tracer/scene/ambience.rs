@@ -33,12 +33,7 @@ impl Ambience {
     pub const FAINT: f32 = 0.1;
 
     /// The same light everywhere.
-    pub const UNIFORM: Self = Self {
-        occlusion: 0.0,
-        reach: 0.0,
-        ground: Vec3::ZERO,
-        bounce: 0.0,
-    };
+    pub const UNIFORM: Self = Self { occlusion: 0.0, reach: 0.0, ground: Vec3::ZERO, bounce: 0.0 };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("occlusion", self.occlusion, SHARE)?;

@@ -28,13 +28,7 @@ impl Block {
     /// Returns a block aligned with the scene.
     #[must_use]
     pub const fn new(shape: Shape, centre: Vec3, half: Vec3, material: Material) -> Self {
-        Self {
-            shape,
-            centre,
-            half,
-            axes: Mat3::IDENTITY,
-            material,
-        }
+        Self { shape, centre, half, axes: Mat3::IDENTITY, material }
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
@@ -50,11 +44,9 @@ impl Block {
         of.rule("half", self.half, is_valid, range)?;
         let square = "of length 1, perpendicular to the others";
         let [x, y, z] = [0, 1, 2].map(|i| self.axes.col(i));
-        for (name, axis, next) in [
-            ("axes.x_axis", x, y),
-            ("axes.y_axis", y, z),
-            ("axes.z_axis", z, x),
-        ] {
+        for (name, axis, next) in
+            [("axes.x_axis", x, y), ("axes.y_axis", y, z), ("axes.z_axis", z, x)]
+        {
             let is_square = is_unit(axis) && axis.dot(next).abs() < 1e-4;
             of.rule(name, axis, is_square, square)?;
         }

@@ -41,11 +41,7 @@ pub struct Raster {
 }
 
 impl Raster {
-    pub(crate) const ZERO: Self = Self {
-        corner: Vec3::ZERO,
-        dx: Vec3::ZERO,
-        dy: Vec3::ZERO,
-    };
+    pub(crate) const ZERO: Self = Self { corner: Vec3::ZERO, dx: Vec3::ZERO, dy: Vec3::ZERO };
 }
 
 impl Camera {
@@ -54,13 +50,7 @@ impl Camera {
     /// Returns an upright camera, with a vertical field of view in radians.
     #[must_use]
     pub const fn new(eye: Vec3, look_at: Vec3, field_of_view: f32) -> Self {
-        Self {
-            eye,
-            look_at,
-            up: Vec3::Y,
-            field_of_view,
-            min_aspect: 0.0,
-        }
+        Self { eye, look_at, up: Vec3::Y, field_of_view, min_aspect: 0.0 }
     }
 
     fn forward(&self) -> Vec3 {
@@ -94,14 +84,9 @@ impl Camera {
     /// Returns the rays through a picture of `width` by `height` pixels.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
-        let forward = unit(
-            Vec3A::from(self.look_at) - Vec3A::from(self.eye),
-            Vec3A::NEG_Z,
-        );
-        let right = unit(
-            forward.cross(self.up.into()),
-            unit(forward.any_orthogonal_vector(), Vec3A::X),
-        );
+        let forward = unit(Vec3A::from(self.look_at) - Vec3A::from(self.eye), Vec3A::NEG_Z);
+        let right =
+            unit(forward.cross(self.up.into()), unit(forward.any_orthogonal_vector(), Vec3A::X));
         let up = right.cross(forward);
         let pixel = self.pixel(width, height);
         let (dx, dy) = (right * pixel, up * -pixel);
@@ -117,11 +102,7 @@ impl Camera {
 /// Normalises `v`; `otherwise` if it is zero, infinite or NaN.
 fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
-    if length > 0.0 && length < f32::INFINITY {
-        v * (1.0 / length)
-    } else {
-        otherwise
-    }
+    if length > 0.0 && length < f32::INFINITY { v * (1.0 / length) } else { otherwise }
 }
 
 /// Converts a number below 2^24 exactly. The cast through `i32` is a single instruction; a cast from `usize` is not.

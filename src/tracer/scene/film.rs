@@ -35,13 +35,8 @@ impl Default for Film {
 
 impl Film {
     /// No change, except clipping at 1.
-    pub const PLAIN: Self = Self {
-        filmic: false,
-        shoulder: 1.0,
-        vignette: 0.0,
-        dither: 0.0,
-        tolerance: 1.0,
-    };
+    pub const PLAIN: Self =
+        Self { filmic: false, shoulder: 1.0, vignette: 0.0, dither: 0.0, tolerance: 1.0 };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("shoulder", self.shoulder, SHARE)?;

@@ -35,10 +35,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
 
     /// Fills the unused memory with copies of an item.
     pub(crate) const fn over(item: T) -> Self {
-        Self {
-            items: [item; N],
-            len: 0,
-        }
+        Self { items: [item; N], len: 0 }
     }
 
     /// Removes all items.
@@ -71,10 +68,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
 
 impl<T: Copy + Default, const N: usize> Default for List<T, N> {
     fn default() -> Self {
-        Self {
-            items: [T::default(); N],
-            len: 0,
-        }
+        Self { items: [T::default(); N], len: 0 }
     }
 }
 

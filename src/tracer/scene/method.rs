@@ -31,13 +31,8 @@ impl Default for Method {
 
 impl Method {
     /// No overlay.
-    pub const PLAIN: Self = Self {
-        points: 0.0,
-        squares: 0.0,
-        picture: 1.0,
-        coarse: 0.0,
-        front: 0.0,
-    };
+    pub const PLAIN: Self =
+        Self { points: 0.0, squares: 0.0, picture: 1.0, coarse: 0.0, front: 0.0 };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("points", self.points, SHARE)?;

@@ -101,15 +101,9 @@ impl Default for Scene {
 impl Scene {
     /// Unused memory of lists is zero.
     const EMPTY: Self = {
-        let material = Material {
-            exponent: 0.0,
-            index: 0.0,
-            ..Material::BLACK
-        };
-        let block = Block {
-            axes: Mat3::ZERO,
-            ..Block::new(Shape::Box, Vec3::ZERO, Vec3::ZERO, material)
-        };
+        let material = Material { exponent: 0.0, index: 0.0, ..Material::BLACK };
+        let block =
+            Block { axes: Mat3::ZERO, ..Block::new(Shape::Box, Vec3::ZERO, Vec3::ZERO, material) };
         Self {
             camera: Camera::STANDARD,
             background: Vec3::ZERO,
@@ -133,22 +127,10 @@ impl Scene {
 
     /// All zeros, for a `static` scene that takes no space in an executable file. It is invalid.
     pub const ZEROED: Self = Self {
-        camera: Camera {
-            eye: Vec3::ZERO,
-            up: Vec3::ZERO,
-            field_of_view: 0.0,
-            ..Camera::STANDARD
-        },
+        camera: Camera { eye: Vec3::ZERO, up: Vec3::ZERO, field_of_view: 0.0, ..Camera::STANDARD },
         exposure: 0.0,
-        film: Film {
-            shoulder: 0.0,
-            tolerance: 0.0,
-            ..Film::PLAIN
-        },
-        method: Method {
-            picture: 0.0,
-            ..Method::PLAIN
-        },
+        film: Film { shoulder: 0.0, tolerance: 0.0, ..Film::PLAIN },
+        method: Method { picture: 0.0, ..Method::PLAIN },
         ..Self::EMPTY
     };
 
@@ -219,11 +201,7 @@ impl Material {
     /// Returns a diffuse material.
     #[must_use]
     pub const fn matt(colour: Vec3, kd: f32) -> Self {
-        Self {
-            colour,
-            kd,
-            ..Self::BLACK
-        }
+        Self { colour, kd, ..Self::BLACK }
     }
 
     /// Returns a black mirror.
@@ -252,15 +230,7 @@ impl Material {
     /// Returns polished metal with tinted highlights.
     #[must_use]
     pub const fn metal(colour: Vec3) -> Self {
-        Self {
-            colour,
-            kd: 0.4,
-            ks: 0.9,
-            exponent: 40.0,
-            metallic: 1.0,
-            kr: 0.25,
-            ..Self::BLACK
-        }
+        Self { colour, kd: 0.4, ks: 0.9, exponent: 40.0, metallic: 1.0, kr: 0.25, ..Self::BLACK }
     }
 
     /// Returns the material with a texture.
@@ -280,11 +250,7 @@ impl Material {
         of.field("material.colour", self.colour, LENGTH)?;
         of.field("material.kd", self.kd, SHARE)?;
         of.field("material.ks", self.ks, SHARE)?;
-        of.field(
-            "material.exponent",
-            self.exponent,
-            Range(1.0, 1000.0, "1 to 1000"),
-        )?;
+        of.field("material.exponent", self.exponent, Range(1.0, 1000.0, "1 to 1000"))?;
         of.field("material.metallic", self.metallic, SHARE)?;
         of.field("material.anisotropy", self.anisotropy, SHARE)?;
         of.field("material.kr", self.kr, SHARE)?;
@@ -314,11 +280,7 @@ impl Sphere {
     /// Returns a sphere.
     #[must_use]
     pub const fn new(centre: Vec3, radius: f32, material: Material) -> Self {
-        Self {
-            centre,
-            radius,
-            material,
-        }
+        Self { centre, radius, material }
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
@@ -347,12 +309,7 @@ impl Plane {
     /// Returns a rectangle.
     #[must_use]
     pub const fn new(centre: Vec3, half_x: f32, half_z: f32, material: Material) -> Self {
-        Self {
-            centre,
-            half_x,
-            half_z,
-            material,
-        }
+        Self { centre, half_x, half_z, material }
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
@@ -428,29 +385,19 @@ impl Light {
     /// Returns an invisible point light.
     #[must_use]
     pub const fn new(position: Vec3, colour: Vec3) -> Self {
-        Self {
-            position,
-            colour,
-            ..Self::DARK
-        }
+        Self { position, colour, ..Self::DARK }
     }
 
     /// Returns a sun in the direction of `position` from the origin.
     #[must_use]
     pub const fn sun(position: Vec3, colour: Vec3) -> Self {
-        Self {
-            parallel: true,
-            ..Self::new(position, colour)
-        }
+        Self { parallel: true, ..Self::new(position, colour) }
     }
 
     /// Returns a spotlight, see [`Spot::new`].
     #[must_use]
     pub const fn spotlight(position: Vec3, aim: Vec3, outer_angle: f32, colour: Vec3) -> Self {
-        Self {
-            spot: Some(Spot::new(aim, outer_angle)),
-            ..Self::new(position, colour)
-        }
+        Self { spot: Some(Spot::new(aim, outer_angle)), ..Self::new(position, colour) }
     }
 
     fn far(&self) -> f32 {
@@ -472,11 +419,7 @@ impl Light {
     /// Returns the upper limit of a penumbra's width at its occluder: for parallel rays, whose penumbrae grow without end, the
     /// width at four times the distance of `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
-        if self.parallel {
-            4.0 * self.diameter
-        } else {
-            self.diameter
-        }
+        if self.parallel { 4.0 * self.diameter } else { self.diameter }
     }
 
     /// Returns whether the light has neither a diameter nor a cone, and is not parallel.
@@ -488,12 +431,7 @@ impl Light {
         let is_drawable = self.drawn_radius == 0.0 || EXTENT.holds(self.drawn_radius);
         of.field("position", self.position, POINT)?;
         of.field("colour", self.colour, LENGTH)?;
-        of.rule(
-            "drawn_radius",
-            self.drawn_radius,
-            is_drawable,
-            "0 or 1e-9 to 1e9",
-        )?;
+        of.rule("drawn_radius", self.drawn_radius, is_drawable, "0 or 1e-9 to 1e9")?;
         of.field("diameter", self.diameter, LENGTH)?;
         of.field("glow", self.glow, LENGTH)?;
         self.spot.map_or(Ok(()), |spot| spot.check(of))
@@ -526,11 +464,7 @@ impl Spot {
     /// Returns a cone whose inner angle is three quarters of the outer one.
     #[must_use]
     pub const fn new(aim: Vec3, outer_angle: f32) -> Self {
-        Self {
-            aim,
-            inner_angle: 0.75 * outer_angle,
-            outer_angle,
-        }
+        Self { aim, inner_angle: 0.75 * outer_angle, outer_angle }
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {

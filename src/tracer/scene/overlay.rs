@@ -33,22 +33,13 @@ pub struct Caption {
 
 impl Default for Caption {
     fn default() -> Self {
-        Self {
-            letters: List::default(),
-            middle: 0.9,
-            size: 0.05,
-            brightness: 1.0,
-        }
+        Self { letters: List::default(), middle: 0.9, size: 0.05, brightness: 1.0 }
     }
 }
 
 impl Caption {
-    pub(super) const ZERO: Self = Self {
-        letters: List::over(0),
-        middle: 0.0,
-        size: 0.0,
-        brightness: 0.0,
-    };
+    pub(super) const ZERO: Self =
+        Self { letters: List::over(0), middle: 0.0, size: 0.0, brightness: 0.0 };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("middle", self.middle, SHARE)?;
@@ -74,22 +65,13 @@ pub struct CopperBar {
 
 impl Default for CopperBar {
     fn default() -> Self {
-        Self {
-            middle: 0.5,
-            height: 0.05,
-            colour: Vec3::ONE,
-            brightness: 1.0,
-        }
+        Self { middle: 0.5, height: 0.05, colour: Vec3::ONE, brightness: 1.0 }
     }
 }
 
 impl CopperBar {
-    pub(super) const ZERO: Self = Self {
-        middle: 0.0,
-        height: 0.0,
-        colour: Vec3::ZERO,
-        brightness: 0.0,
-    };
+    pub(super) const ZERO: Self =
+        Self { middle: 0.0, height: 0.0, colour: Vec3::ZERO, brightness: 0.0 };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("middle", self.middle, SHARE)?;

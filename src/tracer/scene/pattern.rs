@@ -35,26 +35,15 @@ impl Pattern {
     /// Returns checkers for horizontal planes, with fields of `side` scene units.
     #[must_use]
     pub const fn checkers(side: f32, depth: f32) -> Self {
-        Self {
-            waves: Vec3::new(0.5 / side, 0.0, 0.5 / side),
-            depth,
-            edge: 30.0,
-            ..Self::NONE
-        }
+        Self { waves: Vec3::new(0.5 / side, 0.0, 0.5 / side), depth, edge: 30.0, ..Self::NONE }
     }
 
     /// The largest amplitude of noise octaves that are left out: a fifth of a period is hardly visible.
     pub const LEAST_WARP: f32 = 0.2;
 
     /// A uniform colour.
-    pub const NONE: Self = Self {
-        waves: Vec3::ZERO,
-        depth: 0.0,
-        edge: 0.0,
-        balance: 0.0,
-        warp: 0.0,
-        grain: 0.0,
-    };
+    pub const NONE: Self =
+        Self { waves: Vec3::ZERO, depth: 0.0, edge: 0.0, balance: 0.0, warp: 0.0, grain: 0.0 };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("material.pattern.waves", self.waves, THOUSAND)?;

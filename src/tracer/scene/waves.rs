@@ -42,11 +42,7 @@ impl Waves {
     pub const STEEPEST: f32 = 0.375;
 
     /// A flat mirror.
-    pub const CALM: Self = Self {
-        slope: 0.0,
-        length: 0.0,
-        phase: 0.0,
-    };
+    pub const CALM: Self = Self { slope: 0.0, length: 0.0, phase: 0.0 };
 
     pub(crate) fn are_calm(&self) -> bool {
         self.slope == 0.0

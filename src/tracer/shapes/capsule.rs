@@ -22,10 +22,7 @@ pub(super) fn span<S: Isa>(
     let is_inside = inward | out.dot(out).simd_lt(splat(simd, half.x * half.x));
     let round = cylinder::endless(simd, half.x, o, d);
     let y = is_inside.select(round.far, round.near).mul_add(d.y, o.y);
-    let from = Vec3x {
-        y: o.y - nearest(simd, half, y),
-        ..*o
-    };
+    let from = Vec3x { y: o.y - nearest(simd, half, y), ..*o };
     let length2 = d.dot(*d);
     let middle = -from.dot(*d) / length2;
     let across = from.add_scaled(*d, middle);
@@ -33,11 +30,7 @@ pub(super) fn span<S: Isa>(
     let chord = (at_least::<S>(half2, zero) / length2).sqrt();
     let t = middle + is_inside.select(chord, -chord);
     // Rounding must not let out a ray that starts inside.
-    Span {
-        near: is_inside.select(zero, t),
-        far: t,
-        is_met: half2.simd_ge(zero) | is_inside,
-    }
+    Span { near: is_inside.select(zero, t), far: t, is_met: half2.simd_ge(zero) | is_inside }
 }
 
 #[inline(always)]
@@ -55,8 +48,5 @@ pub(super) fn outward<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> (Vec3x<S>, F
 
 #[inline(always)]
 fn from_core<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> Vec3x<S> {
-    Vec3x {
-        y: p.y - nearest(simd, half, p.y),
-        ..*p
-    }
+    Vec3x { y: p.y - nearest(simd, half, p.y), ..*p }
 }

@@ -17,11 +17,7 @@ impl<S: Isa> Span<S> {
     pub fn slab(simd: S, o: F<S>, d: F<S>, half: f32) -> Self {
         let middle = -o / d;
         let half = (splat(simd, half) / d).abs();
-        Self {
-            near: middle - half,
-            far: middle + half,
-            is_met: M::<S>::splat(simd, true),
-        }
+        Self { near: middle - half, far: middle + half, is_met: M::<S>::splat(simd, true) }
     }
 
     #[inline(always)]
@@ -38,17 +34,11 @@ impl<S: Isa> Span<S> {
 #[inline(always)]
 pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let upright = Span::slab(simd, o.y, d.y, half.y);
-    upright
-        .and(Span::slab(simd, o.x, d.x, half.x))
-        .and(Span::slab(simd, o.z, d.z, half.z))
+    upright.and(Span::slab(simd, o.x, d.x, half.x)).and(Span::slab(simd, o.z, d.z, half.z))
 }
 
 /// Returns the distance of points along each axis, where the faces are at -1 and 1.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
-    Vec3x {
-        x: p.x.abs(),
-        y: p.y.abs(),
-        z: p.z.abs(),
-    }
+    Vec3x { x: p.x.abs(), y: p.y.abs(), z: p.z.abs() }
 }

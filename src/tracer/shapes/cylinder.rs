@@ -22,20 +22,12 @@ pub(super) fn endless<S: Isa>(simd: S, radius: f32, o: &Vec3x<S>, d: &Vec3x<S>) 
     let off2: F<S> = x * x + z * z;
     let chord2 = -off2 + radius * radius;
     let chord = (at_least::<S>(chord2, zero) / a).sqrt();
-    Span {
-        near: middle - chord,
-        far: middle + chord,
-        is_met: chord2.simd_ge(zero),
-    }
+    Span { near: middle - chord, far: middle + chord, is_met: chord2.simd_ge(zero) }
 }
 
 /// Returns the distance of points along each axis, where the faces are at -1 and 1.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
     let round = (p.x * p.x + p.z * p.z).sqrt();
-    Vec3x {
-        x: round,
-        y: p.y.abs(),
-        z: round,
-    }
+    Vec3x { x: round, y: p.y.abs(), z: round }
 }

@@ -52,11 +52,7 @@ pub(crate) fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S
     let end = if is_capsule { half.y - half.x } else { half.y };
     let upright = beyond(simd, p.y, end);
     let (out, deepest) = if block.shape == Shape::Box {
-        let out = Vec3x {
-            x: beyond(simd, p.x, half.x),
-            y: upright,
-            z: beyond(simd, p.z, half.z),
-        };
+        let out = Vec3x { x: beyond(simd, p.x, half.x), y: upright, z: beyond(simd, p.z, half.z) };
         (out, (p.x.abs() - half.x).max(p.z.abs() - half.z))
     } else {
         // From the axis, or a capsule's core.
@@ -75,10 +71,7 @@ pub(crate) fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S
         (out, over)
     };
     let deepest = deepest.max(p.y.abs() - half.y);
-    Outside {
-        out,
-        distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero),
-    }
+    Outside { out, distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero) }
 }
 
 /// Returns the coordinates from the nearest number between `-half` and `half`.

@@ -35,11 +35,8 @@ impl<S: Isa> Chord<S> {
         if S::FUSES_MUL_ADD {
             return self;
         }
-        let d_high = Vec3x {
-            x: upper_half::<S>(d.x),
-            y: upper_half::<S>(d.y),
-            z: upper_half::<S>(d.z),
-        };
+        let d_high =
+            Vec3x { x: upper_half::<S>(d.x), y: upper_half::<S>(d.y), z: upper_half::<S>(d.z) };
         let d_low = d - d_high;
         let t_high = upper_half::<S>(self.t_mid);
         let t_low = self.t_mid - t_high;
@@ -158,8 +155,5 @@ pub(crate) fn deepest<S: Isa>(
 /// Returns the texture points of hits, `out` relative to the centre.
 #[inline(always)]
 pub(crate) fn texture_point<S: Isa>(simd: S, sphere: &Sphere, out: Vec3x<S>) -> TexturePoint<S> {
-    TexturePoint {
-        own: out,
-        n: out.scaled(splat(simd, 1.0 / sphere.radius)),
-    }
+    TexturePoint { own: out, n: out.scaled(splat(simd, 1.0 / sphere.radius)) }
 }

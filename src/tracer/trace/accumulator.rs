@@ -203,9 +203,8 @@ fn store_transposed<S: Isa, V: SimdBase<S>>([a, b, c, d]: [V; 4], numbers: &mut 
     let (bd0, bd1) = b.interleave(d);
     let (first, second) = ac0.interleave(bd0);
     let (third, fourth) = ac1.interleave(bd1);
-    for (row, numbers) in [first, second, third, fourth]
-        .iter()
-        .zip(numbers.chunks_mut(lanes::<S>()))
+    for (row, numbers) in
+        [first, second, third, fourth].iter().zip(numbers.chunks_mut(lanes::<S>()))
     {
         row.store_slice(numbers);
     }

@@ -30,9 +30,8 @@ impl<S: Isa> AirLanes<S> {
             return None;
         }
         // Haze does not dim visible lights.
-        let density = surface
-            .is_light()
-            .select(splat(simd, 0.0), t * (world.haze + BACKGROUND_HAZE));
+        let density =
+            surface.is_light().select(splat(simd, 0.0), t * (world.haze + BACKGROUND_HAZE));
         Some(Self {
             sky: sky(simd, world, d),
             transmittance: splat::<S>(simd, 1.0) / (density * density + 1.0),

@@ -156,10 +156,7 @@ fn by_sphere<S: Isa>(
     // An approximation where the sphere crosses the horizon.
     let part = clamp::<S>((height + 1.0) * 0.5 / h2, zero, one);
     let share = height.abs().simd_lt(one).select(part * part.sqrt(), above);
-    Some(Cover {
-        share: share * fade * fade,
-        from: to.scaled(-inverse),
-    })
+    Some(Cover { share: share * fade * fade, from: to.scaled(-inverse) })
 }
 
 #[inline(always)]
@@ -171,25 +168,13 @@ fn by_block<S: Isa>(
     near: M<S>,
 ) -> Option<Cover<S>> {
     let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
-    let p = along(
-        simd,
-        &block.axes,
-        &(point.p - Vec3x::splat(simd, neighbour.centre)),
-    );
+    let p = along(simd, &block.axes, &(point.p - Vec3x::splat(simd, neighbour.centre)));
     let n = along(simd, &block.axes, &point.n);
     let [farthest, _] = neighbour.taps;
     let mut share = zero;
     let mut sum = splat(simd, farthest.height * 0.1);
     let mut from = n.scaled(zero);
-    for (
-        i,
-        Tap {
-            height,
-            range,
-            weight,
-        },
-    ) in neighbour.taps.into_iter().enumerate()
-    {
+    for (i, Tap { height, range, weight }) in neighbour.taps.into_iter().enumerate() {
         let tap = p.add_scaled(n, splat(simd, height));
         let out = solid_distance::outside(simd, block, &tap).out;
         let distance: F<S> = out.dot(out).sqrt();
@@ -203,20 +188,14 @@ fn by_block<S: Isa>(
         sum += covered * distance;
         from = from.add_scaled(out, covered);
     }
-    Some(Cover {
-        share,
-        from: from.scaled(one / sum),
-    })
+    Some(Cover { share, from: from.scaled(one / sum) })
 }
 
 /// Returns the least and the greatest number of the lanes in a mask.
 #[inline(always)]
 fn extent<S: Isa>(simd: S, c: F<S>, mask: M<S>) -> [f32; 2] {
     let [least, most] = [splat(simd, f32::NEG_INFINITY), splat(simd, f32::INFINITY)];
-    [
-        mask.select(c, most).reduce_min(),
-        mask.select(c, least).reduce_max(),
-    ]
+    [mask.select(c, most).reduce_min(), mask.select(c, least).reduce_max()]
 }
 
 /// Returns the numbers from `first` on, a multiple of the lanes.

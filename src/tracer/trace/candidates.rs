@@ -14,10 +14,7 @@ pub(crate) struct Candidate {
 pub(crate) type Candidates = List<Candidate, MAX_SOLIDS>;
 
 impl Candidate {
-    const ZERO: Self = Self {
-        object: ObjectId::FIRST,
-        lanes: 0,
-    };
+    const ZERO: Self = Self { object: ObjectId::FIRST, lanes: 0 };
 
     #[inline(always)]
     pub fn new<S: Isa>(object: ObjectId, lanes: M<S>) -> Self {
@@ -42,10 +39,7 @@ pub(super) struct Occluders {
 pub(super) const CONES: usize = MAX_SOLIDS.next_power_of_two();
 
 impl Occluders {
-    pub const NONE: Self = Self {
-        cones: [0; CONES],
-        solids: NONE,
-    };
+    pub const NONE: Self = Self { cones: [0; CONES], solids: NONE };
 }
 
 pub(crate) const NONE: Candidates = List::over(Candidate::ZERO);

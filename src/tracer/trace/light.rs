@@ -38,9 +38,7 @@ pub(super) fn gather<S: Isa>(
             keys.push(none, none);
             continue;
         };
-        let ArrivingLight {
-            nl, lit, colour, ..
-        } = light;
+        let ArrivingLight { nl, lit, colour, .. } = light;
         diffuse = diffuse.add_scaled(colour, lit.select(nl, zero));
         let mut counted = none;
         if let Some(strength) = highlight(simd, surface, point, &light) {

@@ -104,10 +104,7 @@ impl<S: Isa> ShadingPoint<S> {
             let out = (*o - centre).add_scaled(*d, hit.t);
             let texture_point = if let Object::Block(block) = object {
                 let on_block = BlockHit::near(simd, block, out);
-                let error = splat(
-                    simd,
-                    world.block_errors[id.index() - world.scene.spheres.len()],
-                );
+                let error = splat(simd, world.block_errors[id.index() - world.scene.spheres.len()]);
                 let n = on_block.texture_point.n;
                 let sign = !d.dot(n).bitcast::<U<S>>() & (1 << 31);
                 let p = centre + on_block.out;
@@ -120,11 +117,8 @@ impl<S: Isa> ShadingPoint<S> {
                 TexturePoint::on(simd, &object, out)
             };
             if material.anisotropy > 0.0 {
-                let axes = if let Object::Block(block) = object {
-                    block.axes
-                } else {
-                    Mat3::IDENTITY
-                };
+                let axes =
+                    if let Object::Block(block) = object { block.axes } else { Mat3::IDENTITY };
                 let groove = texture_point.groove(simd, &axes);
                 self.groove = Vec3x::select(same, groove, self.groove);
                 self.anisotropy = same.select(splat(simd, material.anisotropy), self.anisotropy);

@@ -20,10 +20,7 @@ pub(crate) struct Queue {
 
 impl Queue {
     pub const fn new() -> Self {
-        Self {
-            positions: [0; BATCH],
-            len: 0,
-        }
+        Self { positions: [0; BATCH], len: 0 }
     }
 
     pub fn len(&self) -> usize {

@@ -75,9 +75,7 @@ impl<S: Isa> Rays<S> {
 
     #[inline(always)]
     pub fn mirrored(&self, simd: S) -> M<S> {
-        self.slot_path
-            .bitcast::<I<S>>()
-            .simd_lt(I::<S>::splat(simd, 0))
+        self.slot_path.bitcast::<I<S>>().simd_lt(I::<S>::splat(simd, 0))
     }
 }
 

@@ -66,11 +66,7 @@ impl Sample {
     pub fn mean(self, other: Self) -> Self {
         // Sums do not carry into the next channel.
         let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
-        let object = if self.object() == other.object() {
-            self.0 & !Self::COLOUR
-        } else {
-            0
-        };
+        let object = if self.object() == other.object() { self.0 & !Self::COLOUR } else { 0 };
         Self(colour | object)
     }
 
@@ -94,8 +90,6 @@ pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum; 4]) -> [u64; 4] {
 #[inline(always)]
 fn limited<S: Isa>(simd: S, first: i32x4<S>, second: i32x4<S>) -> [u64; 2] {
     let channels = first.saturating_narrow(second);
-    let channels = channels
-        .max(i16x8::splat(simd, 0))
-        .min(i16x8::splat(simd, 255 * STEP as i16));
+    let channels = channels.max(i16x8::splat(simd, 0)).min(i16x8::splat(simd, 255 * STEP as i16));
     (channels.bitcast::<u64x2<S>>() & Sample::COLOUR).into()
 }

@@ -65,9 +65,7 @@ pub(super) fn shade<S: Isa>(
         // The guard knows the images in the first plane, but not the shadows there.
         let much = splat(simd, quality.unguarded_weight);
         let shadows = shaded & rays.mirrored(simd) & weight.simd_ge(much);
-        batch
-            .results
-            .mark_unguarded(rays, shadows | scattered.unguarded);
+        batch.results.mark_unguarded(rays, shadows | scattered.unguarded);
     }
     if let Some(air) = &air {
         colour = air.veil(colour);
@@ -108,14 +106,7 @@ fn scatter<S: Isa>(
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
     let follow = point.shaded & parents.paths().simd_lt(deepest);
     let reflected = parents.reflected_slot_paths();
-    let ShadingPoint {
-        p,
-        n,
-        dn,
-        hit_error,
-        departure,
-        ..
-    } = *point;
+    let ShadingPoint { p, n, dn, hit_error, departure, .. } = *point;
     // Schlick's approximation.
     let grazing = dn + 1.0;
     let grazing2 = grazing * grazing;
@@ -134,10 +125,9 @@ fn scatter<S: Isa>(
     };
     let glass = point.shaded & kt.simd_gt(zero);
     if glass.any_true() {
-        let eta = point.inside.select(
-            surface.number(Parameter::Index),
-            one / surface.number(Parameter::Index),
-        );
+        let eta = point
+            .inside
+            .select(surface.number(Parameter::Index), one / surface.number(Parameter::Index));
         // The squared cosine of the transmitted ray, negative on total reflection.
         let k = one - eta * eta * (one - dn * dn);
         let total = k.simd_lt(zero);
@@ -150,12 +140,7 @@ fn scatter<S: Isa>(
     }
     let weight = parents.weight * kr;
     let back = follow & weight.simd_ge(least);
-    let reflected = Rays {
-        o: p,
-        d: point.r,
-        weight,
-        slot_path: reflected | departure | marks,
-    };
+    let reflected = Rays { o: p, d: point.r, weight, slot_path: reflected | departure | marks };
     let much = splat(simd, quality.unguarded_weight);
     let mut unguarded = back & weight.simd_ge(much);
     if tracer.world.scene.water.are_calm() {

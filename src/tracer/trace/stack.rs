@@ -15,10 +15,7 @@ pub(crate) struct RayStack {
 
 impl RayStack {
     pub const fn new() -> Self {
-        Self {
-            columns: [[0.0; CAPACITY + MAX_LANES]; 8],
-            len: 0,
-        }
+        Self { columns: [[0.0; CAPACITY + MAX_LANES]; 8], len: 0 }
     }
 
     pub fn len(&self) -> usize {
@@ -45,11 +42,8 @@ impl RayStack {
         self.len -= count;
         let start = self.len;
         let [ox, oy, oz, dx, dy, dz, weight, slot_path] = &self.columns;
-        let d: Vec3x<S> = Vec3x {
-            x: load(simd, dx, start),
-            y: load(simd, dy, start),
-            z: load(simd, dz, start),
-        };
+        let d: Vec3x<S> =
+            Vec3x { x: load(simd, dx, start), y: load(simd, dy, start), z: load(simd, dz, start) };
         // One Newton step normalises the direction, whose error would exceed the hit error after four reflections.
         let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {

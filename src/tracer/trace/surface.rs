@@ -17,11 +17,8 @@ pub(super) struct SurfaceRows {
 }
 
 impl SurfaceRows {
-    pub const NONE: Self = Self {
-        cached: [NO_SURFACES; CACHED],
-        objects: [None; CACHED],
-        mixed: NO_SURFACES,
-    };
+    pub const NONE: Self =
+        Self { cached: [NO_SURFACES; CACHED], objects: [None; CACHED], mixed: NO_SURFACES };
 
     pub fn clear(&mut self) {
         self.objects = [None; CACHED];
@@ -55,11 +52,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
             is_background,
         };
         let mut rest = (active & !is_background).to_bitmask();
-        let id = if rest == 0 {
-            background
-        } else {
-            object_at(simd, objects, &mut rest).0
-        };
+        let id = if rest == 0 { background } else { object_at(simd, objects, &mut rest).0 };
         let first = &world.surfaces[id.index()];
         if rest == 0 {
             let table = &mut memory.cached[id.index() % CACHED];
@@ -77,11 +70,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
             let mask: U<S> = same.to_vector().bitcast();
             let new = &world.surfaces[id.index()];
             for ((row, &first), &new) in mixed.iter_mut().zip(first).zip(new) {
-                let old: F<S> = if is_first {
-                    splat(simd, first)
-                } else {
-                    load(simd, row)
-                };
+                let old: F<S> = if is_first { splat(simd, first) } else { load(simd, row) };
                 let (old, new): (U<S>, U<S>) = (old.bitcast(), splat::<S>(simd, new).bitcast());
                 let both: F<S> = (old ^ ((old ^ new) & mask)).bitcast();
                 both.store_slice(&mut row[..lanes::<S>()]);
@@ -119,11 +108,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     pub fn emitted(&self) -> Vec3x<S> {
         let background = [0, 1, 2].map(|i| self.background[Parameter::Emitted as usize + i]);
         let background = Vec3x::splat(self.simd, background);
-        Vec3x::select(
-            self.is_background,
-            background,
-            self.vector(Parameter::Emitted),
-        )
+        Vec3x::select(self.is_background, background, self.vector(Parameter::Emitted))
     }
 }
 

@@ -59,11 +59,7 @@ pub(crate) struct SeenPattern<'a> {
 impl<'a> SeenPattern<'a> {
     pub fn new(world: World<'a>, id: ObjectId) -> Self {
         let (object, material) = world.object(id);
-        Self {
-            world,
-            object,
-            pattern: &material.pattern,
-        }
+        Self { world, object, pattern: &material.pattern }
     }
 
     /// Returns the factors on the colour, 0 to 1, at the first `count` pixels in rows of `width` from (x, y) on; undefined at pixels that
@@ -93,9 +89,7 @@ impl<'a> SeenPattern<'a> {
             let (d, t) = hits(simd, world, &self.object, [columns, rows]);
             let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
             let (share, _) = point.reflectance(simd, world, self.pattern, &d, t * d.dot(d));
-            share
-                .abs()
-                .store_slice(&mut shares[first..first + lanes::<S>()]);
+            share.abs().store_slice(&mut shares[first..first + lanes::<S>()]);
         }
     }
 }
@@ -124,10 +118,9 @@ fn hits<S: Isa>(
     let from = o - Vec3x::splat(simd, object.centre());
     let t = match object {
         Object::Sphere(Sphere { radius, .. })
-        | Object::Light(Light {
-            drawn_radius: radius,
-            ..
-        }) => sphere::distance(simd, *radius, &from, &d, d.dot(d)),
+        | Object::Light(Light { drawn_radius: radius, .. }) => {
+            sphere::distance(simd, *radius, &from, &d, d.dot(d))
+        }
         Object::Block(block) => block::distance(simd, block, &o, &d, M::<S>::splat(simd, false)).0,
         Object::Plane(_) => plane::distance(&from, &d),
         Object::Background => splat(simd, f32::INFINITY),

@@ -43,19 +43,11 @@ impl<S: Isa> ShadingPoint<S> {
             return None;
         }
         counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
-        let rays = ShadowRays {
-            o: self.p,
-            d: l,
-            distance,
-            departure: self.departure,
-        };
+        let rays = ShadowRays { o: self.p, d: l, distance, departure: self.departure };
         let mut lit = facing & !occluders.find(simd, world, light, &rays);
         let mut colour = Vec3x::splat(simd, light.colour);
         if light.is_cone || !occluders.solids.is_empty() {
-            let rays = ShadowRays {
-                distance: lit.select(distance, splat(simd, 0.0)),
-                ..rays
-            };
+            let rays = ShadowRays { distance: lit.select(distance, splat(simd, 0.0)), ..rays };
             let passing = transmittance(simd, world, light, &rays, &occluders.solids);
             lit &= passing.max_element().simd_gt(splat(simd, 0.0));
             colour = colour * passing;
@@ -79,11 +71,7 @@ fn transmittance<S: Isa>(
     let inward = (-rays.d.dot(aim) - cos_outer) / (light.cone.cos_inner - cos_outer);
     let is_asked = rays.distance.simd_gt(zero);
     let in_cone = is_asked.select(soft_edge(simd, inward), zero);
-    let mut passing = Vec3x {
-        x: in_cone,
-        y: in_cone,
-        z: in_cone,
-    };
+    let mut passing = Vec3x { x: in_cone, y: in_cone, z: in_cone };
     for &candidate in solids.iter() {
         let (object, material) = world.object(candidate.object);
         let mut outward = M::<S>::splat(simd, false);
@@ -140,10 +128,7 @@ fn penumbra<S: Isa>(
     a: F<S>,
     depth: F<S>,
 ) -> F<S> {
-    let b = at_most::<S>(
-        a * light.diameter / rays.distance,
-        splat(simd, light.max_penumbra),
-    );
+    let b = at_most::<S>(a * light.diameter / rays.distance, splat(simd, light.max_penumbra));
     let b = at_least::<S>(b, splat(simd, f32::MIN_POSITIVE));
     soft_edge(simd, depth / b + 0.5)
 }

@@ -78,10 +78,7 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>
         slope_x += rise * along_x;
         slope_z += rise * along_z;
         let [cosine, sine] = TURN;
-        [along_x, along_z] = [
-            along_x * cosine + along_z * sine,
-            along_z * cosine - along_x * sine,
-        ];
+        [along_x, along_z] = [along_x * cosine + along_z * sine, along_z * cosine - along_x * sine];
         per_unit *= 1.0 / Waves::SHORTER;
         phase *= Waves::FASTER;
     }

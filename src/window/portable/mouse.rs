@@ -21,11 +21,7 @@ const BUTTONS: [(MouseButton, Button); 3] = [
 impl Mouse {
     pub fn poll(&mut self, window: &minifb::Window, inputs: &mut Vec<Input>) {
         // While a button is held, positions outside the window count too.
-        let mode = if self.held.contains(&true) {
-            MouseMode::Pass
-        } else {
-            MouseMode::Discard
-        };
+        let mode = if self.held.contains(&true) { MouseMode::Pass } else { MouseMode::Discard };
         let Some((x, y)) = window.get_unscaled_mouse_pos(mode) else {
             return;
         };
@@ -42,11 +38,7 @@ impl Mouse {
             let is_down = window.get_mouse_down(number);
             if is_down != *held {
                 *held = is_down;
-                push(if is_down {
-                    Action::Down(button)
-                } else {
-                    Action::Up(button)
-                });
+                push(if is_down { Action::Down(button) } else { Action::Up(button) });
             }
         }
         let (_, turned) = window.get_scroll_wheel().unwrap_or_default();

@@ -36,9 +36,7 @@ pub unsafe fn spawn(
         let Sent(pointer) = { sent };
         main(pointer);
     };
-    system::without_signals(|| Builder::new().spawn(work))
-        .ok()
-        .map(Thread)
+    system::without_signals(|| Builder::new().spawn(work)).ok().map(Thread)
 }
 
 /// Shared by all waits: [`wake`] wakes every thread, whatever its word.

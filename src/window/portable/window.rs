@@ -46,14 +46,7 @@ impl Window {
         shown.set_target_fps(0);
         let keys = KeyQueue::default();
         shown.set_input_callback(Box::new(keys.clone()));
-        Ok(Window {
-            shown,
-            frame: pixels(),
-            drawn: (0, 0),
-            keys,
-            mouse: None,
-            inputs: Vec::new(),
-        })
+        Ok(Window { shown, frame: pixels(), drawn: (0, 0), keys, mouse: None, inputs: Vec::new() })
     }
 
     /// Like [`Window::open`]: `minifb` does not know the monitor's size.

@@ -18,9 +18,7 @@ impl Arguments {
         let all = unsafe { core::slice::from_raw_parts(values, count.max(0) as usize) };
         // SAFETY: there is no other thread.
         unsafe { system::start() };
-        Arguments {
-            rest: all.get(1..).unwrap_or_default(),
-        }
+        Arguments { rest: all.get(1..).unwrap_or_default() }
     }
 }
 

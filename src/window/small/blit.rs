@@ -114,9 +114,7 @@ impl Frames {
 
     fn put(&mut self, window: &Toplevel, frame: usize, width: usize, rows: Range<usize>) {
         let pixels = &mut self.frames[frame];
-        let Toplevel {
-            x, display, window, ..
-        } = *window;
+        let Toplevel { x, display, window, .. } = *window;
         let context = self.context;
         let (top, columns, height) = (rows.start as c_int, width as c_uint, rows.len() as c_uint);
         // SAFETY: the image belongs to this structure, and describes these pixels.
@@ -129,15 +127,11 @@ impl Frames {
             match self.put_image {
                 PutImage::ThroughSocket => {
                     let put = x.XPutImage;
-                    put(
-                        display, window, context, image, 0, 0, 0, top, columns, height,
-                    );
+                    put(display, window, context, image, 0, 0, 0, top, columns, height);
                 }
                 PutImage::Shared(xext) => {
                     let put = xext.XShmPutImage;
-                    put(
-                        display, window, context, image, 0, 0, 0, top, columns, height, 0,
-                    );
+                    put(display, window, context, image, 0, 0, 0, top, columns, height, 0);
                 }
             }
         }

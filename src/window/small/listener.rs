@@ -21,10 +21,7 @@ impl Listener {
             | xlib::PointerMotionMask;
         // SAFETY: the window exists.
         unsafe { (top.x.XSelectInput)(top.display, top.window, events) };
-        Box::leak(Box::new(Listener {
-            note,
-            inputs: Vec::new(),
-        }))
+        Box::leak(Box::new(Listener { note, inputs: Vec::new() }))
     }
 
     /// Records an event; auto-repeat sets `is_repeated`.
@@ -60,11 +57,7 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: boo
         xlib::MotionNotify => Action::Move,
         _ => return,
     };
-    let mouse = Mouse {
-        action,
-        x: event.x,
-        y: event.y,
-    };
+    let mouse = Mouse { action, x: event.x, y: event.y };
     inputs.push(Input::Mouse(mouse));
 }
 

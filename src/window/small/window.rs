@@ -91,11 +91,7 @@ impl Window {
         };
         window.set_title(title);
         window.top.set_program();
-        let Toplevel {
-            display,
-            window: id,
-            ..
-        } = window.top;
+        let Toplevel { display, window: id, .. } = window.top;
         // SAFETY: the window exists, and pointers outlive the calls.
         unsafe {
             let events = xlib::StructureNotifyMask | xlib::KeyPressMask | xlib::KeyReleaseMask;
@@ -109,15 +105,10 @@ impl Window {
     }
 
     pub fn set_title(&mut self, title: &CStr) {
-        let Toplevel {
-            x, display, window, ..
-        } = self.top;
+        let Toplevel { x, display, window, .. } = self.top;
         // SAFETY: the window exists, and the title outlives the call.
         unsafe { (x.XStoreName)(display, window, title.as_ptr()) };
-        let (name, kind) = (
-            self.top.atom(c"_NET_WM_NAME"),
-            self.top.atom(c"UTF8_STRING"),
-        );
+        let (name, kind) = (self.top.atom(c"_NET_WM_NAME"), self.top.atom(c"UTF8_STRING"));
         self.top.set_text(name, kind, title.to_bytes());
     }
 

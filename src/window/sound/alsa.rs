@@ -93,11 +93,7 @@ impl Device {
         match formats.find(|&format| accepts(format)) {
             Some(format @ (FLOAT | SHORT)) => {
                 let is_short = format == SHORT;
-                Ok(Device {
-                    alsa,
-                    pcm,
-                    is_short,
-                })
+                Ok(Device { alsa, pcm, is_short })
             }
             Some(_) => Err("sound device lacks floats and 16-bit integers"),
             None => Err("sound device lacks 48 kHz stereo"),

@@ -26,12 +26,8 @@ struct Queue {
     is_lost: bool,
 }
 
-static QUEUE: Mutex<Queue> = Mutex::new(Queue {
-    samples: VecDeque::new(),
-    taken: 0,
-    origin: None,
-    is_lost: false,
-});
+static QUEUE: Mutex<Queue> =
+    Mutex::new(Queue { samples: VecDeque::new(), taken: 0, origin: None, is_lost: false });
 
 fn queue() -> MutexGuard<'static, Queue> {
     QUEUE.lock().unwrap_or_else(PoisonError::into_inner)
@@ -47,15 +43,11 @@ pub struct Device {
 impl Device {
     /// Opens the desktop's default device, with a buffer of `latency` microseconds, or returns the reason for a failure.
     pub fn open(_: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
-        let device = cpal::default_host()
-            .default_output_device()
-            .ok_or("sound device is missing")?;
+        let device =
+            cpal::default_host().default_output_device().ok_or("sound device is missing")?;
         let clock = Clock::start();
-        let config = StreamConfig {
-            channels: 2,
-            sample_rate: rate,
-            buffer_size: BufferSize::Default,
-        };
+        let config =
+            StreamConfig { channels: 2, sample_rate: rate, buffer_size: BufferSize::Default };
         let refused = |_| "sound device lacks 48 kHz stereo";
         let stream = device
             .build_output_stream(

@@ -89,13 +89,7 @@ impl Player {
 
     fn by(clock: Clock) -> Player {
         system::heed_stops();
-        Player {
-            clock,
-            heard: Heard::default(),
-            last: 0,
-            stops: system::stops(),
-            stopped: 0,
-        }
+        Player { clock, heard: Heard::default(), last: 0, stops: system::stops(), stopped: 0 }
     }
 
     /// Plays a source until the process ends: on Linux on an ALSA device, whose name may be `default`, elsewhere on the default
@@ -158,11 +152,7 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
     let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
     let opened = Device::open(device, RATE, LATENCY);
     let clock = Clock::start();
-    let begin = |opened| {
-        OPENED
-            .compare_exchange(OPENING, opened, Relaxed, Relaxed)
-            .is_ok()
-    };
+    let begin = |opened| OPENED.compare_exchange(OPENING, opened, Relaxed, Relaxed).is_ok();
     let mut device = match opened {
         Ok(device) if begin(clock.start) => device,
         Err(why) if OPENED.load(Relaxed) == OPENING => {

@@ -83,11 +83,7 @@ impl Device {
             // SAFETY: the header has a fixed address, and describes these samples.
             unsafe { waveOutPrepareHeader(device, &mut buffer.header, HEADER) };
         }
-        Ok(Device {
-            device,
-            buffers,
-            written: 0,
-        })
+        Ok(Device { device, buffers, written: 0 })
     }
 
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
@@ -115,10 +111,7 @@ impl Device {
     }
 
     pub fn delay(&mut self) -> Option<i64> {
-        let mut position = MMTIME {
-            wType: TIME_SAMPLES,
-            ..MMTIME::default()
-        };
+        let mut position = MMTIME { wType: TIME_SAMPLES, ..MMTIME::default() };
         let size = size_of::<MMTIME>() as u32;
         // SAFETY: `position` is writable, and each of its variants is any 32 bits.
         let (known, played) = unsafe {

@@ -41,9 +41,8 @@ const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
 /// Signals that do not end a process, and keep their action. (SIGKILL and SIGSTOP cannot be handled.)
-const HARMLESS: u64 = bits(&[
-    SIGPIPE, SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH,
-]);
+const HARMLESS: u64 =
+    bits(&[SIGPIPE, SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH]);
 
 /// Signals of errors in the process, which cannot continue.
 const MISTAKES: u64 = bits(&[SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS]);
@@ -204,9 +203,8 @@ impl Terminal {
 fn coarse(colour: u32) -> u64 {
     let [_, channels @ ..] = colour.to_be_bytes();
     // The levels are 0, 95, 135, 175, 215 and 255.
-    channels.iter().fold(0, |sum, channel| {
-        6 * sum + u64::from(channel.saturating_sub(15) / 45)
-    }) + 16
+    channels.iter().fold(0, |sum, channel| 6 * sum + u64::from(channel.saturating_sub(15) / 45))
+        + 16
 }
 
 impl RenderTarget for Terminal {
@@ -222,10 +220,7 @@ impl RenderTarget for Terminal {
             0 => usual,
             size => size.min(most),
         };
-        (
-            side(size.ws_col, 80, MOST_COLUMNS),
-            2 * side(size.ws_row, 24, MOST_ROWS),
-        )
+        (side(size.ws_col, 80, MOST_COLUMNS), 2 * side(size.ws_row, 24, MOST_ROWS))
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
@@ -466,17 +461,11 @@ mod tests {
             &[b"\x1b[A\x1bOP", b""],
             &[b"\x1b", b"[A", b""],
         ];
-        for (reads, expected) in endings
-            .map(|reads| (reads, true))
-            .into_iter()
-            .chain(others.map(|reads| (reads, false)))
+        for (reads, expected) in
+            endings.map(|reads| (reads, true)).into_iter().chain(others.map(|reads| (reads, false)))
         {
             let mut keys = KeyParser::default();
-            assert_eq!(
-                reads.iter().any(|typed| keys.ends(typed)),
-                expected,
-                "{reads:?}"
-            );
+            assert_eq!(reads.iter().any(|typed| keys.ends(typed)), expected, "{reads:?}");
         }
     }
 

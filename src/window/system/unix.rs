@@ -38,10 +38,7 @@ pub unsafe fn start() {
         libc::getrlimit(libc::RLIMIT_STACK, &mut stack);
         if stack.rlim_cur < STACK {
             line::complaint()
-                .format(
-                    "stack limit in kB is #; must be 96 or more\n",
-                    &[stack.rlim_cur >> 10],
-                )
+                .format("stack limit in kB is #; must be 96 or more\n", &[stack.rlim_cur >> 10])
                 .flush();
             libc::_exit(1);
         }
@@ -122,11 +119,7 @@ pub fn error() -> c_int {
 /// Waits for any of `events`, such as `POLLIN`, for at most `milliseconds`, or indefinitely if negative. Returns whether one
 /// occurred.
 pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
-    let mut ready = libc::pollfd {
-        fd: file,
-        events,
-        revents: 0,
-    };
+    let mut ready = libc::pollfd { fd: file, events, revents: 0 };
     // SAFETY: there is one entry.
     unsafe { libc::poll(&mut ready, 1, milliseconds) != 0 }
 }

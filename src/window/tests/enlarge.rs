@@ -6,17 +6,8 @@ use eightfold_window::{
 };
 
 /// Canvases whose sides 2 and 3 divide, or not; single pixels, rows and columns; the widest.
-const SIZES: [[usize; 2]; 9] = [
-    [1, 1],
-    [2, 3],
-    [1, 40],
-    [41, 1],
-    [12, 12],
-    [13, 11],
-    [64, 50],
-    [3839, 7],
-    [3840, 6],
-];
+const SIZES: [[usize; 2]; 9] =
+    [[1, 1], [2, 3], [1, 40], [41, 1], [12, 12], [13, 11], [64, 50], [3839, 7], [3840, 6]];
 
 fn mix(pixel: u32, neighbour: u32) -> u32 {
     let mean = |a: u8, b: u8| (u16::from(a) + u16::from(b)).div_ceil(2) as u8;
@@ -45,13 +36,8 @@ fn enlarged_pixels_are_mixed_or_repeated() {
             let [width, height] = [columns, rows].map(|side| side.div_ceil(factor));
             for (threads, is_smooth) in [(1, true), (4, true), (4, false)] {
                 let mut canvas = vec![u32::MAX; columns * rows];
-                let small = Small {
-                    pixels: &pixels,
-                    width,
-                    height,
-                    factor: factor as u32,
-                    is_smooth,
-                };
+                let small =
+                    Small { pixels: &pixels, width, height, factor: factor as u32, is_smooth };
                 small.enlarge(&mut Pool::new(threads), &mut canvas, columns);
                 for (i, &pixel) in canvas.iter().enumerate() {
                     let [x, near_x] = sides(i % columns, factor, width);

@@ -72,11 +72,7 @@ fn callers_panic_waits_for_threads() {
             });
         });
         assert!(catch_unwind(panics).is_err());
-        assert_eq!(
-            begun.into_inner(),
-            done.into_inner(),
-            "jobs end before the panic"
-        );
+        assert_eq!(begun.into_inner(), done.into_inner(), "jobs end before the panic");
         count(&mut pool, 3, 10);
     }
 }

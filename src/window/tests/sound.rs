@@ -49,10 +49,7 @@ impl Source for Numbers {
 
 /// Plays. Prints the number of allocations meanwhile, then the clock's and the player's time for each frame.
 fn play(seconds: u64) {
-    let numbers = Box::leak(Box::new(Numbers {
-        next: 0,
-        chunk: [[0.0; 2]; CHUNK],
-    }));
+    let numbers = Box::leak(Box::new(Numbers { next: 0, chunk: [[0.0; 2]; CHUNK] }));
     let frames = seconds * FPS;
     let mut times = Vec::with_capacity(frames as usize);
     let clock = Clock::start();
@@ -80,13 +77,8 @@ fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
         let (clock, player) = line.split_once(' ')?;
         Some((clock.parse().ok()?, player.parse().ok()?))
     };
-    let times: Vec<_> = lines
-        .map(|line| numbers(line).expect("two times"))
-        .collect();
-    assert!(
-        times.is_sorted_by_key(|&(_, player)| player),
-        "time goes forward"
-    );
+    let times: Vec<_> = lines.map(|line| numbers(line).expect("two times")).collect();
+    assert!(times.is_sorted_by_key(|&(_, player)| player), "time goes forward");
     times
 }
 
@@ -141,10 +133,8 @@ fn device_plays_samples_in_order(folder: &Path) {
 /// Without the definition of `plug`, which every system's configuration has.
 fn device_of_16_bits_plays_rounded_samples(folder: &Path) {
     let out = folder.join("short.raw");
-    let slave = format!(
-        "type file, slave.pcm {{ type null }}, file \"{}\", format raw",
-        out.display()
-    );
+    let slave =
+        format!("type file, slave.pcm {{ type null }}, file \"{}\", format raw", out.display());
     let device = format!("type linear, slave {{ pcm {{ {slave} }}, format S16_LE }}");
     hold(folder, &format!("pcm.default {{ {device} }}"), PLAIN, None);
     let bytes = fs::read(&out).expect("it was played");
@@ -162,17 +152,9 @@ fn device_of_another_format_is_converted(folder: &Path) {
     let system = "</usr/share/alsa/alsa.conf>\npcm.nothing { type null }\n";
     let integers = ["S16_LE", "S24_3LE", "S32_LE", "U8"]
         .map(|format| format!("type linear, slave {{ pcm nothing, format {format} }}"));
-    let others = [
-        (44_100, 2),
-        (96_000, 2),
-        (48_000, 1),
-        (44_100, 1),
-        (48_000, 8),
-    ];
+    let others = [(44_100, 2), (96_000, 2), (48_000, 1), (44_100, 1), (48_000, 8)];
     let others = others.map(|(rate, channels)| {
-        let pairs: String = (0..channels)
-            .map(|number| format!("{number} {number} "))
-            .collect();
+        let pairs: String = (0..channels).map(|number| format!("{number} {number} ")).collect();
         let slave = format!("pcm nothing, rate {rate}, channels {channels}");
         format!("type share, slave {{ {slave} }}, bindings {{ {pairs} }}")
     });
@@ -200,12 +182,7 @@ fn time_continues_without_sound(folder: &Path) {
     // The file limit is half a second of sound; the signal for it is ignored.
     let short = folder.join("short.raw");
     let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
-    hold(
-        folder,
-        &to_file(&short),
-        command,
-        Some("sound device is lost"),
-    );
+    hold(folder, &to_file(&short), command, Some("sound device is lost"));
     let played = fs::metadata(short).expect("it was played").len();
     assert!(played > 100_000, "{played} bytes before it disappeared");
     fs::write(folder.join("libasound.so.2"), "not a library").expect("it is written");
@@ -269,9 +246,7 @@ fn underrun_drops_one_chunk(library: &Path) {
     let missing = holes[0][1].1[0][0] - holes[0][0].1[0][0];
     assert_eq!(missing as usize, 2 * CHUNK, "one chunk is missing");
     // The picture has continued meanwhile, and waits for the sound for the same time.
-    assert_together(&times, &played, |clock| {
-        !(late..late + 2 * LATE).contains(&clock)
-    });
+    assert_together(&times, &played, |clock| !(late..late + 2 * LATE).contains(&clock));
 }
 
 fn stop_pauses_the_show(library: &Path) {

@@ -32,9 +32,7 @@ impl Arguments {
             timeBeginPeriod(1);
             let all = CommandLineToArgvW(GetCommandLineW(), &mut count);
             let all = from_raw_parts(all, count as usize);
-            Arguments {
-                rest: all.get(1..).unwrap_or_default(),
-            }
+            Arguments { rest: all.get(1..).unwrap_or_default() }
         }
     }
 }
@@ -56,9 +54,7 @@ impl Iterator for Arguments {
         unsafe {
             while first.add(length).read() != 0 {
                 let unit = first.add(length).read();
-                bytes
-                    .add(length)
-                    .write(u8::try_from(unit).unwrap_or(u8::MAX));
+                bytes.add(length).write(u8::try_from(unit).unwrap_or(u8::MAX));
                 length += 1;
             }
             Some(from_raw_parts(bytes, length))

@@ -26,10 +26,7 @@ struct Heap {
 unsafe impl Sync for Heap {}
 
 #[global_allocator]
-static HEAP: Heap = Heap {
-    memory: UnsafeCell::new([0; SIZE]),
-    used: AtomicUsize::new(0),
-};
+static HEAP: Heap = Heap { memory: UnsafeCell::new([0; SIZE]), used: AtomicUsize::new(0) };
 
 // SAFETY: allocations do not overlap, and have the requested size and alignment.
 unsafe impl GlobalAlloc for Heap {

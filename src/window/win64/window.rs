@@ -115,15 +115,9 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         let (mut x, mut y, mut size, mut flags) = (0, 0, opening.size, SWP_SHOWWINDOW | SWP_NOMOVE);
         if let (true, Some(monitor)) = (opening.shrinks, monitor(window)) {
             let room = monitor.rcWork;
-            let sides = [
-                room.right - room.left - frame[0],
-                room.bottom - room.top - frame[1],
-            ];
+            let sides = [room.right - room.left - frame[0], room.bottom - room.top - frame[1]];
             let [width, height] = [width, height].map(|side| side as usize);
-            let fitting = fit(
-                (width, height),
-                sides.map(|side| side.max(1) as usize).into(),
-            );
+            let fitting = fit((width, height), sides.map(|side| side.max(1) as usize).into());
             size = (fitting.0 as i32, fitting.1 as i32);
             if size != opening.size {
                 (x, y, flags) = (room.left, room.top, SWP_SHOWWINDOW);
@@ -134,11 +128,7 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         opening.window.store(window, Relaxed);
         opening.is_done.store(1, Release);
         wake(&opening.is_done);
-        let mut cover = Cover {
-            window,
-            before: None,
-            pointers: opening.pointers,
-        };
+        let mut cover = Cover { window, before: None, pointers: opening.pointers };
         let mut message = zeroed();
         while GetMessageA(&mut message, none, 0, 0) > 0 {
             // Ignore keys with Ctrl. (Alt sends other messages.)
@@ -191,10 +181,7 @@ impl Cover {
             } else if let Some(place) = self.before.take() {
                 SetWindowLongPtrA(self.window, GWL_STYLE, style | FRAME);
                 SetWindowPlacement(self.window, &place);
-                self.place(
-                    [0; 4],
-                    SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_FRAMECHANGED,
-                );
+                self.place([0; 4], SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_FRAMECHANGED);
             }
             SetClassLongPtrA(self.window, GCLP_HCURSOR, self.pointers[usize::from(on)]);
         }
@@ -207,10 +194,8 @@ impl Cover {
 }
 
 fn monitor(window: HANDLE) -> Option<MONITORINFO> {
-    let mut monitor = MONITORINFO {
-        cbSize: size_of::<MONITORINFO>() as u32,
-        ..MONITORINFO::default()
-    };
+    let mut monitor =
+        MONITORINFO { cbSize: size_of::<MONITORINFO>() as u32, ..MONITORINFO::default() };
     // SAFETY: any handles are allowed, and `monitor` is writable.
     let is_known = unsafe {
         let nearest = MonitorFromWindow(window, MONITOR_DEFAULTTONEAREST);

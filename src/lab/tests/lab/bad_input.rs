@@ -47,10 +47,7 @@ fn bad_input_fails_in_one_line() {
     assert_one_line(&output, 2, &["--out is '\\u{1b}[31mred.jpg'; must be"]);
     let qualities = format!("exhaustive, thesis, {}", Quality::NAMES.join(", "));
     let output = lab(&format!("render --out - --quality {}", "x".repeat(99)));
-    let message = format!(
-        "--quality is '{}...'; must be one of {qualities}",
-        "x".repeat(60)
-    );
+    let message = format!("--quality is '{}...'; must be one of {qualities}", "x".repeat(60));
     assert_one_line(&output, 2, &[&message]);
 }
 

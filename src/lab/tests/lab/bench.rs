@@ -36,10 +36,7 @@ fn every_setting_has_row() {
                 assert_eq!(line[..3], [size, &threads.to_string(), quality]);
                 assert_eq!(line[4], format!("{:.3}", number(row, "ms_median")));
                 assert_eq!(line[8], format!("{:.0}", number(row, "rays")));
-                assert_eq!(
-                    (&row["scene"], &row["quality"]),
-                    (&"field:9".into(), &quality.into())
-                );
+                assert_eq!((&row["scene"], &row["quality"]), (&"field:9".into(), &quality.into()));
             }
         }
     }

@@ -56,10 +56,9 @@ fn frames_match_rendered_times() {
 
 #[test]
 fn default_range_is_scene() {
-    for (scene, seconds) in [
-        ("show --to 99999", show::LENGTH),
-        ("model", show::MODEL_LENGTH.ceil()),
-    ] {
+    for (scene, seconds) in
+        [("show --to 99999", show::LENGTH), ("model", show::MODEL_LENGTH.ceil())]
+    {
         let folder = tempfile::tempdir().unwrap();
         let more = format!("--fps 1 --size 8x8 --scene {scene}");
         captured("--png", folder.path(), &more);
@@ -192,9 +191,7 @@ fn video_has_frames_in_their_colours() {
         captured("--video", &file, "--fps 4 --to 3 --size 480x360");
         let mut ffmpeg = tool("ffmpeg");
         let input = ffmpeg.args(["-v", "error", "-i"]).arg(file);
-        let rgb = run(input.args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]))
-            .0
-            .stdout;
+        let rgb = run(input.args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"])).0.stdout;
         let pixel = |c: &[u8]| u32::from_be_bytes([0, c[0], c[1], c[2]]);
         let pixels: Vec<u32> = rgb.chunks_exact(3).map(pixel).collect();
         let wanted = rendered(&[0.0, 0.25, 0.5], "480x360");
@@ -274,10 +271,8 @@ fn hang_up_leaves_no_file_unless_ignored() {
     let ignoring = "trap '' HUP; \"$0\" \"$@\" & kill -s HUP $!; wait $!";
     let mut sh = std::process::Command::new("sh");
     let sh = sh.args(["-c", ignoring, env!("CARGO_BIN_EXE_lab")]);
-    let frames = format!(
-        "capture --scene model --size 8x8 --to 9 --png {}",
-        folder.path().display()
-    );
+    let frames =
+        format!("capture --scene model --size 8x8 --to 9 --png {}", folder.path().display());
     let (output, _) = run(sh.args(frames.split(' ')));
     assert!(output.status.success(), "{}", stderr(&output));
     assert_eq!(files(folder.path()).len(), 9);
@@ -287,10 +282,7 @@ fn hang_up_leaves_no_file_unless_ignored() {
 #[test]
 fn signal_leaves_no_broken_file() {
     let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
-    write_ffmpeg(
-        programs.path(),
-        "echo $$ > \"$0.id\"; exec /bin/cat > /dev/null",
-    );
+    write_ffmpeg(programs.path(), "echo $$ > \"$0.id\"; exec /bin/cat > /dev/null");
     let (frames, video) = (folder.path().join("frames"), folder.path().join("show.mp4"));
     for (flag, target) in [("--png", &frames), ("--video", &video)] {
         let mut capture = command(&line(&format!("{flag} {}", target.display())));

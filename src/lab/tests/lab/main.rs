@@ -47,16 +47,11 @@ fn printed_bytes(line: &str) -> Vec<u8> {
 fn cells(text: &str) -> Vec<Vec<&str>> {
     let lines = text.lines();
     let lines = lines.filter(|line| line.starts_with('|') && !line.starts_with("| -"));
-    lines
-        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect()
+    lines.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
 }
 
 fn render(out: &Path, more: &str) -> Output {
-    lab(&format!(
-        "render --size 40x30 --out {} {more}",
-        out.display()
-    ))
+    lab(&format!("render --size 40x30 --out {} {more}", out.display()))
 }
 
 /// Asserts an exit code and one line with some words, without a temporary name.

@@ -30,11 +30,9 @@ fn report(page: &str, names: &str) -> ([String; 2], bool, String) {
 #[test]
 fn parts_show_results_of_their_commands() {
     let page = PAGE.replace("old", "| 1 |\n| 2 |");
-    for (names, new, is_drawn) in [
-        ("", &*page, true),
-        ("table", &page, false),
-        ("picture", PAGE, true),
-    ] {
+    for (names, new, is_drawn) in
+        [("", &*page, true), ("table", &page, false), ("picture", PAGE, true)]
+    {
         let expected = ([README, new].map(str::to_owned), is_drawn, String::new());
         assert_eq!(report(PAGE, names), expected, "{names}");
     }
@@ -45,11 +43,7 @@ fn failing_part_keeps_all_pages() {
     let failing = PAGE.replace("'| 1 |'", "| false");
     let open = PAGE.replace("<!-- report end -->", "");
     for (page, names, why) in [
-        (
-            PAGE,
-            "tables",
-            "part is tables; must be one of picture table",
-        ),
+        (PAGE, "tables", "part is tables; must be one of picture table"),
         (&failing, "", "part table: command failed"),
         (&open, "", "part table: <!-- report end --> is missing"),
     ] {

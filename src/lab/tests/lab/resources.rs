@@ -16,30 +16,19 @@ fn limited(limit: &str, line: &str) -> Output {
 fn full_device_fails_help() {
     let full = File::create("/dev/full").expect("a device");
     let output = command("--help").stdout(full).output().expect("it starts");
-    assert_one_line(
-        &output,
-        1,
-        &["standard output: cannot write: No space left"],
-    );
+    assert_one_line(&output, 1, &["standard output: cannot write: No space left"]);
 }
 
 #[test]
 fn small_stack_fails_in_one_line() {
     let output = limited("-s 96", "render --out -");
-    assert_one_line(
-        &output,
-        1,
-        &["stack limit in kB is 96; must be 1024 or more"],
-    );
+    assert_one_line(&output, 1, &["stack limit in kB is 96; must be 1024 or more"]);
 }
 
 #[test]
 fn refused_threads_fail_in_one_line() {
     // The stack of a thread has 8 MiB.
-    let output = limited(
-        "-s 8192 -v 1000000",
-        "render --size 8x8 --threads 256 --out -",
-    );
+    let output = limited("-s 8192 -v 1000000", "render --size 8x8 --threads 256 --out -");
     assert_one_line(&output, 1, &["number of started threads is "]);
 }
 

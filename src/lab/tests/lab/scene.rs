@@ -92,10 +92,7 @@ fn mistake_has_line_and_column() {
         let at = text.find(&at.replace("\\n", "\n")).expect(at);
         assert!(error.chars().count() <= 200, "{error}");
         let line = text[..at].rsplit('\n').next().expect("a line");
-        let (line, column) = (
-            text[..at].matches('\n').count() + 1,
-            line.chars().count() + 1,
-        );
+        let (line, column) = (text[..at].matches('\n').count() + 1, line.chars().count() + 1);
         let place = format!("my.ron:{line}:{column}: ");
         assert!(error.starts_with(&place), "{error}, and not {place}");
         assert!(error.contains(says), "{error}");
@@ -135,15 +132,8 @@ fn time_after_the_end_is_checked() {
 fn every_command_reports_mistake_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
-    let [bad, moving, text, none, pipe, device] = [
-        "bad.ron",
-        "moving.ron",
-        "text.ron",
-        "none.ron",
-        "pipe.ron",
-        "device.ron",
-    ]
-    .map(file);
+    let [bad, moving, text, none, pipe, device] =
+        ["bad.ron", "moving.ron", "text.ron", "none.ron", "pipe.ron", "device.ron"].map(file);
     fs::write(&bad, "Scene(\n    haze: -1.0,\n)\n").expect("it can be written");
     fs::write(&moving, MOVING).expect("it can be written");
     let out = folder.path().join("none").display().to_string();
@@ -159,10 +149,7 @@ fn every_command_reports_mistake_in_one_line() {
     ] {
         for (name, says) in [
             (&bad, "2:11: haze is -1; must be 0 to 1000"),
-            (
-                &moving,
-                "4:65: motions[0] sets spheres[0].radius to -0.2629",
-            ),
+            (&moving, "4:65: motions[0] sets spheres[0].radius to -0.2629"),
         ] {
             let output = lab(&format!("{} --scene {name}", command.replace("OUT", &out)));
             assert_one_line(&output, 2, &[&format!("{name}:{says}")]);
@@ -177,16 +164,10 @@ fn every_command_reports_mistake_in_one_line() {
     let writer = pipe.clone();
     std::thread::spawn(move || fs::write(writer, ""));
     let output = lab(&format!("bench --scene {text}"));
-    assert_one_line(
-        &output,
-        2,
-        &[&format!("{text}:1:12: byte is 0xe9; must be UTF-8")],
-    );
-    for (file, why) in [
-        (&none, "No such file"),
-        (&pipe, "not a regular file"),
-        (&device, "not a regular file"),
-    ] {
+    assert_one_line(&output, 2, &[&format!("{text}:1:12: byte is 0xe9; must be UTF-8")]);
+    for (file, why) in
+        [(&none, "No such file"), (&pipe, "not a regular file"), (&device, "not a regular file")]
+    {
         let output = lab(&format!("bench --scene {file}"));
         assert_one_line(&output, 2, &[&format!("{file}: cannot read: {why}")]);
     }

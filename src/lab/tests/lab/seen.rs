@@ -31,10 +31,7 @@ fn view_is_consecutive_frames_of_its_scene() {
 #[test]
 fn pixel_pops_if_reference_stays() {
     let count = |references: [u32; 2], frames: [u32; 2]| {
-        pops(
-            [&[0, references[0]], &[0, references[1]]],
-            [&[0, frames[0]], &[0, frames[1]]],
-        )
+        pops([&[0, references[0]], &[0, references[1]]], [&[0, frames[0]], &[0, frames[1]]])
     };
     let (dark, light) = (0x0040_4040, 0x0040_5140);
     assert_eq!(count([dark, dark], [dark, light]), 1);
@@ -58,10 +55,7 @@ fn seen_of(qualities: [Quality; 2], times: [f32; 2]) -> [Seen; 2] {
 
 #[test]
 fn only_moving_squares_pop() {
-    let coarse = Quality {
-        tolerance_agreeing: 64.0,
-        ..Quality::THESIS
-    };
+    let coarse = Quality { tolerance_agreeing: 64.0, ..Quality::THESIS };
     let [_, still] = seen_of([Quality::EXHAUSTIVE, coarse], [2.0; 2]);
     let [exact, moving] = seen_of([Quality::EXHAUSTIVE, coarse], [2.0, 2.1]);
     assert_eq!([still.pops, exact.pops], [[0.0], [0.0]]);
@@ -72,10 +66,7 @@ fn only_moving_squares_pop() {
 fn antialiasing_approaches_64_samples() {
     // Between edges, the error of squares remains.
     for (quality, least) in [(Quality::EXHAUSTIVE, 6.0), (Quality::DEFAULT, 3.0)] {
-        let qualities = [false, true].map(|antialias| Quality {
-            antialias,
-            ..quality
-        });
+        let qualities = [false, true].map(|antialias| Quality { antialias, ..quality });
         let seen = seen_of(qualities, [2.0, 2.1]);
         assert_eq!(seen[0].flips, [0.0]);
         let psnr = seen.each_ref().map(|it| it.differences_to_64[0].psnr);

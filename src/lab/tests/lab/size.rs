@@ -7,8 +7,7 @@ fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
     let start = format!("| {title} |");
     let lines = text.lines().skip_while(|line| !line.starts_with(&start));
     let rows = lines.skip(2).take_while(|line| line.starts_with('|'));
-    rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect()
+    rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
 }
 
 fn number(cell: &str) -> u64 {

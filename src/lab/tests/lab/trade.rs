@@ -11,10 +11,7 @@ use tempfile::TempDir;
 static TRADE: LazyLock<(String, TempDir)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
     let line = "trade --size 64x48 --frames 2 --views 1 --out";
-    (
-        printed(&format!("{line} {}", folder.path().display())),
-        folder,
-    )
+    (printed(&format!("{line} {}", folder.path().display())), folder)
 });
 
 fn rows(folder: &Path) -> Vec<Value> {
@@ -34,9 +31,7 @@ fn assert_plots(folder: &Path, plots: &str) {
         assert!(svg.contains("<circle") && svg.contains("<text"), "{plot}");
         expected.insert(format!("{plot}.svg"));
     }
-    let files = fs::read_dir(folder)
-        .unwrap()
-        .map(|file| file.unwrap().file_name());
+    let files = fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name());
     let files = files.map(|name| name.into_string().expect("a plain name"));
     assert_eq!(files.collect::<BTreeSet<_>>(), expected);
 }

@@ -38,30 +38,16 @@ fn floor(light: Light) -> Scene {
 }
 
 fn light(position: Vec3, diameter: f32) -> Light {
-    Light {
-        diameter,
-        ..Light::new(position, COLOUR)
-    }
+    Light { diameter, ..Light::new(position, COLOUR) }
 }
 
 #[test]
 fn white_furnace_is_uniform() {
-    let keeping = |kd, kr, kt| Material {
-        kd,
-        kr,
-        kt,
-        index: 1.5,
-        ..WHITE
-    };
+    let keeping = |kd, kr, kt| Material { kd, kr, kt, index: 1.5, ..WHITE };
     let sphere = |x: f32, material| Sphere::new(vec3(x, 0.2, 0.3 * x), 0.6, material);
     let block = |z, shape| Block {
         axes: Mat3::from_rotation_y(0.4),
-        ..Block::new(
-            shape,
-            vec3(0.7, 0.1, z),
-            Vec3::splat(0.4),
-            keeping(0.6, 0.4, 0.0),
-        )
+        ..Block::new(shape, vec3(0.7, 0.1, z), Vec3::splat(0.4), keeping(0.6, 0.4, 0.0))
     };
     let scene = Scene {
         camera: Camera::new(vec3(0.0, 1.0, 5.0), Vec3::ZERO, 0.8),
@@ -90,16 +76,9 @@ fn light_of_any_size_gives_same_irradiance() {
     let known = f64::from(position.normalize().y) * COLOUR.as_dvec3();
     for diameter in [0.0, 0.1, 1.0, 3.0] {
         let sphere = light(position, diameter);
-        let sun = Light {
-            parallel: true,
-            ..sphere
-        };
+        let sun = Light { parallel: true, ..sphere };
         let spot = Light {
-            spot: Some(Spot {
-                aim: -position.normalize(),
-                outer_angle: 0.45,
-                inner_angle: 0.2,
-            }),
+            spot: Some(Spot { aim: -position.normalize(), outer_angle: 0.45, inner_angle: 0.2 }),
             ..sphere
         };
         for light in [sphere, sun, spot] {
@@ -114,11 +93,8 @@ fn surface_reflects_share_of_sky() {
     let mut scene = floor(light(Vec3::NEG_Y, 0.0));
     scene.camera.eye = vec3(0.0, 4.0, 0.01);
     scene.background = COLOUR;
-    scene.planes[0].material = Material {
-        ks: 0.8,
-        exponent: 7.0,
-        ..Material::matt(Vec3::ONE, 0.3)
-    };
+    scene.planes[0].material =
+        Material { ks: 0.8, exponent: 7.0, ..Material::matt(Vec3::ONE, 0.3) };
     assert_near(seen(&scene, 4096), 0.5 * COLOUR.as_dvec3(), 0.04);
 }
 
@@ -157,11 +133,7 @@ fn lone_ball_matches_oracle() {
         exponent: 9.0,
         anisotropy: 0.4,
         metallic: 0.5,
-        pattern: Pattern {
-            depth: 0.8,
-            waves: Vec3::splat(2.0),
-            ..Pattern::default()
-        },
+        pattern: Pattern { depth: 0.8, waves: Vec3::splat(2.0), ..Pattern::default() },
         ..Material::matt(COLOUR, 0.6)
     };
     let mut scene = floor(light(vec3(4.0, 4.0, 1.0), 0.0));
@@ -198,11 +170,7 @@ fn error_is_within_standard_error() {
 
 #[test]
 fn picture_depends_on_seed() {
-    let truth = |seed| {
-        lab(&format!(
-            "truth --size 24x18 --samples 4 --out - --seed {seed}"
-        ))
-    };
+    let truth = |seed| lab(&format!("truth --size 24x18 --samples 4 --out - --seed {seed}"));
     let (first, other) = (truth(7), truth(8));
     let stderr = stderr(&first);
     let comparison = "`default` against 4 paths a pixel: RMS error ";

@@ -34,20 +34,12 @@ fn moved_camera_is_printed_and_reset() {
         view.key("v");
         view.assert_shows("the file's camera", |shot| shot == before);
         view.key("Escape");
-        let View {
-            process,
-            file,
-            folder,
-            ..
-        } = view;
+        let View { process, file, folder, .. } = view;
         let (_, _, line, _) = process.end();
         let (start, rest) = SCENE.split_once("    camera:").expect("a camera");
         let (_, end) = rest.split_once('\n').expect("a line");
         fs::write(&file, format!("{start}{line}{end}")).expect("it is written");
-        assert!(
-            rendered(&format!("--scene {}", file.display())) == moved,
-            "{line}"
-        );
+        assert!(rendered(&format!("--scene {}", file.display())) == moved, "{line}");
         drop(folder);
     }
 }

@@ -55,13 +55,7 @@ impl View {
         lab.args(["view", "--size", "320x240", "--paused"]);
         lab.args(options.split_whitespace());
         let process = server.open(&mut lab, || server.geometry(&["-id", &id(&server)?]));
-        let view = View {
-            id: id(&server).expect("a window"),
-            server,
-            process,
-            file,
-            folder,
-        };
+        let view = View { id: id(&server).expect("a window"), server, process, file, folder };
         view.point([9, 9]);
         Some(view)
     }

@@ -50,11 +50,7 @@ fn keys_select_quality_overlay_time() {
         ("h", "heat map", &heat),
         ("e", "error", &error),
         ("e", "picture", &thesis),
-        (
-            "Right",
-            "at 2.02 s, paused",
-            &at(&(121.0 / 60.0).to_string(), "thesis"),
-        ),
+        ("Right", "at 2.02 s, paused", &at(&(121.0 / 60.0).to_string(), "thesis")),
         ("Left", "at 2.00 s, paused", &thesis),
         ("Home", "at 0.00 s, paused", &first),
         ("1", "100.0 % traced, exact", &at("0", "exhaustive")),
@@ -63,9 +59,7 @@ fn keys_select_quality_overlay_time() {
         view.assert_shows(title, |shot| shot == picture);
     }
     view.press("space", " s; ");
-    wait_for("time to go on", || {
-        (!view.title().contains("0.00 s")).then_some(())
-    });
+    wait_for("time to go on", || (!view.title().contains("0.00 s")).then_some(()));
     view.press("9", "fastest");
     wait_for("an estimate with its interval", || {
         let title = view.title();
@@ -89,10 +83,7 @@ fn paused_picture_is_measured_after_drawing() {
     let mut viewer = FrameViewer::new(1, cpu::best());
     for (is_new, is_measured) in [(true, false), (true, true), (false, true)] {
         let drawn = viewer.draw(&controls, &subject, Size::new(64, 48));
-        assert_eq!(
-            (drawn, viewer.figures.psnr.is_some()),
-            (is_new, is_measured)
-        );
+        assert_eq!((drawn, viewer.figures.psnr.is_some()), (is_new, is_measured));
     }
 }
 

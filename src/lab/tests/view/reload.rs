@@ -33,11 +33,7 @@ fn mistake_is_shown_over_picture() {
     let picture = view.shot();
     // The height of two lines of text.
     let top = 60 * SIZE[0] as usize;
-    for faulty in [
-        ball("1.0.0"),
-        ball("-1.0"),
-        SCENE.replace("\"red\")]", "\"gold\")]"),
-    ] {
+    for faulty in [ball("1.0.0"), ball("-1.0"), SCENE.replace("\"red\")]", "\"gold\")]")] {
         view.write(&faulty);
         view.assert_shows("text over the picture", |shot| {
             bright(&shot[..top]) > 100 && shot[top..] == picture[top..]

@@ -19,11 +19,7 @@ fn sample() -> impl Strategy<Value = Sample> {
     ([channel(), channel(), channel()], 0_u32..3, any::<bool>()).prop_map(
         |([blue, green, red], object, is_patterned)| {
             let sample = Sample(blue | green << 16 | red << 32).showing(object);
-            if is_patterned {
-                sample.patterned()
-            } else {
-                sample
-            }
+            if is_patterned { sample.patterned() } else { sample }
         },
     )
 }

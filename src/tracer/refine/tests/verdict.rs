@@ -13,11 +13,7 @@ fn verdict(quality: &Quality, side: usize, corners: [(Sample, u32); 4]) -> [bool
     let agreeing = corners.iter().all(|&(_, key)| key == corners[0].1);
     let rounded = |sample: &Sample| sample.pixel(Sample::HALF_STEP);
     let flat = samples.iter().all(|s| rounded(s) == rounded(&samples[0]));
-    let tolerance = if agreeing {
-        quality.tolerance_agreeing
-    } else {
-        quality.tolerance_differing
-    };
+    let tolerance = if agreeing { quality.tolerance_agreeing } else { quality.tolerance_differing };
     let most = (tolerance * 8.0 * 128.0 / side as f32) as i32;
     let patterned = samples.iter().any(|sample| sample.is_patterned());
     [agreeing, flat, flat || span(&samples) <= most, patterned]

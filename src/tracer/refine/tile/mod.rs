@@ -28,11 +28,7 @@ pub(crate) fn draw<O: Observer>(
     band.rough.fill([u64::MAX; _]);
     let bottom = band.top + band.height();
     let square = plan.quality.square;
-    let width = if square == 1 {
-        BATCH / TILE_HEIGHT
-    } else {
-        TILE_WIDTH
-    };
+    let width = if square == 1 { BATCH / TILE_HEIGHT } else { TILE_WIDTH };
     for left in (0..band.width).step_by(width) {
         let area = Area {
             left,
@@ -75,12 +71,7 @@ pub(super) struct Tile<'a, 'b, O: Observer> {
 
 impl<O: Observer> Tile<'_, '_, O> {
     pub fn draw(&mut self) {
-        let Context {
-            plan,
-            world,
-            coverage,
-            ..
-        } = self.context;
+        let Context { plan, world, coverage, .. } = self.context;
         let top = plan.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
@@ -102,11 +93,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let rows = self.area.rows(level);
             let mut split = [Bits::NONE; 3];
             for y in 0..=rows {
-                let below = if y < rows {
-                    self.fill_row(level, y)
-                } else {
-                    Bits::NONE
-                };
+                let below = if y < rows { self.fill_row(level, y) } else { Bits::NONE };
                 split = [split[1], split[2], below];
                 if y > 0 {
                     self.split_row(level, y - 1, &split);

@@ -39,15 +39,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let [left, top] = [self.area.left + (x << level), y << level];
             let (world, band) = (self.context.world, &mut *self.band);
             let kernels = &self.context.kernels;
-            interpolate(
-                kernels,
-                world,
-                band,
-                1 << level,
-                [left, top],
-                layers,
-                object,
-            );
+            interpolate(kernels, world, band, 1 << level, [left, top], layers, object);
             // The traced corner keeps its exact bits.
             self.put(left, top, corner);
             filled.set(x);

@@ -25,11 +25,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let marks = &self.worker.marks;
             let mut points = corners(&marks.squares[level], level, y, squares);
             if !is_first && !points.is_empty() {
-                let known = if y.is_multiple_of(2) {
-                    Bits::EVEN
-                } else {
-                    Bits::NONE
-                };
+                let known = if y.is_multiple_of(2) { Bits::EVEN } else { Bits::NONE };
                 self.copy_known(level, y, points & known);
                 points = points.without(known);
                 if quality.tolerance_side > 0.0 {
@@ -80,18 +76,13 @@ impl<O: Observer> Tile<'_, '_, O> {
         } else {
             (Pyramid::index(level, left, top), Pyramid::stride(level))
         };
-        let (left, top) = (
-            self.area.left + (left << level),
-            self.area.top + (top << level),
-        );
+        let (left, top) = (self.area.left + (left << level), self.area.top + (top << level));
         let Worker { batch, targets, .. } = &mut *self.worker;
         while cluster != 0 {
             let i = cluster.trailing_zeros() as usize;
             let (x, y) = (i % CLUSTER_WIDTH, i / CLUSTER_WIDTH);
             targets[batch.points.len() % BATCH] = (start + y * stride + x) as u32;
-            batch
-                .points
-                .push_pixel(left + (x << level), top + (y << level));
+            batch.points.push_pixel(left + (x << level), top + (y << level));
             cluster &= cluster - 1;
         }
     }
@@ -155,12 +146,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let Context { plan, world, .. } = self.context;
         let batch = &mut self.worker.batch;
         self.context.trace(&plan.quality, self.seen, batch);
-        let Worker {
-            batch,
-            pyramid,
-            targets,
-            ..
-        } = &mut *self.worker;
+        let Worker { batch, pyramid, targets, .. } = &mut *self.worker;
         let has_patterns = world.has_patterns;
         for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
             let target = target as usize;

@@ -99,10 +99,7 @@ fn assert_planes_are_left(by: &dyn Kernels, isa: &str) {
         let o = random.vector(-8.0, 8.0);
         let (half_x, half_z) = (half_x as f32, half_z as f32);
         let plane = Plane::new(centre.as_vec3(), half_x, half_z, Material::BLACK);
-        let scene = prepared(&Scene {
-            planes: List::of(&[plane]),
-            ..Scene::default()
-        });
+        let scene = prepared(&Scene { planes: List::of(&[plane]), ..Scene::default() });
         let world = scene.world();
         let Some(Met { p, .. }) = met(by, world, o.as_vec3(), unit(aim - o)) else {
             continue;
@@ -176,10 +173,7 @@ fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
             shape,
             ..Block::default()
         };
-        let scene = prepared(&Scene {
-            blocks: List::of(&[block]),
-            ..Scene::default()
-        });
+        let scene = prepared(&Scene { blocks: List::of(&[block]), ..Scene::default() });
         let world = scene.world();
         let half = block.half.as_dvec3();
         let within = block.axes.as_dmat3() * (share(&mut random) * half);

@@ -113,10 +113,7 @@ fn unit(d: DVec3) -> Vec3 {
 }
 
 fn one_sphere(centre: Vec3, radius: f32, material: Material) -> Scene {
-    Scene {
-        spheres: List::of(&[Sphere::new(centre, radius, material)]),
-        ..Scene::default()
-    }
+    Scene { spheres: List::of(&[Sphere::new(centre, radius, material)]), ..Scene::default() }
 }
 
 struct Ready {
@@ -126,10 +123,7 @@ struct Ready {
 
 impl Ready {
     fn world(&self) -> World<'_> {
-        World {
-            scene: &self.scene,
-            prepared: &self.memory,
-        }
+        World { scene: &self.scene, prepared: &self.memory }
     }
 }
 

@@ -69,10 +69,7 @@ fn assert_independent(by: &dyn Kernels, isa: &str, scene: &Scene) {
             }
             others[at] = one;
             let others = outcomes(by, scene.world(), &others, &mut batch);
-            assert_eq!(
-                together[i], others[at],
-                "{isa}: {one:?} in lane {i} and in lane {at}"
-            );
+            assert_eq!(together[i], others[at], "{isa}: {one:?} in lane {i} and in lane {at}");
         }
     }
 }

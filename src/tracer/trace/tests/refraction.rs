@@ -8,13 +8,7 @@ const ULPS: i32 = 256;
 const LENGTH2: f64 = 4.0 * f32::EPSILON as f64;
 
 const fn glass(index: f32) -> Material {
-    Material {
-        colour: Vec3::ONE,
-        kr: 0.1,
-        kt: 0.85,
-        index,
-        ..Material::BLACK
-    }
+    Material { colour: Vec3::ONE, kr: 0.1, kt: 0.85, index, ..Material::BLACK }
 }
 
 fn assert_light_is_conserved(by: &dyn Kernels, isa: &str) {

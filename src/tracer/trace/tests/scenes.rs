@@ -70,17 +70,10 @@ pub fn rich() -> Scene {
     }
     scene.planes[0].material.pattern.waves = Vec3::ONE;
     scene.planes[0].material.pattern.depth = 0.5;
-    scene.water = Waves {
-        slope: 0.1,
-        length: 2.0,
-        phase: 0.3,
-    };
+    scene.water = Waves { slope: 0.1, length: 2.0, phase: 0.3 };
     scene.haze = 0.03;
     scene.lights[0].diameter = 1.0;
-    scene.lights[1].spot = Some(Spot {
-        aim: -scene.lights[1].position,
-        outer_angle: 0.9273,
-        inner_angle: 0.45,
-    });
+    scene.lights[1].spot =
+        Some(Spot { aim: -scene.lights[1].position, outer_angle: 0.9273, inner_angle: 0.45 });
     scene
 }

@@ -40,14 +40,8 @@ pub fn typed(x: Xlib, event: &XKeyEvent) -> c_uint {
 }
 
 /// US positions of other letters, and of `?`.
-const PLACES: [(c_uint, u8); 6] = [
-    (26, b'e'),
-    (33, b'p'),
-    (39, b's'),
-    (54, b'c'),
-    (55, b'v'),
-    (61, b'/'),
-];
+const PLACES: [(c_uint, u8); 6] =
+    [(26, b'e'), (33, b'p'), (39, b's'), (54, b'c'), (55, b'v'), (61, b'/')];
 
 fn by_layout(x: Xlib, event: &XKeyEvent) -> c_uint {
     let layout = ((event.state >> 13) & 3) as c_int;

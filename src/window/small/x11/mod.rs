@@ -113,9 +113,7 @@ impl Toplevel {
         unsafe {
             let set = self.x.XChangeProperty;
             let (start, length) = (text.as_ptr(), text.len() as c_int);
-            set(
-                display, window, property, kind, format, replace, start, length,
-            );
+            set(display, window, property, kind, format, replace, start, length);
         }
     }
 
@@ -131,9 +129,7 @@ impl Toplevel {
         // SAFETY: the window exists, and pointers outlive the calls. Xlib keeps 32-bit items in `c_long`.
         unsafe {
             let describe = self.x.XSetWMProperties;
-            describe(
-                display, window, nothing, nothing, nothing, 0, nothing, nothing, &mut class,
-            );
+            describe(display, window, nothing, nothing, nothing, 0, nothing, nothing, &mut class);
             let process: c_long = libc::syscall(libc::SYS_getpid);
             let (replace, process) = (xlib::PropModeReplace, (&raw const process).cast());
             (self.x.XChangeProperty)(display, window, name, kind, 32, replace, process, 1);
