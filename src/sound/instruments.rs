@@ -1,12 +1,16 @@
 use super::RATE;
 use super::song::TRACKS;
 use core::f32::consts::PI;
+use glam::{Vec4, vec4};
 
 /// The meaning of a pattern's digits. Notes are MIDI numbers: 69 is 440 Hz, and an octave has 12.
 pub(super) enum Notes {
     /// This note; the digit is its loudness, 1 to 15.
     Drum(u8),
-    Scale,
+    /// The chord's bass; the digit is its loudness, 1 to 15.
+    Root,
+    /// A note of the theme, this number of semitones down.
+    Theme(u8),
     /// A note of the bar's chord, this number of semitones up: digits 1 to 4 count from its root, 5 to 8 an octave higher, and so on.
     Tone(u8),
     /// The note of [`Notes::Tone`], and the three above it.
@@ -19,6 +23,8 @@ pub(super) struct Instrument {
     pub saw: f32,
     pub sine: f32,
     pub noise: f32,
+    /// The oscillators' pitches relative to the note's. The higher ones decay faster.
+    pub partials: Vec4,
     /// The outermost oscillators' deviation, as a fraction of the pitch.
     pub detune: f32,
     /// The pitch's initial deviation, as a fraction of the pitch.
@@ -38,12 +44,16 @@ pub(super) struct Instrument {
     /// The filter's cutoff frequencies, as angles: pi is the sampling rate.
     pub cutoff_start: f32,
     pub cutoff_end: f32,
+    /// The oscillators' factors on the cutoff.
+    pub formants: Vec4,
     /// The increase of the cutoff at the bar's full brightness, as a fraction.
     pub light: f32,
     /// 2 has no resonance, values towards 0 whistle.
     pub damping: f32,
     /// The fraction of high pass, 0 to 1; the rest is low pass.
     pub high: f32,
+    /// The share of each side that the other one also plays: at 1 both are the same.
+    pub centre: f32,
     /// The fraction of the interval to its note that the pitch glides in each [chunk](super::CHUNK).
     pub glide: f32,
     /// Amplitudes of the effects' inputs.
@@ -53,7 +63,7 @@ pub(super) struct Instrument {
     pub duck: f32,
 }
 
-/// The factor on all amplitudes, for a soundtrack between -16 and -12 LUFS, which a test checks.
+/// The factor on all amplitudes, for a soundtrack between -14 and -12 LUFS, which a test checks.
 pub(super) const LOUDNESS: f32 = 0.44;
 
 /// Converts a frequency in Hz to an angle.
@@ -67,10 +77,11 @@ const fn s(time: f32) -> f32 {
 }
 
 const SILENT: Instrument = Instrument {
-    notes: Notes::Scale,
+    notes: Notes::Root,
     saw: 0.0,
     sine: 0.0,
     noise: 0.0,
+    partials: Vec4::ONE,
     detune: 0.0,
     bend: 0.0,
     index: 0.0,
@@ -82,9 +93,11 @@ const SILENT: Instrument = Instrument {
     sweep: 0.0,
     cutoff_start: 0.0,
     cutoff_end: 0.0,
+    formants: Vec4::ONE,
     light: 0.0,
     damping: 0.0,
     high: 0.0,
+    centre: 0.3,
     glide: 1.0,
     echo: 0.0,
     room: 0.0,
@@ -94,15 +107,15 @@ const SILENT: Instrument = Instrument {
 const PAD: Instrument = Instrument {
     notes: Notes::Chord(24),
     saw: 0.1,
-    noise: 0.002,
+    noise: 0.006,
     detune: 0.006,
     attack: s(0.6),
     decay: s(10.0),
-    release: s(0.5),
+    release: s(0.1),
     gate: 4.0,
     sweep: s(1.5),
-    cutoff_start: hz(500.0),
-    cutoff_end: hz(700.0),
+    cutoff_start: hz(700.0),
+    cutoff_end: hz(900.0),
     light: 7.0,
     damping: 1.2,
     glide: 0.03,
@@ -111,21 +124,23 @@ const PAD: Instrument = Instrument {
     ..SILENT
 };
 
+/// In the order of [`Track`](super::song::Track).
 pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Kick.
     Instrument {
-        notes: Notes::Drum(33), // A1
-        sine: 0.65,
-        noise: 0.4,
-        bend: 8.0,
+        notes: Notes::Root,
+        sine: 0.5,
+        noise: 0.15,
+        bend: 9.0,
         attack: s(0.001),
-        decay: s(0.16),
-        release: s(0.05),
+        decay: s(0.14),
+        release: s(0.04),
         gate: 0.5,
-        sweep: s(0.03),
+        sweep: s(0.016),
         cutoff_start: hz(9000.0),
         cutoff_end: hz(120.0),
         damping: 1.4,
+        centre: 1.0,
         room: 0.01,
         ..SILENT
     },
@@ -133,7 +148,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     Instrument {
         notes: Notes::Drum(54),
         sine: 0.12,
-        noise: 0.45,
+        noise: 0.3,
         bend: 0.8,
         attack: s(0.001),
         decay: s(0.09),
@@ -150,7 +165,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Hat.
     Instrument {
         notes: Notes::Drum(60),
-        noise: 0.45,
+        noise: 0.3,
         attack: s(0.001),
         decay: s(0.025),
         release: s(0.02),
@@ -167,7 +182,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Open hat.
     Instrument {
         notes: Notes::Drum(60),
-        noise: 0.28,
+        noise: 0.18,
         attack: s(0.001),
         decay: s(0.12),
         release: s(0.03),
@@ -182,25 +197,72 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         duck: 0.1,
         ..SILENT
     },
+    // Tom.
+    Instrument {
+        notes: Notes::Drum(45),
+        sine: 0.35,
+        noise: 0.1,
+        bend: 1.5,
+        attack: s(0.001),
+        decay: s(0.18),
+        release: s(0.06),
+        gate: 0.7,
+        sweep: s(0.05),
+        cutoff_start: hz(4000.0),
+        cutoff_end: hz(300.0),
+        damping: 1.2,
+        centre: 0.6,
+        room: 0.1,
+        ..SILENT
+    },
     // Bass.
     Instrument {
         notes: Notes::Tone(0),
-        saw: 0.3,
-        sine: 0.2,
-        index: 0.1,
+        saw: 0.2,
+        sine: 0.15,
+        index: 0.15,
         ratio: 1.0,
         attack: s(0.003),
         decay: s(0.4),
-        release: s(0.05),
+        release: s(0.03),
         gate: 0.4,
         sweep: s(0.1),
-        cutoff_start: hz(900.0),
-        cutoff_end: hz(180.0),
+        cutoff_start: hz(1200.0),
+        cutoff_end: hz(220.0),
         light: 3.0,
         damping: 0.9,
+        centre: 1.0,
         room: 0.01,
-        duck: 0.7,
+        duck: 0.9,
         ..SILENT
+    },
+    // Sub.
+    Instrument {
+        notes: Notes::Theme(36),
+        sine: 0.2,
+        saw: 0.03,
+        attack: s(0.05),
+        decay: s(3.0),
+        release: s(0.1),
+        gate: 3.5,
+        sweep: s(1.0),
+        cutoff_start: hz(300.0),
+        cutoff_end: hz(300.0),
+        light: 2.0,
+        damping: 1.4,
+        centre: 1.0,
+        room: 0.02,
+        ..SILENT
+    },
+    // Vowel: the formants of a dark O.
+    Instrument {
+        noise: 0.02,
+        cutoff_start: hz(330.0),
+        cutoff_end: hz(330.0),
+        formants: vec4(1.0, 2.6, 2.6, 1.0),
+        light: 1.0,
+        damping: 0.35,
+        ..PAD
     },
     PAD,
     // The second pad, a little more detuned. Its chords start on another note, which swaps the notes' sides in stereo.
@@ -208,97 +270,150 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Arpeggio.
     Instrument {
         notes: Notes::Tone(24),
-        saw: 0.12,
+        saw: 0.15,
         detune: 0.004,
         attack: s(0.002),
         decay: s(0.18),
-        release: s(0.1),
+        release: s(0.06),
         gate: 0.5,
         sweep: s(0.07),
         cutoff_start: hz(1800.0),
         cutoff_end: hz(350.0),
         light: 6.0,
         damping: 0.5,
-        echo: 0.45,
+        echo: 0.4,
         room: 0.125,
         duck: 0.5,
         ..SILENT
     },
-    // Melody.
+    // Strings, in unison.
     Instrument {
-        notes: Notes::Scale,
-        saw: 0.11,
-        sine: 0.03,
-        detune: 0.006,
-        attack: s(0.015),
+        notes: Notes::Theme(0),
+        saw: 0.2,
+        detune: 0.005,
+        attack: s(0.12),
+        decay: s(8.0),
+        release: s(0.15),
+        gate: 5.0,
+        sweep: s(1.0),
+        cutoff_start: hz(1200.0),
+        cutoff_end: hz(3000.0),
+        light: 2.0,
+        damping: 1.2,
+        room: 0.2,
+        ..SILENT
+    },
+    // Lead, in octaves.
+    Instrument {
+        notes: Notes::Theme(0),
+        saw: 0.22,
+        sine: 0.06,
+        partials: vec4(1.0, 1.0, 2.0, 2.0),
+        detune: 0.005,
+        attack: s(0.006),
         decay: s(1.2),
-        release: s(0.25),
+        release: s(0.15),
         gate: 1.5,
         sweep: s(0.4),
-        cutoff_start: hz(3000.0),
-        cutoff_end: hz(1400.0),
+        cutoff_start: hz(4000.0),
+        cutoff_end: hz(1800.0),
         light: 2.0,
         damping: 0.9,
-        glide: 0.04,
+        centre: 0.6,
+        glide: 0.1,
+        echo: 0.3,
+        room: 0.12,
+        duck: 0.2,
+        ..SILENT
+    },
+    // Chime: the partials of a pipe.
+    Instrument {
+        notes: Notes::Theme(0),
+        sine: 0.3,
+        partials: vec4(1.0, 2.0, 2.99, 4.17),
+        attack: s(0.001),
+        decay: s(0.5),
+        release: s(0.5),
+        gate: 4.0,
+        sweep: s(0.1),
+        cutoff_start: hz(12000.0),
+        cutoff_end: hz(6000.0),
+        damping: 1.4,
+        centre: 0.6,
+        echo: 0.2,
+        room: 0.2,
+        duck: 0.2,
+        ..SILENT
+    },
+    // Marimba: a bar, tuned to double octaves.
+    Instrument {
+        notes: Notes::Theme(12),
+        sine: 0.3,
+        noise: 0.1,
+        partials: vec4(1.0, 1.0, 4.0, 4.0),
+        attack: s(0.001),
+        decay: s(0.25),
+        release: s(0.01),
+        gate: 2.0,
+        sweep: s(0.03),
+        cutoff_start: hz(9000.0),
+        cutoff_end: hz(3000.0),
+        damping: 1.4,
+        echo: 0.2,
+        room: 0.12,
+        ..SILENT
+    },
+    // Square: a modulator an octave up gives odd harmonics.
+    Instrument {
+        notes: Notes::Theme(0),
+        sine: 0.25,
+        index: 0.25,
+        ratio: 2.0,
+        attack: s(0.001),
+        decay: s(0.3),
+        release: s(0.02),
+        gate: 0.25,
+        sweep: s(0.3),
+        cutoff_start: hz(9000.0),
+        cutoff_end: hz(4000.0),
+        damping: 1.4,
+        centre: 0.6,
+        room: 0.05,
+        ..SILENT
+    },
+    // Pop: it rises to its note, as a bubble does.
+    Instrument {
+        notes: Notes::Theme(0),
+        sine: 0.4,
+        noise: 0.05,
+        bend: -0.6,
+        attack: s(0.001),
+        decay: s(0.12),
+        release: s(0.05),
+        gate: 1.0,
+        sweep: s(0.012),
+        cutoff_start: hz(9000.0),
+        cutoff_end: hz(6000.0),
+        damping: 1.4,
+        centre: 0.6,
         echo: 0.4,
         room: 0.15,
-        duck: 0.3,
         ..SILENT
     },
-    // Bell.
-    Instrument {
-        notes: Notes::Tone(36),
-        sine: 0.1,
-        detune: 0.001,
-        index: 0.25,
-        ratio: 3.5,
-        attack: s(0.002),
-        decay: s(0.6),
-        release: s(0.6),
-        gate: 2.0,
-        sweep: s(0.25),
-        cutoff_start: hz(8000.0),
-        cutoff_end: hz(4000.0),
-        light: 0.5,
-        damping: 1.4,
-        echo: 0.4,
-        room: 0.25,
-        duck: 0.3,
-        ..SILENT
-    },
-    // Stabs.
-    Instrument {
-        notes: Notes::Chord(24),
-        saw: 0.25,
-        detune: 0.008,
-        attack: s(0.003),
-        decay: s(0.16),
-        release: s(0.08),
-        gate: 0.35,
-        sweep: s(0.1),
-        cutoff_start: hz(3000.0),
-        cutoff_end: hz(500.0),
-        light: 2.0,
-        damping: 0.7,
-        echo: 0.25,
-        room: 0.1,
-        duck: 0.5,
-        ..SILENT
-    },
-    // Swells.
+    // Riser.
     Instrument {
         notes: Notes::Drum(60),
-        noise: 0.18,
+        noise: 0.3,
         attack: s(2.0),
         decay: s(10.0),
-        release: s(0.6),
+        release: s(0.02),
         gate: 8.0,
         sweep: s(2.0),
         cutoff_start: hz(150.0),
         cutoff_end: hz(6000.0),
         damping: 0.5,
         high: 0.3,
-        echo: 0.1,
+        echo: 0.05,
         room: 0.2,
         duck: 0.5,
         ..SILENT
@@ -317,24 +432,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         cutoff_start: hz(900.0),
         cutoff_end: hz(120.0),
         damping: 1.4,
+        centre: 1.0,
         room: 0.2,
-        ..SILENT
-    },
-    // Squares.
-    Instrument {
-        notes: Notes::Tone(24),
-        saw: 0.2,
-        detune: 0.002,
-        attack: s(0.002),
-        decay: s(0.1),
-        release: s(0.05),
-        gate: 0.25,
-        sweep: s(0.05),
-        cutoff_start: hz(6000.0),
-        cutoff_end: hz(1500.0),
-        damping: 0.6,
-        echo: 0.35,
-        room: 0.15,
         ..SILENT
     },
 ];

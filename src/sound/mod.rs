@@ -2,14 +2,15 @@
 //!
 //! A sample depends only on its position in the song, and not on the number of samples that are requested at once.
 
+mod cue;
 mod instruments;
-mod pulse;
 mod song;
 mod space;
 mod synthesizer;
 mod voice;
 
-pub use pulse::{Pulse, pulse};
+pub use cue::{Cue, Pulse, cue, pulse};
+pub use song::{THEME, Track};
 pub use synthesizer::Synthesizer;
 
 use crate::grid;
@@ -18,12 +19,15 @@ use crate::grid;
 pub const RATE: u32 = 48_000;
 
 /// A sixteenth, the song's shortest step, in samples: 6,000.
-pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
+pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / STEPS_PER_BEAT;
 
 /// Samples in a millisecond. Slow parameters, such as the filters', are updated once per chunk.
 const CHUNK: usize = 48;
 
-const STEPS_PER_BAR: u32 = 16;
+/// Sixteenths in a bar.
+pub const STEPS_PER_BAR: u32 = 16;
+
+const STEPS_PER_BEAT: u32 = STEPS_PER_BAR / grid::BEATS_PER_BAR;
 
 /// The length of the song in bars.
 pub const BARS: u32 = song::BARS as u32;

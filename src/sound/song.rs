@@ -1,22 +1,72 @@
 //! The song: each instrument's notes.
 //!
-//! It is in A minor. The title's arpeggio returns in the model scene and the finale; the colonnade's melody returns in the swarm,
-//! and resolves in the finale. Each scene's last bar leads into the next scene.
+//! It is in A minor, the finale in A major. Every scene plays the [`THEME`] at a speed of its own: crotchets on the chimes, a note
+//! more in each bar of the method, one note per bar in the bass.
 //!
-//! The song is written as text, which the compiler parses. Spaces separate scenes and beats for the reader.
+//! The song is written as text, which the compiler parses. Spaces separate scenes and beats for the reader; those of the harmony
+//! also mark the cuts, before which all instruments rest.
 
 use super::STEPS_PER_BAR;
 
-pub(super) const TRACKS: usize = 14;
+/// An instrument, which plays one note or chord at a time.
+#[derive(Clone, Copy, Debug)]
+pub enum Track {
+    /// The bounces of the glass ball at 12 s, the landings at 56 s, three, three and two quavers at 80 s, the turns at 92 s.
+    Kick,
+    /// On the beats between.
+    Clap,
+    /// In the method, the clicks.
+    Hat,
+    /// Between the beats.
+    OpenHat,
+    /// With the kick at 80 s.
+    Tom,
+    /// Plucked at 12 s, driven at 80 s.
+    Bass,
+    /// Three notes of the theme at the beginning.
+    Sub,
+    /// Chords in calm scenes.
+    Vowel,
+    /// Chords.
+    Pad,
+    /// The same chords.
+    SecondPad,
+    /// Sixteenths, in the climax.
+    Arpeggio,
+    /// The theme in minims: forwards and backwards, then in A major, its last note held for five beats.
+    Strings,
+    /// The theme in the climax.
+    Lead,
+    /// The ball lands on a pipe with every crotchet from 56 s.
+    Chime,
+    /// The theme in quavers, the first voice of the canon at 76 s, and the last note.
+    Marimba,
+    /// A note more in each bar of the method; sixteenths at the end, while the squares of the picture double.
+    Square,
+    /// 1, 2, 4 and 8 bubbles, then their pops, two beats after the marimba.
+    Pop,
+    /// It grows for two bars, up to a quaver before a cut.
+    Riser,
+    /// Where a scene begins; in the climax for each turn.
+    Boom,
+}
 
-/// The kick drum's track, which attenuates the others.
-pub(super) const KICK: usize = 0;
+pub(super) const TRACKS: usize = Track::Boom as usize + 1;
 
 /// The song's length, which the compiler checks against every track and the show.
 pub(super) const BARS: usize = letters(HARMONY_TEXT);
 
+/// The theme in A minor as MIDI notes: each degree of the scale once, from E5. Digits 1 to 8 of a melody count its notes.
+pub const THEME: [u8; 8] = [76, 79, 81, 77, 72, 74, 71, 69];
+
+/// Whether a note of the theme is a semitone higher in A major, where the song ends.
+const RAISED: [u8; 8] = [0, 1, 0, 1, 1, 0, 0, 0];
+
+/// The first bar in A major.
+const MAJOR: u32 = 52;
+
 /// Chords as MIDI notes: the bass, and three upper voices that move little from chord to chord. 33 is A1, 55 Hz.
-static CHORDS: [[u8; 4]; 8] = [
+static CHORDS: [[u8; 4]; 11] = [
     [33, 36, 40, 43], // a: A minor 7
     [29, 36, 40, 45], // f: F major 7
     [36, 38, 40, 43], // c: C add 9
@@ -25,21 +75,28 @@ static CHORDS: [[u8; 4]; 8] = [
     [28, 35, 38, 44], // E: E 7
     [28, 35, 38, 43], // e: E minor 7
     [33, 37, 40, 47], // A: A major add 9
+    [38, 37, 42, 45], // D: D major 7
+    [35, 38, 42, 45], // b: B minor 7
+    [28, 35, 38, 45], // s: E 7 with a suspended fourth
 ];
 
-const CHORD_NAMES: &[u8] = b"afcgdEeA";
+const CHORD_NAMES: &[u8] = b"afcgdEeADbs";
 
-const HARMONY_TEXT: &[u8] = b"aaffdE aaffdE afcgafdE fgeafgEE aaaafE afcgdE ddaafE fgeafg afgAAA";
+const HARMONY_TEXT: &[u8] = b"aaffdE ccffdg afcgafdE afcgadfe fadgfE cfdgfE egafcd fadgcE ADbsAA";
+
+static LAST: [bool; BARS] = ends(HARMONY_TEXT);
 
 static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 
 /// The brightness of each bar, 0 to 15, which opens the filters.
 #[rustfmt::skip]
 static LIGHT: [u8; BARS] = indices_of(
-    b"012246 445678 66778898 54456789 889aab 99aabb 543468 eeffff b86421", DIGITS);
+    b"234567 566788 45566789 45678987 89aabb 789abb 6789ab ddeeff a98765", DIGITS);
 
-/// MIDI notes of the melody's digits 1 to f: A minor from A4 up.
-static SCALE: [u8; 16] = [0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93];
+/// The loudness of each bar, 0 to 15, in dB.
+#[rustfmt::skip]
+static GAIN: [u8; BARS] = indices_of(
+    b"cccccc cccccc cccccccc cccccccc cccccc cccccc cccccc cccccc cccccc", DIGITS);
 
 /// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
 /// [`Notes`](super::instruments::Notes) defines; 0 starts none.
@@ -51,132 +108,227 @@ struct Part {
 
 const STEPS: usize = STEPS_PER_BAR as usize;
 
+/// In the order of [`Track`].
 #[rustfmt::skip]
 static PARTS: [Part; TRACKS] = [
     // Kick.
     Part {
-        bars: bars(b"...... aaaaab aaaaaaab ........ cccccb aaaaab dddd.. aaaaab ......"),
+        bars: bars(b"...... ababdc ........ ........ defefc hihijk lllllm efefgc ......"),
         patterns: &[
-            pattern(b"f... f... f... f..."),
+            pattern(b"f... .... f... ...."),
+            pattern(b"f... .... f... f..."),
             pattern(b"f... f... f... ...."),
-            pattern(b"f... f... f.c. f..c"),
-            pattern(b"7... .... 7... ...."),
+            pattern(b"f... f... f... f..."),
+            pattern(b"f... f... f... f.c."),
+            pattern(b"f... f... f.c. f..."),
+            pattern(b"f.c. f.c. f.c. f.c."),
+            pattern(b"f... .... ..d. ...."),
+            pattern(b"f... ..d. ..d. ...."),
+            pattern(b"f..d .... ..f. ..d."),
+            pattern(b"f..d ..f. .... ...."),
+            pattern(b"f... ..f. .... f..."),
+            pattern(b"f... ..f. .... ...."),
         ],
     },
     // Clap.
     Part {
-        bars: bars(b"...... ..aaab aaaaaaab .......c aaaaab aaaaab .....c aaaaab ......"),
+        bars: bars(b"...... ...... ........ ........ .aabac cdcdbe .....b aabadb ......"),
         patterns: &[
             pattern(b".... d... .... d..."),
-            pattern(b".... d..6 .... d9bf"),
-            pattern(b"4.4. 5.5. 6.7. 89bf"),
+            pattern(b".... d... .... d.9b"),
+            pattern(b".... .... d... ...."),
+            pattern(b".... ..7. d... .5.."),
+            pattern(b"4.4. 5.5. 6.7. ...."),
         ],
     },
     // Hat.
     Part {
-        bars: bars(b"...... ..aaaa aaaaaaaa ........ aaaaaa aaaaaa ....aa bbbbbb ......"),
-        patterns: &[pattern(b"7494 7494 7494 7496"), pattern(b"d9d9 d9d9 d9d9 d9df")],
+        bars: bars(b"...... aababc eeffgghh ........ .iiiii abaccc jjiijk iikikk ......"),
+        patterns: &[
+            pattern(b"..7. ..7. ..7. ..7."),
+            pattern(b"..7. ..74 ..7. .47."),
+            pattern(b"4.7. 4.7. 4.74 ...."),
+            pattern(b"7494 7494 7494 7496"),
+            pattern(b".... 5... .... 5..."),
+            pattern(b".... 5..3 .... 5..."),
+            pattern(b"..3. 5..3 ..3. 5..."),
+            pattern(b"..3. 5.33 .33. 5.33"),
+            pattern(b"7494 7494 7494 7496"),
+            pattern(b"9.47 ..94 7.9. 9.47"),
+            pattern(b"d9d9 d9d9 d9d9 d9df"),
+        ],
     },
     // Open hat.
     Part {
-        bars: bars(b"...... ....aa aaaaaaaa ........ ..aaaa ..aaaa ...... aaaaaa ......"),
-        patterns: &[pattern(b"..c. ..c. ..c. ..c.")],
+        bars: bars(b"...... ....aa ........ ........ ..aaba ...... ...... bababa ......"),
+        patterns: &[pattern(b"..c. ..c. ..c. ...."), pattern(b"..c. ..c. ..c. ..c.")],
+    },
+    // Tom.
+    Part {
+        bars: bars(b"...... ...... ........ ........ .....c ...... ababac ...... ......"),
+        patterns: &[
+            pattern(b"f... ..d. .... b..."),
+            pattern(b"f..6 ..d. .6.. b.87"),
+            pattern(b"f..8 ..d. 8.8. ...."),
+        ],
     },
     // Bass.
     Part {
-        bars: bars(b"...... aaaaaa bbbbbbbb dddddd.. cccccc bbbbbb dddd.. eeeeee ddd..."),
+        bars: bars(b"...... ababac eeeeeeee ........ cdcdce fgfgfe hihihi jjjjjj ......"),
         patterns: &[
+            pattern(b"1... ..1. ..5. 1..."),
+            pattern(b"1... 5.1. ..1. 5.2."),
             pattern(b"..1. ..1. ..1. ..1."),
-            pattern(b"..11 ..15 ..11 .151"),
-            pattern(b"1.11 .151 1.11 5151"),
-            pattern(b"1... ..1. .... 1..."),
+            pattern(b"..11 ..15 ..11 ..51"),
+            pattern(b"1... .... .... ...."),
+            pattern(b"1.1. ..1. ..5. ..1."),
+            pattern(b"1..1 ..1. 5..1 ..5."),
+            pattern(b"1.11 1.11 1.11 1.11"),
+            pattern(b"1.11 1.11 1.15 1.51"),
             pattern(b".111 .111 .111 .115"),
         ],
     },
+    // Sub.
+    Part {
+        bars: bars(b".abcd. ...... ........ ........ ...... ...... ...... ...... ......"),
+        patterns: &[
+            pattern(b"1... .... .... ...."),
+            pattern(b"2... .... .... ...."),
+            pattern(b"3... .... .... ...."),
+            pattern(b"8... .... .... ...."),
+        ],
+    },
+    // Vowel.
+    Part {
+        bars: bars(b"aaaaaa ...... ........ aaaaaaaa ...... ...... ...... ...... aaaaa."),
+        patterns: &[pattern(b"1... .... .... ....")],
+    },
     // Pads.
     Part {
-        bars: bars(b"aaaaaa aaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaaaa aaaaaa aaaa.."),
+        bars: bars(b"...... ...... ........ ........ aaaaaa aaaaaa aaaaaa aaaaaa aaaaa."),
         patterns: &[pattern(b"1... .... .... ....")],
     },
     Part {
-        bars: bars(b"aaaaaa aaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaaaa aaaaaa aaaa.."),
+        bars: bars(b"...... ...... ........ ........ aaaaaa aaaaaa aaaaaa aaaaaa aaaaa."),
         patterns: &[pattern(b"4... .... .... ....")],
     },
     // Arpeggio.
     Part {
-        bars: bars(b"..aaaa aaaabb bbbbbbbb cccccccc ..bbbb bbbbbb ccccbb bbbbbb aaaa.."),
+        bars: bars(b"...... ...... ........ ........ ...... ...... ...... aababa ......"),
+        patterns: &[pattern(b"1351 3513 5135 7535"), pattern(b"1353 5753 1353 5795")],
+    },
+    // Strings.
+    Part {
+        bars: bars(b"...... ...... ........ abcdefgh ...... ...... ...... ...... abcdi."),
         patterns: &[
-            pattern(b"1.3. 2.4. 5.4. 3.2."),
-            pattern(b"1351 3513 5135 7535"),
-            pattern(b"1.2. 3.4. 5.6. 7.6."),
+            pattern(b"1... .... 2... ...."),
+            pattern(b"3... .... 4... ...."),
+            pattern(b"5... .... 6... ...."),
+            pattern(b"7... .... 8... ...."),
+            pattern(b"8... .... 7... ...."),
+            pattern(b"6... .... 5... ...."),
+            pattern(b"4... .... 3... ...."),
+            pattern(b"2... .... 1... ...."),
+            pattern(b"8... .... .... ...."),
         ],
     },
-    // Melody.
+    // Lead.
     Part {
-        bars: bars(b"...... ...... ghijghij abcdef.. ...... ghij.. ...... abcdef e....."),
+        bars: bars(b"...... ...... ........ ........ ...... ...... ...... ababcd ......"),
         patterns: &[
-            pattern(b"5... ..4. 3... 1..."),
-            pattern(b"2... ..3. 4... 7..."),
-            pattern(b"7... ..5. 2... 4..."),
-            pattern(b"3... .... 5... 8..."),
-            pattern(b"8... ..7. 5... 3..."),
-            pattern(b"4... ..5. 7... 9..."),
-            pattern(b"3..4 ..5. .... ...."),
-            pattern(b"5..4 ..3. .... ...."),
-            pattern(b"3..4 ..5. ..7. ...."),
-            pattern(b"4... .... .... ...."),
+            pattern(b"1... ..2. 3... ..4."),
+            pattern(b"5... ..6. 7... ..8."),
+            pattern(b"1.2. 3.4. 5.6. 7.8."),
+            pattern(b"1... 2... 3... ...."),
         ],
     },
-    // Bell.
+    // Chime.
     Part {
-        bars: bars(b"aaaaaa ...... ........ aaaaaaaa ...... ...... aaaaaa aaaaaa aaaa.."),
-        patterns: &[pattern(b"1... ..3. .... 5...")],
+        bars: bars(b"c.c.c. ...... ........ ........ ababab ...... ...... ...... defg.."),
+        patterns: &[
+            pattern(b"1... 2... 3... 4..."),
+            pattern(b"5... 6... 7... 8..."),
+            pattern(b".... .... .... 1..."),
+            pattern(b"1... .... 2... ...."),
+            pattern(b"3... .... 4... ...."),
+            pattern(b"5... .... 6... ...."),
+            pattern(b"7... .... 8... ...."),
+        ],
     },
-    // Stabs.
+    // Marimba.
     Part {
-        bars: bars(b"...... ...... ........ ........ ...aaa ...... ...... aaaaaa ......"),
-        patterns: &[pattern(b"2..2 ..2. ..2. 2...")],
+        bars: bars(b"...... a.a.a. ........ ........ ...... ....a. ...... ...... .....b"),
+        patterns: &[pattern(b"1.2. 3.4. 5.6. 7.8."), pattern(b".... .... .... 8...")],
     },
-    // Swells, which grow for two bars up to a cut.
+    // Square.
+    Part {
+        bars: bars(b"...... ...... abcdefgh ........ ...... ...... ...... ...... .....i"),
+        patterns: &[
+            pattern(b"1... .... .... ...."),
+            pattern(b"1.2. .... .... ...."),
+            pattern(b"1.2. 3... .... ...."),
+            pattern(b"1.2. 3.4. .... ...."),
+            pattern(b"1.2. 3.4. 5... ...."),
+            pattern(b"1.2. 3.4. 5.6. ...."),
+            pattern(b"1.2. 3.4. 5.6. 7..."),
+            pattern(b"1.2. 3.4. 5.6. 7.8."),
+            pattern(b".... 1234 5678 ...."),
+        ],
+    },
+    // Pop.
+    Part {
+        bars: bars(b"...... ...... ........ ........ ...... abcdef ...... ...... ......"),
+        patterns: &[
+            pattern(b"1... .... .... ...."),
+            pattern(b"1... .... 2... ...."),
+            pattern(b"1... 2... 3... 4..."),
+            pattern(b"1.2. 3.4. 5.6. 7.8."),
+            pattern(b".... .... 1.2. 3.4."),
+            pattern(b"5.6. 7.8. .... ...."),
+        ],
+    },
+    // Riser.
     Part {
         bars: bars(b"....a. ....a. ......a. ......a. ....a. ....a. ....a. ....a. ......"),
         patterns: &[pattern(b"f... .... .... ....")],
     },
     // Boom.
     Part {
-        bars: bars(b"a.a.a. a..... a....... a....... a..... aaaa.. a..... a..... a..a.."),
+        bars: bars(b"a.a.a. a..... a....... a....... a..... a..... a..... aaaa.. a..... "),
         patterns: &[pattern(b"f... .... .... ....")],
-    },
-    // Squares, halved where a scene begins, and doubled where it ends: an octave for each step.
-    Part {
-        bars: bars(b".....b a....b a......b a......b a....b a....b a....b a....b a....."),
-        patterns: &[
-            pattern(b"1.5. 9.d. .... ...."),
-            pattern(b".... .... .... d951"),
-        ],
     },
 ];
 
 const DIGITS: &[u8] = b"0123456789abcdef";
 
-/// Returns a track's digit; 0 after the song's end.
-pub(super) fn step(track: usize, step: u32) -> u8 {
+/// Returns a track's digit at a sixteenth of the song: the loudness of a drum, 1 to 15, or a note, such as one of the [`THEME`], 1 to 8;
+/// 0 if none starts.
+pub(super) fn digit(track: usize, step: u32) -> u8 {
     let part = &PARTS[track];
     match part.bars.get((step / STEPS_PER_BAR) as usize) {
         None | Some(0) => 0,
         Some(number) => part.patterns[usize::from(*number) - 1][(step % STEPS_PER_BAR) as usize],
     }
 }
-
-/// Returns a bar's brightness, 0 to 1, and its chord's notes.
-pub(super) fn mood(bar: u32) -> (f32, [u8; 4]) {
-    let bar = bar as usize;
-    let chord = CHORDS[usize::from(HARMONY[bar])];
-    (f32::from(LIGHT[bar]) / 15.0, chord)
+/// Returns a bar's brightness, 0 to 1, and its amplification in dB.
+pub(super) fn mood(bar: u32) -> (f32, f32) {
+    (f32::from(LIGHT[bar as usize]) / 15.0, f32::from(GAIN[bar as usize]))
 }
 
-pub(super) fn scale(digit: u8) -> u8 {
-    SCALE[usize::from(digit)]
+/// Returns the notes of a bar's chord.
+pub(super) fn chord(bar: u32) -> [u8; 4] {
+    CHORDS[usize::from(HARMONY[bar as usize])]
+}
+
+/// Whether a bar is the last before a cut.
+pub(super) fn is_last(bar: u32) -> bool {
+    LAST[bar as usize]
+}
+
+/// Returns the MIDI note of a digit of the theme in a bar.
+pub(super) fn theme(digit: u8, bar: u32) -> u8 {
+    let i = usize::from(digit) - 1;
+    THEME[i] + if bar >= MAJOR { RAISED[i] } else { 0 }
 }
 
 const fn index_of(letter: u8, among: &[u8]) -> u8 {
@@ -204,6 +356,19 @@ const fn letters(text: &[u8]) -> usize {
         i += 1;
     }
     count
+}
+
+/// Marks the last letter of each word.
+const fn ends<const N: usize>(text: &[u8]) -> [bool; N] {
+    let (mut ends, mut i, mut count) = ([false; N], 0, 0);
+    while i < text.len() {
+        if text[i] != b' ' {
+            ends[count] = i + 1 == text.len() || text[i + 1] == b' ';
+            count += 1;
+        }
+        i += 1;
+    }
+    ends
 }
 
 const fn indices_of<const N: usize>(text: &[u8], among: &[u8]) -> [u8; N] {

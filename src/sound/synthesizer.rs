@@ -1,7 +1,8 @@
 use super::instruments::INSTRUMENTS;
+use super::song::{self, Track};
 use super::space::Space;
 use super::voice::{Mix, Mood, Voice};
-use super::{CHUNK, SONG_LENGTH, STEP, STEPS_PER_BAR, song};
+use super::{CHUNK, SONG_LENGTH, STEP, STEPS_PER_BAR};
 use glam::{Vec4, Vec4Swizzles};
 
 /// The delay of every other sixteenth, in chunks: a slight swing.
@@ -10,12 +11,25 @@ const SWING: u32 = 8;
 /// The fraction of the difference to the bar's brightness that each chunk adds: 63 % in a second.
 const BRIGHTENING: f32 = 0.001;
 
+/// The fraction of the difference to the bar's amplification that each chunk adds: 63 % in 20 ms.
+const SWELLING: f32 = 0.05;
+
+/// The end of the last note, in samples: 60 ms after its start, a beat before the end.
+const END: u32 = SONG_LENGTH - 4 * STEP + 60 * CHUNK as u32;
+
+/// The factor on all sound in each chunk after [`END`]: it falls by 52 dB in 0.4 s.
+const ENDING: f32 = 0.985;
+
 /// The maximum sample: -1.3 dB of full scale.
 const CEILING: f32 = 0.86;
 
 /// A synthesizer of the song, with 1 MB of memory, initially zero.
 pub struct Synthesizer {
     mood: Mood,
+    /// The factor on all sound.
+    gain: f32,
+    /// The last sample's noise.
+    noise: Vec4,
     /// A running mean, subtracted to remove the DC offset.
     mean: Vec4,
     /// Of the next chunk, in samples.
@@ -37,7 +51,9 @@ impl Synthesizer {
     pub const fn new() -> Self {
         Self {
             voices: [Voice::ZERO; _],
-            mood: Mood { kick: Vec4::ZERO, next_kick: Vec4::ZERO, light: Vec4::ZERO },
+            mood: Mood { kick: Vec4::ZERO, next_kick: Vec4::ZERO, light: Vec4::ZERO, rest: false },
+            gain: 0.0,
+            noise: Vec4::ZERO,
             mixes: [Mix::SILENCE; CHUNK],
             space: Space::ZERO,
             mean: Vec4::ZERO,
@@ -83,12 +99,13 @@ impl Synthesizer {
             let heard = self.space.play(self.position as usize, mix);
             self.position += 1;
             *mix = Mix::SILENCE;
-            for noise in &mut mix.noise {
-                *noise = random(&mut self.seed);
-            }
+            let noise = Vec4::from_array([0; 4].map(|_| random(&mut self.seed)));
+            // A mean of two, without the highest treble.
+            mix.noise = noise + self.noise;
+            self.noise = noise;
             self.mean += (heard - self.mean) * 0.001;
             let heard = heard - self.mean;
-            *sample = limit(heard + heard.zwxy());
+            *sample = limit((heard + heard.zwxy()) * self.gain);
         }
         &self.chunk
     }
@@ -98,16 +115,24 @@ impl Synthesizer {
         /// The factor on the kick's level in each chunk: it halves in 50 ms.
         const FADE: f32 = 0.986;
         let mood = &mut self.mood;
-        let (light, chord) = song::mood(self.position / (STEP * STEPS_PER_BAR));
+        const BAR: u32 = STEP * STEPS_PER_BAR;
+        let bar = self.position / BAR;
+        let (light, gain) = song::mood(bar);
         mood.light += (light - mood.light) * BRIGHTENING;
+        self.gain += (libm::exp2f((gain - 12.0) / 6.0) - self.gain) * SWELLING;
+        mood.rest = song::is_last(bar) && self.position % BAR >= BAR - 2 * STEP;
+        if self.position > END {
+            mood.rest = true;
+            self.gain *= ENDING;
+        }
         mood.kick = mood.next_kick;
         mood.next_kick *= FADE;
         if self.wait == 0 {
             for (track, voice) in self.voices.iter_mut().enumerate() {
-                let digit = song::step(track, self.step);
+                let digit = song::digit(track, self.step);
                 if digit > 0 {
-                    voice.start(&INSTRUMENTS[track], digit, chord);
-                    if track == song::KICK {
+                    voice.start(&INSTRUMENTS[track], digit, bar);
+                    if track == Track::Kick as usize {
                         mood.next_kick = Vec4::ONE;
                     }
                 }

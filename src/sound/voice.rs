@@ -3,7 +3,7 @@
 use super::instruments::{Instrument, LOUDNESS, Notes};
 use super::{CHUNK, song};
 use eightfold_tracer::maths::ROUND_TO_INTEGER;
-use glam::{Vec4, vec4};
+use glam::{Vec4, Vec4Swizzles, vec4};
 
 /// The sum of all voices for one sample. Lanes 0 and 2 are left, 1 and 3 right.
 #[derive(Clone, Copy)]
@@ -13,12 +13,12 @@ pub(super) struct Mix {
     /// The reverberation's input.
     pub room: Vec4,
     /// Noise from -1 to 1, the same for all voices.
-    pub noise: [f32; 4],
+    pub noise: Vec4,
 }
 
 impl Mix {
     pub const SILENCE: Mix =
-        Mix { dry: Vec4::ZERO, echo: Vec4::ZERO, room: Vec4::ZERO, noise: [0.0; 4] };
+        Mix { dry: Vec4::ZERO, echo: Vec4::ZERO, room: Vec4::ZERO, noise: Vec4::ZERO };
 }
 
 /// Common settings of all voices in a chunk. All four lanes are equal.
@@ -28,6 +28,8 @@ pub(super) struct Mood {
     pub next_kick: Vec4,
     /// The brightness, 0 to 1.
     pub light: Vec4,
+    /// Whether all voices rest, before a cut.
+    pub rest: bool,
 }
 
 /// The state of an instrument's four oscillators, one in each lane; zero before the first note.
@@ -70,27 +72,30 @@ impl Voice {
         age: 0.0,
     };
 
-    /// Starts the note of a pattern's digit, 1 to 15, in a bar with this chord.
-    pub fn start(&mut self, instrument: &Instrument, digit: u8, chord: [u8; 4]) {
+    /// Starts the note of a pattern's digit, 1 to 15, in a bar.
+    pub fn start(&mut self, instrument: &Instrument, digit: u8, bar: u32) {
+        let chord = song::chord(bar);
         let tone = |number: u8| chord[usize::from(number % 4)] + number / 4 * 12;
         let first = digit - 1;
+        let mut peak = 1.0;
+        let mut drum = |note| {
+            peak = f32::from(digit) / 15.0;
+            // So that every hit sounds the same.
+            self.phase = Vec4::ZERO;
+            [note; 4]
+        };
         let notes = match instrument.notes {
-            Notes::Drum(note) => [note; 4],
-            Notes::Scale => [song::scale(digit); 4],
+            Notes::Drum(note) => drum(note),
+            Notes::Root => drum(chord[0]),
+            Notes::Theme(down) => [song::theme(digit, bar) - down; 4],
             Notes::Tone(up) => [tone(first) + up; 4],
             Notes::Chord(up) => [0, 1, 2, 3].map(|i| tone(first + i) + up),
         };
         let pitch = notes.map(|note| {
             libm::exp2f((f32::from(note) - 69.0) / 12.0) * (440.0 / super::RATE as f32)
         });
-        let pitch = Vec4::from_array(pitch);
+        let pitch = Vec4::from_array(pitch) * instrument.partials;
         self.target = pitch + pitch * DETUNES * instrument.detune;
-        let mut peak = 1.0;
-        if let Notes::Drum(_) = instrument.notes {
-            peak = f32::from(digit) / 15.0;
-            // So that every hit sounds the same.
-            self.phase = Vec4::ZERO;
-        }
         self.peak = Vec4::splat(peak);
         self.sweep = Vec4::ONE;
         self.age = 0.0;
@@ -103,11 +108,12 @@ impl Voice {
         self.age += 1.0;
         let (peak, rate) = if self.age * instrument.attack < ATTACK {
             (self.peak, instrument.attack)
-        } else if self.age < instrument.gate * BEAT {
+        } else if self.age < instrument.gate * BEAT && !mood.rest {
             (Vec4::ZERO, instrument.decay)
         } else {
             (Vec4::ZERO, instrument.release)
         };
+        let rate = instrument.partials * rate;
         if self.level.x + peak.x < SILENCE {
             return;
         }
@@ -125,8 +131,9 @@ impl Voice {
             let shift = sine(voice.modulator) * instrument.index * voice.sweep;
             let sound = saw(voice.phase, turn) * instrument.saw
                 + sine(wrap(voice.phase + shift)) * instrument.sine
-                + Vec4::from_array(mix.noise) * instrument.noise;
+                + mix.noise * instrument.noise;
             let sound = filter.pass(instrument, sound * LOUDNESS, &mut voice) * voice.level * duck;
+            let sound = sound + sound.yxwz() * instrument.centre;
             duck -= duck_slope;
             mix.dry += sound;
             mix.echo += sound * instrument.echo;
@@ -168,8 +175,9 @@ impl Filter {
     #[inline(always)]
     fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
         let end = instrument.cutoff_end;
-        let angle =
-            (end + (instrument.cutoff_start - end) * sweep) * (light * instrument.light + 1.0);
+        let angle = (end + (instrument.cutoff_start - end) * sweep)
+            * (light * instrument.light + 1.0)
+            * instrument.formants;
         // The cutoff is at most 15 kHz. The tangent is accurate to 4 %.
         let x = angle.min(Vec4::ONE);
         let g = x / (1.0 + x * x * (-1.0 / 3.0));

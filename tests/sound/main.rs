@@ -1,3 +1,4 @@
+mod cues;
 mod levels;
 mod onsets;
 mod sameness;

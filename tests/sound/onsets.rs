@@ -38,22 +38,3 @@ fn kicks_are_heard_within_10_ms_of_their_beats() {
     }
     assert!(kicks > 100, "{kicks} kicks");
 }
-
-#[test]
-fn pulse_counts_bars_and_beats() {
-    for (time, bar, beat) in [(0.0, 0, 0.0), (1.75, 0, 3.5), (95.5, 47, 3.0)] {
-        let pulse = pulse(time);
-        assert_eq!((pulse.bar, pulse.beat), (bar, beat), "{time} s");
-    }
-}
-
-#[test]
-fn pulse_of_a_kick_fades_until_the_next() {
-    let start = grid::BAR * show::cut("model") as f32;
-    let kicks = (0..30).map(|i| pulse(start + grid::BEAT * i as f32 / 30.0).kick);
-    let kicks: Vec<f32> = kicks.collect();
-    assert_eq!(kicks[0], 1.0);
-    assert!(kicks.is_sorted_by(|now, next| next < now), "{kicks:?}");
-    assert!(kicks[29] < 0.03, "{kicks:?}");
-    assert_eq!(pulse(grid::BAR * show::cut("colonnade") as f32).kick, 0.0);
-}

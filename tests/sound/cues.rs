@@ -1,0 +1,93 @@
+//! The notes that the picture follows.
+
+use eightfold::show::{self, grid};
+use eightfold::sound::{Cue, Track, cue, pulse};
+
+/// Returns the beats since the start of a bar at which a track's notes start, and their digits, in some bars.
+fn notes(track: Track, bar: u32, bars: u32) -> Vec<(f32, u8)> {
+    let end = (bars * grid::BEATS_PER_BAR) as f32;
+    let (mut notes, mut now) = (Vec::new(), cue(track, bar, 0.0));
+    loop {
+        let at = if now.count > 0 { 0.0 } else { now.until };
+        let last = notes.last().map_or(at, |&(beat, _)| beat + now.until);
+        if last >= end {
+            return notes;
+        }
+        now = cue(track, bar, last);
+        assert_eq!((now.count as usize, now.since), (notes.len() + 1, 0.0));
+        notes.push((last, now.digit));
+    }
+}
+
+fn theme(from: f32, spacing: f32, count: u8) -> Vec<(f32, u8)> {
+    (0..count).map(|i| (from + spacing * f32::from(i), i % 8 + 1)).collect()
+}
+
+#[test]
+fn chimes_are_struck_24_times_on_crotchets() {
+    assert_eq!(notes(Track::Chime, 28, 6), theme(0.0, 1.0, 24));
+    let after = cue(Track::Chime, 28, 8.25);
+    assert_eq!(after, Cue { count: 9, digit: 1, since: 0.25, until: 0.75 });
+}
+
+#[test]
+fn method_has_a_note_more_in_each_bar() {
+    for bar in 0..8 {
+        assert_eq!(notes(Track::Square, 12 + bar, 1), theme(0.0, 0.5, bar as u8 + 1));
+    }
+}
+
+#[test]
+fn bubbles_double_in_each_bar_and_pop_on_quavers() {
+    for (bar, spacing) in [4.0, 2.0, 1.0, 0.5].into_iter().enumerate() {
+        assert_eq!(notes(Track::Pop, 34 + bar as u32, 1), theme(0.0, spacing, 1 << bar));
+    }
+    assert_eq!(notes(Track::Pop, 38, 2), theme(2.0, 0.5, 8));
+    assert_eq!(notes(Track::Marimba, 38, 2), theme(0.0, 0.5, 8));
+}
+
+#[test]
+fn finale_ends_on_sixteenths_and_a_last_note() {
+    let mut minims = theme(0.0, 2.0, 8);
+    minims.push((16.0, 8));
+    assert_eq!(notes(Track::Strings, 52, 6), minims);
+    assert_eq!(notes(Track::Square, 52, 6), theme(21.0, 0.25, 8));
+    assert_eq!(notes(Track::Marimba, 52, 6), [(23.0, 8)]);
+    assert_eq!(cue(Track::Marimba, 52, 23.0).until, f32::INFINITY);
+}
+
+/// Three, three and two quavers; the last bar ends before the cut.
+#[test]
+fn sun_moves_17_times() {
+    let moves: Vec<f32> = notes(Track::Kick, 40, 6).iter().map(|&(beat, _)| beat).collect();
+    let expected = (0..6).flat_map(|bar| [0.0, 1.5, 3.0].map(|beat| 4.0 * bar as f32 + beat));
+    assert!(expected.take(17).eq(moves));
+}
+
+/// Risers and drums leave the last beat to the echoes.
+#[test]
+fn kick_rests_before_every_cut() {
+    for end in show::CUTS[1..].iter().chain([&show::BARS]) {
+        let last = notes(Track::Kick, end - 1, 1);
+        assert!(last.iter().all(|&(beat, _)| beat < 3.0), "bar {end}: {last:?}");
+    }
+}
+
+#[test]
+fn pulse_counts_bars_and_beats() {
+    for (time, bar, beat) in [(0.0, 0, 0.0), (1.75, 0, 3.5), (95.5, 47, 3.0)] {
+        let pulse = pulse(time);
+        assert_eq!((pulse.bar, pulse.beat), (bar, beat), "{time} s");
+    }
+}
+
+#[test]
+fn pulse_of_a_kick_fades_until_the_next() {
+    let start = grid::BAR * 28.0;
+    let kicks = (0..30).map(|i| pulse(start + grid::BEAT * i as f32 / 30.0).kick);
+    let kicks: Vec<f32> = kicks.collect();
+    assert_eq!(kicks[0], 1.0);
+    assert!(kicks.is_sorted_by(|now, next| next < now), "{kicks:?}");
+    assert!(kicks[29] < 0.03, "{kicks:?}");
+    assert_eq!(pulse(grid::BAR * 12.0).kick, 0.0);
+}
