@@ -1,7 +1,6 @@
 //! A field of small spheres, with the model scene's floor and lights, to measure how frame time grows with the number of objects.
 
-use super::model::{ORBIT_SPEED, model};
-use super::path::orbit;
+use super::model::{model, orbit};
 use eightfold_tracer::scene::{MAX_SPHERES, Material, Scene, Sphere};
 use glam::{Vec3, vec3};
 
@@ -35,7 +34,7 @@ pub fn field(count: usize, time: f32) -> Scene {
         let material = material(&mut random);
         scene.spheres.push(Sphere::new(centre, radius, material));
     }
-    scene.camera = orbit(vec3(0.0, 0.4, 0.0), ORBIT_SPEED * time, 11.0, 4.5);
+    scene.camera = orbit(time, 0.4, 11.0, 4.5);
     scene
 }
 

@@ -5,12 +5,11 @@
 mod captions;
 mod environment;
 mod field;
-mod material;
 mod model;
 mod path;
-mod props;
 mod scene;
 mod scenes;
+mod solids;
 mod timeline;
 
 #[doc(no_inline)]

@@ -1,78 +1,62 @@
 use eightfold_tracer::maths::{cos, sin};
-use eightfold_tracer::scene::{Camera, Method, Scene};
-use glam::{FloatExt, Vec3, Vec4, vec3, vec4};
+use eightfold_tracer::scene::{Camera, Scene};
+use glam::{Vec3, vec3};
 
-/// The camera, relative to its target, and the overlay at a time of a shot.
+/// The camera at a time of a shot.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Keyframe {
+pub(super) struct View {
     /// In scene units.
-    look_at: Vec3,
-    /// The angle about the y axis in radians, where 0 looks along z; the horizontal distance and the height in scene units; the
-    /// roll as the slope of the horizon, positive if lower on the left.
-    away: Vec4,
-    /// Points, squares, picture and coarseness of a [`Method`].
-    overlay: Vec4,
-    front: f32,
+    eye: Vec3,
+    /// The point behind the middle of the disc, see [`DISC`].
+    target: Vec3,
+    /// The x and z of the upward direction, whose y is 1.
+    tilt: [f32; 2],
 }
 
-pub(super) const fn keyframe(
-    look_at: [f32; 3],
-    angle: f32,
-    distance: f32,
-    height: f32,
-) -> Keyframe {
-    Keyframe {
-        look_at: Vec3::from_array(look_at),
-        away: vec4(angle, distance, height, 0.0),
-        overlay: Vec4::Z,
-        front: 0.0,
-    }
+/// The height of the disc's middle above the picture's, in half heights. All scenes begin and end with a disc at this place, so that
+/// a cut in coarse squares becomes a change of its colour.
+pub(super) const DISC: f32 = 0.08;
+
+pub(super) const fn view(eye: [f32; 3], target: [f32; 3]) -> View {
+    View { eye: Vec3::from_array(eye), target: Vec3::from_array(target), tilt: [0.0, 0.0] }
 }
 
-impl Keyframe {
-    pub const fn overlaid(self, points: f32, squares: f32, picture: f32, coarse: f32) -> Self {
-        Self { overlay: vec4(points, squares, picture, coarse), ..self }
-    }
-
-    pub const fn swept(self, front: f32) -> Self {
-        Self { front, ..self }
-    }
-
-    pub const fn rolled(self, roll: f32) -> Self {
-        let [angle, distance, height, _] = self.away.to_array();
-        Self { away: vec4(angle, distance, height, roll), ..self }
+impl View {
+    pub const fn tilted(self, x: f32, z: f32) -> Self {
+        Self { tilt: [x, z], ..self }
     }
 }
 
-/// Sets camera and overlay to a shot at `time`, 0 to 1 from its start to its end. `push` is the fraction by which the camera moves
-/// closer to its target.
+/// Sets the camera to a shot at `time`, 0 to 1 from its start to its end.
 ///
-/// Keyframes are evenly spaced in time, on a Catmull-Rom spline with continuous speed. The first and last keyframes count twice:
-/// the camera starts and arrives at about half of its speed, and does not stand still at a cut. Overlay and front change linearly.
-pub(super) fn move_camera(keyframes: &[Keyframe], time: f32, push: f32, scene: &mut Scene) {
-    let last = keyframes.len() - 1;
+/// Views are evenly spaced in time, on a Catmull-Rom spline with continuous speed. The first and last view count twice: the camera
+/// starts and arrives at about half of its speed, and does not stand still at a cut.
+pub(super) fn move_camera(views: &[View], time: f32, field_of_view: f32, scene: &mut Scene) {
+    let last = views.len() - 1;
     let time = time * last as f32;
     let from = (time as usize).min(last - 1);
-    let u = time - from as f32;
-    let four = [from.saturating_sub(1), from, from + 1, (from + 2).min(last)];
-    let [a, b, c, d] = four.map(|number| &keyframes[number]);
-    let [wa, wb, wc, wd] = catmull_rom(u);
-    let look_at = a.look_at * wa + b.look_at * wb + c.look_at * wc + d.look_at * wd;
-    let away = a.away * wa + b.away * wb + c.away * wc + d.away * wd;
-    scene.camera = orbit(look_at, away.x, away.y * (1.0 - push), away.z);
-    scene.camera.up += vec3(cos(away.x), 0.0, sin(away.x)) * away.w;
-    let overlay = b.overlay.lerp(c.overlay, u);
-    scene.method = Method {
-        points: overlay.x,
-        squares: overlay.y,
-        picture: overlay.z,
-        coarse: overlay.w,
-        front: b.front.lerp(c.front, u),
-    };
+    let weights = catmull_rom(time - from as f32);
+    let [mut eye, mut target, mut up] = [Vec3::ZERO, Vec3::ZERO, Vec3::Y];
+    for (number, weight) in
+        [from.saturating_sub(1), from, from + 1, (from + 2).min(last)].into_iter().zip(weights)
+    {
+        let View { eye: of, target: to, tilt: [x, z] } = views[number];
+        eye += of * weight;
+        target += to * weight;
+        up += vec3(x, 0.0, z) * weight;
+    }
+    let ahead = target - eye;
+    let right = ahead.cross(up);
+    // The length of `ahead.cross(right)` is the product of theirs, since they are perpendicular.
+    let half_height = sin(0.5 * field_of_view) / cos(0.5 * field_of_view);
+    let down = ahead.cross(right) * (DISC * half_height / right.length());
+    scene.camera = Camera { up, ..Camera::new(eye, target + down, field_of_view) };
+    // Everything that 4:3 shows is in narrower pictures, too.
+    scene.camera.min_aspect = 4.0 / 3.0;
 }
 
-/// Returns the weights of four consecutive keyframes of the uniform Catmull-Rom spline at `u`, 0 to 1 between the second and the
-/// third. The cubic passes through these two; its slope at each is half the difference of its neighbours.
+/// Returns the weights of four consecutive views of the uniform Catmull-Rom spline at `u`, 0 to 1 between the second and the third.
+/// The cubic passes through these two; its slope at each is half the difference of its neighbours.
 fn catmull_rom(u: f32) -> [f32; 4] {
     [
         ((2.0 - u) * u - 1.0) * u * 0.5,
@@ -82,55 +66,41 @@ fn catmull_rom(u: f32) -> [f32; 4] {
     ]
 }
 
-/// Returns a camera with a [`Keyframe`]'s angle, distance and height.
-pub(super) fn orbit(look_at: Vec3, angle: f32, distance: f32, height: f32) -> Camera {
-    let away = vec3(distance * sin(angle), height, -distance * cos(angle));
-    Camera::new(look_at + away, look_at, core::f32::consts::FRAC_PI_4)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Keyframe, catmull_rom, keyframe, move_camera, orbit};
-    use eightfold_tracer::scene::{Camera, Method, Scene};
+    use super::{DISC, View, catmull_rom, move_camera, view};
+    use eightfold_tracer::scene::Scene;
+    use glam::Vec3;
     use proptest::array::uniform5;
     use proptest::prelude::*;
 
-    fn keyframes() -> impl Strategy<Value = [Keyframe; 5]> {
+    const FIELD_OF_VIEW: f32 = 0.6;
+
+    fn views() -> impl Strategy<Value = [View; 5]> {
         let coordinate = || -5.0_f32..5.0;
-        let target = (coordinate(), coordinate(), coordinate(), -3.0_f32..3.0);
-        let any = (target, 1.0_f32..20.0, 0.0_f32..5.0, -0.2_f32..0.2);
-        let any = any.prop_map(|((x, y, z, angle), distance, height, roll)| {
-            keyframe([x, y, z], angle, distance, height).rolled(roll).overlaid(
-                roll.abs(),
-                0.5,
-                1.0,
-                0.0,
-            )
+        let any = (coordinate(), coordinate(), coordinate(), 6.0_f32..20.0, -0.2_f32..0.2);
+        let any = any.prop_map(|(x, y, z, away, tilt)| {
+            view([x, y + 1.0, z + away], [x, y, z]).tilted(tilt, 0.0)
         });
         uniform5(any)
     }
 
-    fn at(keyframes: &[Keyframe], time: f32) -> (Camera, Method) {
-        let mut scene = Scene::default();
-        move_camera(keyframes, time, 0.0, &mut scene);
-        (scene.camera, scene.method)
-    }
-
     proptest! {
         #[test]
-        fn camera_passes_through_keyframes(keyframes in keyframes(), count in 2_usize..6) {
-            let keyframes = &keyframes[..count];
-            for (number, keyframe) in keyframes.iter().enumerate() {
-                let (camera, method) = at(keyframes, number as f32 / (keyframes.len() - 1) as f32);
-                let wanted = orbit(keyframe.look_at, keyframe.away.x, keyframe.away.y, keyframe.away.z);
-                prop_assert!(camera.eye.abs_diff_eq(wanted.eye, 1e-3));
-                prop_assert!(camera.look_at.abs_diff_eq(wanted.look_at, 1e-3));
-                prop_assert!((method.points - keyframe.away.w.abs()).abs() < 1e-3);
-                // The picture's right has the slope of the roll.
-                let forward = (camera.look_at - camera.eye).with_y(0.0);
-                let right = forward.cross(camera.up).normalize();
-                let slope = right.y / right.with_y(0.0).length();
-                prop_assert!((slope.abs() - keyframe.away.w.abs()).abs() < 1e-3);
+        fn camera_passes_through_views(views in views(), count in 2_usize..6) {
+            let views = &views[..count];
+            for (number, view) in views.iter().enumerate() {
+                let mut scene = Scene::default();
+                move_camera(views, number as f32 / (count - 1) as f32, FIELD_OF_VIEW, &mut scene);
+                prop_assert!(scene.camera.eye.abs_diff_eq(view.eye, 1e-3));
+                // The target is where the disc's middle is.
+                let raster = scene.camera.raster(1600, 900);
+                let middle = raster.corner + raster.dx * 799.5 + raster.dy * (449.5 - 450.0 * DISC);
+                let to_target = (view.target - view.eye).normalize();
+                prop_assert!(middle.normalize().abs_diff_eq(to_target, 1e-3));
+                // The horizon has the slope of the tilt.
+                let slope = raster.dx.y / raster.dx.with_y(0.0).length();
+                prop_assert!((slope.abs() - view.tilt[0].abs()).abs() < 5e-3);
             }
         }
     }
@@ -143,10 +113,19 @@ mod tests {
             core::array::from_fn::<f32, 4, _>(|i| (to[i] - from[i]) / STEP)
         };
         let (arriving, leaving) = (slope(1.0 - STEP), slope(0.0));
-        // When the camera passes the third keyframe, the first one drops out and a fifth comes in.
+        // When the camera passes the third view, the first one drops out and a fifth comes in.
         assert!(arriving[0].abs() < 0.01 && leaving[3].abs() < 0.01);
         for i in 1..4 {
-            assert!((arriving[i] - leaving[i - 1]).abs() < 0.01, "keyframe {i}");
+            assert!((arriving[i] - leaving[i - 1]).abs() < 0.01, "view {i}");
         }
+    }
+
+    #[test]
+    fn camera_from_above_has_its_own_up() {
+        let from_above = [view([0.0, 9.0, 0.0], [0.0, 0.0, 0.0]).tilted(0.0, -1.0); 2];
+        let mut scene = Scene::default();
+        move_camera(&from_above, 0.5, FIELD_OF_VIEW, &mut scene);
+        let raster = scene.camera.raster(160, 90);
+        assert!(raster.dx.normalize().abs_diff_eq(Vec3::X, 1e-3));
     }
 }

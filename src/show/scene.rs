@@ -1,6 +1,6 @@
 use super::captions::Cue;
 use super::environment::Environment;
-use super::path::Keyframe;
+use super::path::View;
 
 /// A scene of the show. ([`eightfold_tracer::scene::Scene`] is the content of one frame.)
 #[derive(Clone, Copy)]
@@ -10,19 +10,17 @@ pub(super) struct ShowScene {
     pub environment_since: u32,
     pub shots: &'static [Shot],
     pub captions: &'static [Cue],
-    /// See [`Camera::min_aspect`](eightfold_tracer::scene::Camera::min_aspect).
-    pub min_aspect: f32,
 }
 
 pub(super) struct Shot {
     pub bars: u8,
-    /// At least two keyframes, at equal intervals in time.
-    pub keyframes: &'static [Keyframe],
+    /// At least two views, at equal intervals in time.
+    pub views: &'static [View],
 }
 
 impl ShowScene {
     pub const fn new(environment: &'static Environment, shots: &'static [Shot]) -> ShowScene {
-        ShowScene { environment, environment_since: 0, shots, captions: &[], min_aspect: 0.0 }
+        ShowScene { environment, environment_since: 0, shots, captions: &[] }
     }
 
     pub const fn bars(&self) -> u32 {
@@ -35,6 +33,6 @@ impl ShowScene {
     }
 }
 
-pub(super) const fn shot(bars: u8, keyframes: &'static [Keyframe]) -> Shot {
-    Shot { bars, keyframes }
+pub(super) const fn shot(bars: u8, views: &'static [View]) -> Shot {
+    Shot { bars, views }
 }

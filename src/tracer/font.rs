@@ -14,7 +14,7 @@ static CAPITALS: [&str; 26] = [
     "cam gh", // F
     "cbdjnoih", // G
     "am co gi", // H
-    "ac mo bn", // I
+    "bn", // I
     "clnj", // J
     "am cgo", // K
     "amo", // L

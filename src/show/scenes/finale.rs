@@ -1,81 +1,84 @@
-//! Credits and greetings at dusk: a glass ball before the sun, on water with waves, with eight arms of spheres around it.
+//! The finale: the sun slips behind a glass ball and, with its reflection in the sea, becomes an 8.
 
 use crate::show::captions::Cue;
-use crate::show::environment::{Environment, FAR, SHOW, point};
-use crate::show::material;
-use crate::show::path::keyframe;
-use crate::show::props::{Prop, add_sphere, around, sphere};
+use crate::show::environment::{Environment, Now, point};
+use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use eightfold_tracer::scene::{Light, Material, Scene};
-use glam::{Vec3, vec3};
+use crate::show::solids::add_sphere;
+use eightfold_tracer::maths::{sin, smooth_step};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
+use glam::vec3;
 
 pub(in crate::show) const SCENE: ShowScene =
     ShowScene { captions: CAPTIONS, ..ShowScene::new(&ENVIRONMENT, SHOTS) };
 
+const SUN: [f32; 3] = [0.0, 36.0, -140.0];
+
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.98, 0.50, 0.22),
-    sky: vec3(-0.97, -0.44, 0.20),
-    ambient: vec3(0.12, 0.11, 0.16),
-    haze: 0.02,
-    film: SHOW,
-    floor: &material::WATER,
-    floor_half: FAR,
-    swell: 0.0125,
+    background: vec3(0.87, 0.207, 0.042),
+    sky: vec3(-0.82, -0.191, 0.057),
+    ambient: vec3(0.05, 0.04, 0.09),
+    ambience: Ambience::UNIFORM,
+    haze: 0.007,
+    vignette: 0.25,
+    floor: Some(&WATER),
+    swell: Waves { slope: 0.013, length: 6.0, phase: 0.1 },
     lights: &[
-        // The sun.
-        Light { drawn_radius: 5.0, glow: 7.0, ..point([4.0, 5.2, 70.0], [1.00, 0.72, 0.42]) },
-        Light { diameter: 1.0, ..point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72]) },
+        Light { drawn_radius: 21.0, glow: 11.0, ..point(SUN, [5.0, 2.9, 1.3]) },
+        point([0.0, 16.0, -30.0], [7.0, 3.6, 1.5]),
+        Light { diameter: 2.0, ..point([-12.0, 14.0, 16.0], [0.1, 0.075, 0.14]) },
     ],
-    kick_response: 0.0,
-    props: PROPS,
-    procedural: Some(add),
+    field_of_view: 0.75,
+    add,
 };
 
-static PROPS: &[Prop] = &[sphere(&material::GLASS, [0.0, 1.6, 0.0], 2.3)];
-
-#[rustfmt::skip]
-static SHOTS: &[Shot] = &[
-    shot(6, &[
-        keyframe([0.0, 1.9, 0.0], -0.08, 6.0, -0.4),
-        keyframe([0.0, 2.2, 0.0], -0.16, 7.5, 0.0),
-        keyframe([0.0, 2.4, 0.0], -0.24, 9.0, 0.9),
-        keyframe([0.0, 2.6, 0.0], -0.31, 10.5, 1.7),
-        keyframe([0.0, 2.6, 0.0], -0.36, 11.5, 2.4),
-    ]),
-];
+static SHOTS: &[Shot] = &[shot(
+    6,
+    &[
+        view([0.0, 1.7, 17.0], SUN),
+        view([-0.9, 1.6, 14.0], [0.0, 33.0, -140.0]),
+        view([-0.9, 1.5, 11.0], [0.0, 4.8, -10.0]),
+        view([0.0, 1.4, 9.4], [0.0, 1.9, 0.8]),
+        view([0.0, 1.4, 9.4], [0.0, 1.9, 0.8]),
+    ],
+)];
 
 #[rustfmt::skip]
 static CAPTIONS: &[Cue] = &[
-    Cue { first: 2.0, beats: 7.0, middle: 0.18, size: 0.090, text: "EIGHTFOLD" },
-    Cue { first: 9.0, beats: 7.0, middle: 0.07, size: 0.040, text: "GREETINGS TO" },
-    Cue { first: 10.0, beats: 6.0, middle: 0.14, size: 0.055, text: "HEAVEN SEVEN" },
-    Cue { first: 11.0, beats: 5.0, middle: 0.22, size: 0.055, text: "REALSTORM" },
-    Cue { first: 16.0, beats: 7.0, middle: 0.07, size: 0.040, text: "AND THE 2008 THESIS" },
-    Cue { first: 16.0, beats: 7.0, middle: 0.14, size: 0.040, text: "ON ADAPTIVE RAY TRACING" },
+    Cue { first: 3.0, beats: 6.0, middle: 0.93, size: 0.022, text: "GREETINGS TO HEAVEN SEVEN" },
+    Cue { first: 8.0, beats: 6.0, middle: 0.93, size: 0.022, text: "REALSTORM AND THE 2008 THESIS" },
 ];
 
-const ARMS: u8 = 8;
-const SPHERES: u8 = 12;
+static WATER: Material =
+    Material { kr: 0.35, fresnel: 0.9, ..Material::matt(vec3(0.0112, 0.0062, 0.063), 0.05) };
+static GLASS: Material = Material {
+    ks: 0.9,
+    exponent: 200.0,
+    kr: 0.04,
+    fresnel: 1.0,
+    kt: 0.96,
+    index: 1.5,
+    tint: vec3(0.8, 0.75, 0.8),
+    ..Material::BLACK
+};
+static PLUM: Material = Material {
+    ks: 0.25,
+    exponent: 10.0,
+    kr: 0.04,
+    fresnel: 0.6,
+    ..Material::matt(vec3(0.476, 0.125, 0.193), 0.95)
+};
 
-/// The colour of an arm's first sphere, and the change along the arm: from gold to violet.
-const GOLD: Vec3 = vec3(0.95, 0.66, 0.25);
-const TO_VIOLET: Vec3 = vec3(-0.60, -0.58, 0.30);
-
-fn add(beat: f32, scene: &mut Scene) {
-    for arm in 0..ARMS {
-        // Nearer spheres are strips at the ball's rim.
-        let mut out = 2.8;
-        for number in 0..SPHERES {
-            let number = f32::from(number);
-            let turns = f32::from(arm) / f32::from(ARMS) + 0.0185 * number + 0.006 * beat;
-            let radius = 0.05 * out;
-            let material = Material {
-                colour: GOLD + TO_VIOLET * (number / f32::from(SPHERES)),
-                ..material::SCARLET
-            };
-            let centre = around(turns) * out + Vec3::Y * (1.05 * radius);
-            add_sphere(centre, radius, &material, scene);
-            out *= 1.12;
+fn add(now: Now, scene: &mut Scene) {
+    // The sun sinks behind the ball until bar 4.
+    scene.lights[0].position.y -= 14.0 * smooth_step(now.beat / 16.0);
+    add_sphere(vec3(0.0, 1.9, 0.8), 1.9, &GLASS, scene);
+    for row in 0..4 {
+        let row = row as f32;
+        let float = 0.06 * sin(now.beat * 0.8 + row);
+        for side in [-1.0, 1.0] {
+            let centre = vec3((2.0 + 0.62 * row) * side, 0.4 + float, 0.8 + 1.3 * row);
+            add_sphere(centre, 0.4, &PLUM, scene);
         }
     }
 }

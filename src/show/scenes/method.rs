@@ -1,35 +1,62 @@
-//! Explains the method on the model scene.
+//! The method on the still life: traced points, filled squares, and the picture that they make.
 
-use super::model;
+use super::still_life::{self, PEARL_BALL};
 use crate::show::captions::Cue;
-use crate::show::path::keyframe;
+use crate::show::environment::{Environment, Now};
+use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
+use eightfold_tracer::scene::{Method, Scene};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene {
-    environment_since: model::SCENE.bars(),
+    environment_since: still_life::SCENE.bars(),
     captions: CAPTIONS,
-    ..ShowScene::new(&model::ENVIRONMENT, SHOTS)
+    ..ShowScene::new(&ENVIRONMENT, SHOTS)
 };
 
-#[rustfmt::skip]
-static SHOTS: &[Shot] = &[
-    shot(8, &[
-        keyframe([0.0, 0.9, 0.0], -1.0, 7.6, 1.8).overlaid(1.0, 0.0, 0.2, 0.0).swept(1.0),
-        keyframe([0.0, 0.9, 0.0], -0.7, 7.0, 1.8).overlaid(1.0, 0.0, 0.2, 0.0),
-        keyframe([0.0, 0.9, 0.0], -0.4, 6.6, 1.7).overlaid(0.7, 0.0, 0.2, 0.0),
-        keyframe([0.0, 0.9, 0.0], -0.1, 6.6, 1.5).overlaid(0.0, 0.2, 0.9, 15.9),
-        keyframe([0.0, 0.9, 0.0], 0.2, 6.5, 1.4).overlaid(0.0, 0.3, 0.9, 8.0),
-        keyframe([0.0, 0.9, 0.0], 0.5, 6.8, 1.1).overlaid(0.0, 0.3, 0.9, 2.0),
-        keyframe([0.0, 0.9, 0.0], 0.8, 7.0, 0.9).overlaid(0.8, 0.3, 0.3, 0.0),
-        keyframe([0.0, 0.9, 0.0], 1.0, 7.2, 0.8).overlaid(0.8, 0.3, 0.3, 0.0).swept(0.8),
-        keyframe([0.0, 0.9, 0.0], 1.2, 7.4, 0.7).overlaid(0.0, 0.0, 1.0, 0.0).swept(1.0),
-    ]),
-];
+static ENVIRONMENT: Environment = Environment { add, ..still_life::ENVIRONMENT };
+
+static SHOTS: &[Shot] = &[shot(
+    8,
+    &[
+        view([0.88, 0.68, 4.38], PEARL_BALL),
+        view([0.2, 0.9, 5.2], [0.9, 0.7, 0.7]),
+        view([-1.4, 1.3, 6.4], [0.5, 0.9, 0.2]),
+        view([-3.2, 1.7, 6.6], [0.2, 1.0, 0.0]),
+        view([-1.0, 1.6, 7.4], [0.4, 0.9, 0.2]),
+        view([1.8, 1.2, 6.4], [0.8, 0.7, 0.6]),
+        view([2.4, 0.9, 4.8], [1.1, 0.5, 0.9]),
+        view([1.22, 0.68, 4.42], PEARL_BALL),
+        view([1.22, 0.68, 4.42], PEARL_BALL),
+    ],
+)];
 
 #[rustfmt::skip]
 static CAPTIONS: &[Cue] = &[
-    Cue { first: 2.0, beats: 8.0, middle: 0.88, size: 0.045, text: "TRACE A POINT EVERY 8 PIXELS" },
-    Cue { first: 11.0, beats: 6.0, middle: 0.88, size: 0.045, text: "FILL WHERE CORNERS AGREE" },
-    Cue { first: 18.0, beats: 6.0, middle: 0.88, size: 0.045, text: "DIVIDE WHERE THEY DIFFER" },
-    Cue { first: 24.0, beats: 7.5, middle: 0.88, size: 0.045, text: "TRACED ####### OF $$$$$$$ PIXELS" },
+    Cue { first: 2.0, beats: 8.0, middle: 0.92, size: 0.024, text: "TRACE A POINT EVERY 8 PIXELS" },
+    Cue { first: 11.0, beats: 6.0, middle: 0.92, size: 0.024, text: "FILL WHERE CORNERS AGREE" },
+    Cue { first: 18.0, beats: 6.0, middle: 0.92, size: 0.024, text: "DIVIDE WHERE THEY DIFFER" },
+    Cue { first: 24.0, beats: 7.5, middle: 0.92, size: 0.024, text: "TRACED ####### OF $$$$$$$ PIXELS" },
 ];
+
+/// The overlay at the start of each bar: points, squares, picture, coarse, front.
+static OVERLAYS: [[f32; 5]; 9] = [
+    [1.0, 0.0, 0.2, 0.0, 1.0],
+    [1.0, 0.0, 0.2, 0.0, 0.0],
+    [0.7, 0.0, 0.2, 0.0, 0.0],
+    [0.0, 0.2, 0.9, 15.9, 0.0],
+    [0.0, 0.3, 0.9, 8.0, 0.0],
+    [0.0, 0.3, 0.9, 2.0, 0.0],
+    [0.8, 0.3, 0.3, 0.0, 0.0],
+    [0.8, 0.3, 0.3, 0.0, 0.8],
+    [0.0, 0.0, 1.0, 0.0, 1.0],
+];
+
+fn add(now: Now, scene: &mut Scene) {
+    still_life::add(now, scene);
+    let bar = now.beat * 0.25 - SCENE.environment_since as f32;
+    let from = (bar as usize).min(OVERLAYS.len() - 2);
+    let u = bar - from as f32;
+    let at = |i: usize| OVERLAYS[from][i] + (OVERLAYS[from + 1][i] - OVERLAYS[from][i]) * u;
+    let [points, squares, picture, coarse, front] = core::array::from_fn(at);
+    scene.method = Method { points, squares, picture, coarse, front };
+}

@@ -1,28 +1,28 @@
 //! The show's scenes, a file for each.
 
-mod colonnade;
+mod bubbles;
+mod chimes;
+mod city;
+mod eclipse;
 mod finale;
-mod flake;
-mod machine;
+mod kaleidoscope;
 mod method;
-mod mirrors;
-pub(super) mod model;
-mod swarm;
-mod title;
+mod planet;
+mod still_life;
 
 use super::scene::ShowScene;
 use crate::grid::BAR;
 use crate::sound;
 
 const SCENES: &[(&str, ShowScene)] = &[
-    ("title", title::SCENE),
-    ("model", model::SCENE),
+    ("eclipse", eclipse::SCENE),
+    ("still-life", still_life::SCENE),
     ("method", method::SCENE),
-    ("colonnade", colonnade::SCENE),
-    ("machine", machine::SCENE),
-    ("flake", flake::SCENE),
-    ("mirrors", mirrors::SCENE),
-    ("swarm", swarm::SCENE),
+    ("city", city::SCENE),
+    ("chimes", chimes::SCENE),
+    ("bubbles", bubbles::SCENE),
+    ("planet", planet::SCENE),
+    ("kaleidoscope", kaleidoscope::SCENE),
     ("finale", finale::SCENE),
 ];
 
@@ -39,7 +39,7 @@ pub const NAMES: [&str; SCENES.len()] = {
 
 /// The scenes without their names, for the intro.
 pub(super) static ALL: [ShowScene; SCENES.len()] = {
-    let mut all = [title::SCENE; SCENES.len()];
+    let mut all = [eclipse::SCENE; SCENES.len()];
     let mut i = 0;
     while i < all.len() {
         all[i] = SCENES[i].1;

@@ -1,0 +1,88 @@
+//! The bubbles: one divides into two, four and eight, a division a bar, until they burst.
+
+use crate::show::environment::{Environment, Now, point};
+use crate::show::path::view;
+use crate::show::scene::{Shot, ShowScene, shot};
+use crate::show::solids::add_sphere;
+use crate::sound::Track;
+use eightfold_tracer::maths::{sin, smooth_step};
+use eightfold_tracer::scene::{Ambience, Material, Scene, Waves};
+use glam::{Vec3, vec3};
+
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
+
+static ENVIRONMENT: Environment = Environment {
+    background: vec3(0.16, 0.035, 0.07),
+    sky: vec3(-0.12, -0.02, 0.02),
+    ambient: vec3(0.25, 0.27, 0.32),
+    ambience: Ambience::UNIFORM,
+    haze: 0.0,
+    vignette: 0.4,
+    floor: None,
+    swell: Waves::CALM,
+    lights: &[point([-10.0, 22.0, 4.0], [0.55, 0.5, 0.6])],
+    field_of_view: 0.6,
+    add,
+};
+
+static SHOTS: &[Shot] = &[
+    shot(
+        4,
+        &[
+            view([0.0, 0.0, 7.0], [0.0; 3]),
+            view([1.0, 0.4, 7.6], [0.0; 3]),
+            view([0.6, 0.2, 8.6], [0.0; 3]),
+        ],
+    ),
+    shot(
+        2,
+        &[
+            view([1.0, -0.3, 2.6], [0.5, 0.1, 0.0]),
+            view([0.5, 0.2, 3.6], [0.2, 0.0, 0.0]),
+            view([0.0, 0.0, 7.0], [0.0; 3]),
+        ],
+    ),
+];
+
+static FILM: Material = Material {
+    ks: 0.6,
+    exponent: 300.0,
+    kr: 0.05,
+    fresnel: 0.7,
+    kt: 0.97,
+    index: 1.0,
+    tint: vec3(0.95, 0.95, 0.95),
+    ..Material::matt(vec3(0.02, 0.02, 0.02), 0.02)
+};
+
+/// The bubbles' centres, at rest, and radii.
+static BUBBLES: [(Vec3, f32); 8] = [
+    (vec3(0.0, 0.0, 0.0), 0.78),
+    (vec3(1.9, -0.95, 0.5), 0.42),
+    (vec3(-2.5, 0.9, -0.6), 0.42),
+    (vec3(-1.4, -1.05, 1.0), 0.2),
+    (vec3(2.9, 1.1, -2.0), 0.34),
+    (vec3(1.3, 1.6, -4.0), 0.24),
+    (vec3(-4.5, -0.9, -3.0), 0.26),
+    (vec3(3.6, -0.4, -1.0), 0.2),
+];
+
+fn add(now: Now, scene: &mut Scene) {
+    let pop = now.cue(Track::Pop);
+    for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {
+        // Bubble 1 divides from bubble 0 in bar 1, 2 and 3 from them in bar 2, and so on, on a note each.
+        let bar = usize::BITS - number.leading_zeros();
+        let count = 1 << bar;
+        let parent = number.saturating_sub(count / 2);
+        let first = 4.0 * (bar as f32 + number as f32 / count as f32);
+        let grown = smooth_step((now.beat - first) * 1.2).max(if number == 0 { 1.0 } else { 0.0 });
+        // From beat 18 each note bursts one.
+        let is_burst = now.beat >= 18.0 && number + usize::from(pop.digit) >= BUBBLES.len();
+        if grown == 0.0 || is_burst {
+            continue;
+        }
+        let float = vec3(0.0, 0.07 * sin(now.beat * 0.7 + 2.0 * number as f32), 0.0);
+        let centre = BUBBLES[parent].0.lerp(centre, grown) + float * grown;
+        add_sphere(centre, radius * (0.2 + 0.8 * grown), &FILM, scene);
+    }
+}

@@ -1,0 +1,102 @@
+//! The chimes: a ball strikes a tune on a ring of eight brass pipes.
+
+use crate::show::environment::{Environment, Now, point};
+use crate::show::path::view;
+use crate::show::scene::{Shot, ShowScene, shot};
+use crate::show::solids::{add_block, add_sphere, around};
+use crate::sound::{THEME, Track};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Waves};
+use glam::{Mat3, Vec3, vec3};
+
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
+
+static ENVIRONMENT: Environment = Environment {
+    background: vec3(0.42, 0.62, 0.58),
+    sky: vec3(-0.24, -0.28, -0.20),
+    ambient: vec3(0.40, 0.40, 0.42),
+    ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.40, 0.31, 0.20), bounce: 0.9 },
+    haze: 0.02,
+    vignette: 0.12,
+    floor: Some(&PAPER),
+    swell: Waves::CALM,
+    lights: &[Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.90, 0.81, 0.68]) }],
+    field_of_view: 0.6,
+    add,
+};
+
+static SHOTS: &[Shot] = &[
+    shot(
+        4,
+        &[
+            view([-1.4, 3.7, 8.05], [-0.834, 2.77, 2.568]),
+            view([0.0, 3.9, 9.4], [0.5, 2.0, 0.8]),
+            view([3.0, 4.3, 9.4], [0.0, 1.9, 0.0]),
+            view([6.5, 5.2, 6.5], [0.0, 1.8, 0.0]),
+        ],
+    ),
+    shot(
+        2,
+        &[
+            view([-5.5, 8.0, 7.5], [-0.6, 2.4, 0.0]).tilted(0.0, -0.3),
+            view([-4.0, 8.6, 4.0], [-1.6, 3.2, 0.6]).tilted(0.0, -1.0),
+            view([-2.406, 7.1, 1.226], [-2.406, 3.62, 1.226]).tilted(0.0, -3.0),
+        ],
+    ),
+];
+
+static PAPER: Material = Material::matt(vec3(0.45, 0.66, 0.62), 0.8);
+static BRASS: Material = Material {
+    ks: 1.0,
+    exponent: 10.0,
+    metallic: 1.0,
+    anisotropy: 0.85,
+    ..Material::matt(vec3(0.69, 0.355, 0.084), 0.46)
+};
+static BORE: Material = Material::matt(vec3(0.12, 0.05, 0.012), 0.8);
+static BALL: Material = Material {
+    ks: 0.5,
+    exponent: 50.0,
+    kr: 0.02,
+    fresnel: 0.25,
+    ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85)
+};
+/// The light of a struck pipe's bore.
+const GLOW: Vec3 = vec3(5.0, 4.0, 2.4);
+
+const RADIUS: f32 = 0.52;
+const BALL_RADIUS: f32 = 0.62;
+/// The height of a hop above the line between two pipes.
+const HOP: f32 = 1.5;
+/// The depth to which a struck pipe sinks.
+const SINK: f32 = 0.25;
+
+/// Returns the middle of the upper end, at rest, of the pipe that sounds a note of the theme. Lower notes have longer pipes.
+fn top(note: usize) -> Vec3 {
+    let pitch = f32::from(THEME[note % 8]);
+    around(note as f32 * 0.125 + 0.95) * 2.7 + Vec3::Y * (18.11 - 0.21 * pitch)
+}
+
+fn add(now: Now, scene: &mut Scene) {
+    let chime = now.cue(Track::Chime);
+    let struck = usize::from(chime.digit) - 1;
+    // After the last landing the ball leaves, and the pipe glows on.
+    let is_last = chime.count == 24;
+    let u = chime.since;
+    let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 6.0 * u) };
+    for note in 0..8 {
+        let mut end = top(note);
+        let mut bore = BORE;
+        if note == struck {
+            end.y -= SINK * 4.0 * u * (1.0 - u) * glow;
+            bore.colour += GLOW * glow;
+        }
+        let half = vec3(RADIUS, 0.5 * end.y, RADIUS);
+        add_block(Shape::Cylinder, end - Vec3::Y * half.y, half, Mat3::IDENTITY, &BRASS, scene);
+        let half = vec3(0.4, 0.004, 0.4);
+        add_block(Shape::Cylinder, end, half, Mat3::IDENTITY, &bore, scene);
+    }
+    let from = top(struck);
+    let to = if is_last { from.with_y(1.0) * 3.0 } else { top(struck + 1) };
+    let up = BALL_RADIUS + 4.0 * HOP * u * (1.0 - u);
+    add_sphere(from.lerp(to, u) + Vec3::Y * up, BALL_RADIUS, &BALL, scene);
+}

@@ -1,0 +1,84 @@
+//! The eclipse: a moon covers the sun, and the name rises as a skyline on the limb of a dark world.
+
+use crate::show::environment::{Environment, Now, point};
+use crate::show::path::view;
+use crate::show::scene::{Shot, ShowScene, shot};
+use crate::show::solids::{Size, add_letter, add_sphere};
+use eightfold_tracer::maths::{cos, sin, smooth_step};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
+use glam::{Mat3, Vec3, vec3};
+
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
+
+static ENVIRONMENT: Environment = Environment {
+    background: vec3(0.0012, 0.0022, 0.0080),
+    sky: vec3(0.0, 0.0008, 0.0060),
+    ambient: vec3(0.0010, 0.0016, 0.0050),
+    ambience: Ambience::UNIFORM,
+    haze: 0.0,
+    vignette: 0.3,
+    floor: None,
+    swell: Waves::CALM,
+    lights: &[
+        // The sun.
+        Light { drawn_radius: 7.4, glow: 1.0, ..point([0.0, 0.0, -60.0], [22.0, 19.0, 16.0]) },
+        // Its halo.
+        Light { glow: 15.0, ..point([0.0, 0.0, -61.0], [0.012, 0.03, 0.10]) },
+        point([-6.0, 7.0, -3.0], [1.6, 1.4, 1.2]),
+        // The diamond of the ring.
+        Light { glow: 0.03, ..point([0.36, 0.36, 4.8], [0.0, 0.0, 0.0]) },
+    ],
+    field_of_view: 0.6,
+    add,
+};
+
+static SHOTS: &[Shot] = &[shot(
+    6,
+    &[
+        view([0.0, 0.0, 10.2], [0.0; 3]),
+        view([0.0, 0.0, 9.4], [0.0; 3]),
+        view([0.0, 0.0, 9.0], [0.0; 3]),
+    ],
+)];
+
+static MOON: Material = Material::matt(vec3(0.0112, 0.0199, 0.063), 0.0);
+static LIMB: Material = Material::matt(vec3(0.03, 0.025, 0.022), 0.3);
+static PEARL: Material = Material::matt(vec3(0.9, 0.85, 0.78), 0.95);
+
+const NAME: &[u8; 9] = b"EIGHTFOLD";
+const LETTER: Size = Size { step: 0.16, half_width: 0.05, half_depth: 0.09 };
+const ADVANCE: f32 = 0.56;
+
+/// The radius of the dark world, and its centre, in scene units.
+const WORLD: f32 = 12.0;
+const CENTRE: Vec3 = vec3(0.0, -1.8 - WORLD, 3.5);
+/// The direction from there to the horizon, where the name stands.
+const HORIZON: Vec3 = vec3(0.0, 0.974, -0.228);
+
+/// The beats between the starts of two letters, and of a rise.
+const BEATS: f32 = 1.0;
+const RISE: f32 = 2.0;
+
+fn add(now: Now, scene: &mut Scene) {
+    let beat = now.beat;
+    // Totality is on beat 8, and the ring on beat 16.
+    let moon = 2.3 * (1.0 - smooth_step(beat / 8.0)) - 0.055 * smooth_step((beat - 14.0) * 0.5);
+    add_sphere(vec3(moon, 0.6 * moon, 0.0), 1.0, &MOON, scene);
+    let flash = if beat < 16.0 { 0.0 } else { 1.0 + 1.5 / (1.0 + 2.0 * (beat - 16.0)) };
+    scene.lights[3].colour = vec3(3.0, 2.7, 2.2) * flash;
+    add_sphere(CENTRE, WORLD, &LIMB, scene);
+    for (number, &letter) in (0..).zip(NAME) {
+        let number = number as f32;
+        let risen = smooth_step((beat - 6.0 - BEATS * number) / RISE);
+        if risen > 0.0 {
+            let angle = (number - 4.0) * (ADVANCE / WORLD);
+            let (sine, cosine) = (sin(angle), cos(angle));
+            let right = Vec3::X * cosine - HORIZON * sine;
+            let up = HORIZON * cosine + Vec3::X * sine;
+            let axes = Mat3::from_cols(right, up, right.cross(up));
+            let high = WORLD + 0.8 * (risen - 1.0);
+            let foot = CENTRE + axes * vec3(-LETTER.step, high, 0.0);
+            add_letter(letter, foot, axes, &LETTER, &PEARL, scene);
+        }
+    }
+}

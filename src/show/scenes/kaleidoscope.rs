@@ -1,0 +1,64 @@
+//! The kaleidoscope: a wedge of balls and rods around the only light, folded into eight.
+
+use crate::show::environment::{Environment, Now, point};
+use crate::show::path::view;
+use crate::show::scene::{Shot, ShowScene, shot};
+use crate::show::solids::{add_block, add_sphere, around};
+use crate::sound::Track;
+use eightfold_tracer::maths::smooth_step;
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Waves};
+use glam::{Mat3, Vec3, vec3};
+
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
+
+static ENVIRONMENT: Environment = Environment {
+    background: vec3(0.9, 0.85, 0.75),
+    sky: Vec3::ZERO,
+    ambient: vec3(0.06, 0.066, 0.11),
+    ambience: Ambience { occlusion: 1.0, reach: 1.5, ground: vec3(0.11, 0.08, 0.055), bounce: 1.0 },
+    haze: 0.0,
+    vignette: 0.1,
+    floor: Some(&PAPER),
+    swell: Waves::CALM,
+    lights: &[Light {
+        drawn_radius: 2.0,
+        diameter: 3.6,
+        glow: 1.2,
+        ..point([0.0, 6.5, 0.0], [1.9, 1.6, 1.25])
+    }],
+    field_of_view: 0.5,
+    add,
+};
+
+static SHOTS: &[Shot] = &[shot(
+    6,
+    &[
+        view([0.0, 39.2, 0.0], [0.0; 3]).tilted(0.0, -1.0),
+        view([0.0, 39.2, 0.0], [0.0; 3]).tilted(0.0, -1.0),
+    ],
+)];
+
+static PAPER: Material = Material::matt(vec3(0.9156, 0.8493, 0.7511), 0.9);
+static RED: Material =
+    Material { ks: 0.25, exponent: 14.0, ..Material::matt(vec3(0.615, 0.038, 0.014), 0.95) };
+static INK: Material = Material::matt(vec3(0.0157, 0.063, 0.173), 1.0);
+static BRASS: Material = Material {
+    ks: 0.5,
+    exponent: 14.0,
+    metallic: 1.0,
+    ..Material::matt(vec3(0.724, 0.394, 0.084), 0.8)
+};
+
+fn add(now: Now, scene: &mut Scene) {
+    let kick = now.cue(Track::Kick);
+    let turns = (kick.count as f32 - 1.0 + smooth_step(kick.since * 2.0)) * 0.125;
+    let half = vec3(4.2, 0.9, 4.2);
+    add_block(Shape::Cylinder, Vec3::Y * 0.4, half, Mat3::IDENTITY, &BRASS, scene);
+    add_sphere(around(0.1875 + turns) * 7.6 + Vec3::Y * 0.6, 2.75, &RED, scene);
+    add_sphere(around(0.25 - turns) * 13.0 + Vec3::Y * 1.2, 1.9, &INK, scene);
+    add_sphere(around(0.125 - turns) * 13.2 + Vec3::Y * 1.2, 1.9, &INK, scene);
+    let out = around(0.1875 + 0.5 * turns);
+    let axes = Mat3::from_cols(Vec3::Y.cross(out), out, Vec3::NEG_Y);
+    let half = vec3(0.95, 7.3, 0.95);
+    add_block(Shape::Capsule, out * 19.7 + Vec3::Y * 1.5, half, axes, &BRASS, scene);
+}

@@ -1,0 +1,84 @@
+//! The planet: a banded giant and its moons; the drums move the sun.
+
+use crate::show::environment::{Environment, Now, point};
+use crate::show::path::view;
+use crate::show::scene::{Shot, ShowScene, shot};
+use crate::show::solids::{add_sphere, around};
+use crate::sound::Track;
+use eightfold_tracer::maths::smooth_step;
+use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Waves};
+use glam::{Vec3, vec3};
+
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
+
+static ENVIRONMENT: Environment = Environment {
+    background: vec3(0.001, 0.0012, 0.0025),
+    sky: vec3(0.0, 0.0002, 0.002),
+    ambient: vec3(0.004, 0.006, 0.012),
+    ambience: Ambience::UNIFORM,
+    haze: 0.0,
+    vignette: 0.3,
+    floor: None,
+    swell: Waves::CALM,
+    lights: &[
+        Light { diameter: 8.5, ..point([-400.0, 140.0, 40.0], [3.2, 2.9, 2.5]) },
+        // The air at the giant's rim.
+        Light { glow: 0.5, ..point([0.0, 0.0, -0.5], [0.1, 0.22, 0.55]) },
+    ],
+    field_of_view: 0.6,
+    add,
+};
+
+/// In units of the giant's radius.
+const MOON: [f32; 3] = [-1.15, 0.28, 1.2];
+
+static SHOTS: &[Shot] = &[
+    shot(
+        3,
+        &[
+            view([0.0, 0.0, 9.0], [0.0; 3]),
+            view([0.6, 0.1, 7.2], [0.1, 0.0, 0.0]),
+            view([1.4, 0.1, 5.4], [0.2, 0.0, 0.0]),
+        ],
+    ),
+    shot(
+        3,
+        &[
+            view([1.6, 0.0, 4.6], [0.5, 0.1, 0.4]),
+            view([0.6, 0.1, 4.0], [-0.3, 0.2, 0.8]),
+            view([-1.05, 0.3, 1.76], MOON),
+        ],
+    ),
+];
+
+static GIANT: Material = Material {
+    pattern: Pattern {
+        waves: vec3(0.0, 4.6, 0.0),
+        depth: 0.6,
+        edge: 1.15,
+        balance: 0.22,
+        ..Pattern::NONE
+    },
+    ..Material::matt(vec3(0.83, 0.68, 0.43), 1.0)
+};
+static STONE: Material = Material::matt(vec3(0.52, 0.476, 0.434), 1.0);
+static RUST: Material = Material::matt(vec3(0.424, 0.125, 0.038), 1.0);
+
+fn add(now: Now, scene: &mut Scene) {
+    add_sphere(Vec3::ZERO, 1.0, &GIANT, scene);
+    add_sphere(Vec3::from_array(MOON), 0.065, &STONE, scene);
+    for moon in 0..7 {
+        let moon = moon as f32;
+        let out = around(0.09 + 0.045 * moon + 0.004 * now.beat) * (1.7 + 0.35 * moon);
+        let radius = 0.035 + 0.03 * (moon * 0.37 % 1.0);
+        add_sphere(
+            out + Vec3::Y * (0.12 * moon - 0.6),
+            radius,
+            if moon as i32 % 3 == 1 { &RUST } else { &STONE },
+            scene,
+        );
+    }
+    let kick = now.cue(Track::Kick);
+    let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
+    scene.lights[0].position = around(0.78 + 0.03 * steps) * 400.0 + Vec3::Y * 140.0;
+}

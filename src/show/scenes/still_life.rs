@@ -1,0 +1,86 @@
+//! The still life: the four balls of the 2008 thesis as a photographer would light them, on paper without a horizon.
+
+use crate::show::environment::{Environment, Now, point};
+use crate::show::path::view;
+use crate::show::scene::{Shot, ShowScene, shot};
+use crate::show::solids::add_sphere;
+use crate::sound::Track;
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
+use glam::{Vec3, vec3};
+
+pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
+
+pub(super) static ENVIRONMENT: Environment = Environment {
+    background: vec3(0.79, 0.68, 0.55),
+    sky: vec3(-0.36, -0.34, -0.30),
+    ambient: vec3(0.45, 0.46, 0.51),
+    ambience: Ambience { occlusion: 1.0, reach: 1.0, ground: vec3(0.40, 0.34, 0.28), bounce: 0.9 },
+    haze: 0.022,
+    vignette: 0.1,
+    floor: Some(&PAPER),
+    swell: Waves::CALM,
+    lights: &[Light { diameter: 20.0, ..point([-30.0, 48.0, 27.0], [1.21, 1.12, 0.97]) }],
+    field_of_view: 0.62,
+    add,
+};
+
+/// The balls' centres and radii.
+pub(super) const RED_BALL: Vec3 = vec3(0.0, 1.0, 0.0);
+pub(super) const PEARL_BALL: [f32; 3] = [1.22, 0.4, 1.0];
+
+static SHOTS: &[Shot] = &[
+    shot(
+        4,
+        &[
+            view([-0.5, 1.8, 8.55], [0.0, 1.0, 0.0]),
+            view([-1.6, 1.5, 7.4], [0.2, 0.9, 0.2]),
+            view([-1.3, 0.9, 5.6], [0.5, 0.7, 0.5]),
+        ],
+    ),
+    shot(
+        2,
+        &[
+            view([3.4, 0.7, 5.2], [1.0, 0.6, 0.6]),
+            view([2.1, 0.75, 4.6], PEARL_BALL),
+            view([0.88, 0.68, 4.38], PEARL_BALL),
+        ],
+    ),
+];
+
+static PAPER: Material = Material::matt(vec3(0.72, 0.64, 0.54), 0.74);
+static RED: Material =
+    Material { ks: 0.3, exponent: 22.0, ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85) };
+static PEARL: Material = Material {
+    ks: 0.5,
+    exponent: 60.0,
+    kr: 0.02,
+    fresnel: 0.3,
+    ..Material::matt(vec3(1.0, 0.946, 0.857), 0.95)
+};
+static INK: Material =
+    Material { ks: 0.3, exponent: 30.0, colour: vec3(0.014, 0.055, 0.16), kd: 0.85, ..PEARL };
+static GLASS: Material = Material {
+    ks: 0.9,
+    exponent: 120.0,
+    kr: 0.05,
+    fresnel: 1.0,
+    kt: 0.95,
+    index: 1.4,
+    tint: vec3(0.62, 0.66, 0.68),
+    ..Material::BLACK
+};
+
+/// Half the acceleration of the glass ball's fall in scene units per squared beat; its bounces start on the kick drum.
+const FALL: f32 = 0.6;
+/// The longest bounce in beats, after which the ball rests.
+const LONGEST: f32 = 2.0;
+
+pub(super) fn add(now: Now, scene: &mut Scene) {
+    add_sphere(RED_BALL, 1.0, &RED, scene);
+    add_sphere(Vec3::from_array(PEARL_BALL), 0.4, &PEARL, scene);
+    add_sphere(vec3(2.45, 0.85, -0.95), 0.85, &INK, scene);
+    let kick = now.cue(Track::Kick);
+    let left = f32::min(kick.until, LONGEST - kick.since);
+    let up = f32::max(FALL * kick.since * left, 0.0);
+    add_sphere(vec3(-0.98, 0.46 + up, 1.25), 0.46, &GLASS, scene);
+}
