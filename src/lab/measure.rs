@@ -132,7 +132,6 @@ impl Measurement {
         let mut scene = name.without_overlay(time);
         if self.techniques.iter().any(|it| it.sampling != Sampling::Full) {
             scene.captions.clear();
-            scene.copper_bars.clear();
         }
         scene
     }

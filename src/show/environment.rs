@@ -67,7 +67,6 @@ impl Environment {
         }
         scene.spheres.clear();
         scene.blocks.clear();
-        scene.copper_bars.clear();
         (self.add)(now, scene);
     }
 }

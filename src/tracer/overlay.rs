@@ -1,4 +1,4 @@
-//! Copper bars and captions over a finished picture.
+//! Captions over a finished picture.
 //!
 //! Coverage is computed from a pixel's distance to the nearest stroke, in units of the font's grid: edges are antialiased at any
 //! size.
@@ -6,8 +6,8 @@
 use crate::font::strokes;
 use crate::maths::{round, sqrt};
 use crate::picture::{Band, Frame};
+use crate::scene::Caption;
 use crate::scene::camera::pixels;
-use crate::scene::{Caption, CopperBar};
 use glam::{Vec2, vec2};
 
 /// The distance between neighbouring letters, in grid units: their shadows just touch.
@@ -21,7 +21,6 @@ const SHADOW: f32 = 0.35;
 const DARKNESS: f32 = 0.7;
 
 pub(crate) struct Overlay<'a> {
-    pub copper_bars: &'a [CopperBar],
     pub captions: &'a [Caption],
     /// See [`Caption::letters`].
     pub numbers: &'a [usize],
@@ -31,31 +30,13 @@ pub(crate) struct Overlay<'a> {
 
 impl Overlay<'_> {
     pub fn is_empty(&self) -> bool {
-        self.copper_bars.is_empty() && self.captions.is_empty()
+        self.captions.is_empty()
     }
 
     pub fn draw(&self, band: &mut Band<'_>) {
-        for bar in self.copper_bars {
-            self.draw_bar(bar, band);
-        }
         for caption in self.captions {
             if caption.brightness != 0.0 {
                 self.draw_caption(caption, band);
-            }
-        }
-    }
-
-    fn draw_bar(&self, bar: &CopperBar, band: &mut Band<'_>) {
-        let h = pixels(self.height);
-        let (unit, line) = (0.5 * bar.height * h, bar.middle * h - pixels(band.top));
-        for (y, row) in band.rows() {
-            let out = (pixels(y) + 0.5 - line) / unit;
-            let light = 1.0 - out * out;
-            if light > 0.0 {
-                let [red, green, blue] = (bar.colour * (light * bar.brightness)).to_array();
-                for pixel in row {
-                    *pixel = blend(*pixel, bar.brightness, [blue, green, red]);
-                }
             }
         }
     }
@@ -98,13 +79,7 @@ impl Frame<'_> {
     /// # Panics
     /// If the frame has too few pixels.
     pub fn write(&mut self, captions: &[Caption], numbers: [usize; 4]) {
-        let overlay = Overlay {
-            copper_bars: &[],
-            captions,
-            numbers: &numbers,
-            middle: 0.0,
-            height: self.height,
-        };
+        let overlay = Overlay { captions, numbers: &numbers, middle: 0.0, height: self.height };
         overlay.draw(&mut self.band(&mut []));
     }
 }

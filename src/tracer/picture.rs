@@ -66,8 +66,8 @@ impl<'a> Frame<'a> {
     /// Probes `count` pixels: traces them as [`Quality::reference`] does, and compares them with the frame. The results are in
     /// [`Counts::probes`]; the picture stays the same.
     ///
-    /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Probes ignore captions and
-    /// copper bars, and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
+    /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Probes ignore captions,
+    /// and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
     ///
     /// The estimated mean squared error is unbiased. A few pixels have most of the error, so add the probes of many frames: at 60
     /// frames a second, the estimate is accurate to 1 or 2 dB after a second, and to some tenths of a dB after a minute.

@@ -113,7 +113,6 @@ fn show_matches_the_oracle() {
     for time in TIMES.into_iter().step_by(2) {
         let mut scene = of_the_show(time as f32 / 1000.0);
         scene.captions.clear();
-        scene.copper_bars.clear();
         scene.method = Method::default();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);
         let silhouettes = frame.silhouettes();

@@ -10,9 +10,7 @@ use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::scaled;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::text::Text;
-use eightfold_tracer::scene::{
-    Block, Camera, Caption, CopperBar, Light, List, Scene, Sphere, Waves,
-};
+use eightfold_tracer::scene::{Block, Camera, Caption, Light, List, Scene, Sphere, Waves};
 use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Quality, Renderer, Worker};
 use glam::{Mat3, Vec3, vec3};
 use std::panic::catch_unwind;
@@ -39,7 +37,6 @@ fn written() -> Scene {
         size: 0.2,
         brightness: 0.8,
     });
-    scene.copper_bars.push(CopperBar::default());
     scene
 }
 

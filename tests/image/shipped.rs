@@ -62,7 +62,7 @@ impl Still {
     }
 }
 
-/// Times in milliseconds, two or more in each scene except the method's, without captions, copper bars and coarse squares, which
+/// Times in milliseconds, two or more in each scene except the method's, without captions and coarse squares, which
 /// the oracle does not draw.
 pub const TIMES: [u32; 18] = [
     2_300, 5_500, 13_300, 18_700, 21_500, 41_300, 45_200, 54_700, 57_400, 62_500, 69_900, 78_300,

@@ -1,9 +1,7 @@
-//! Text over a finished picture, and copper bars.
+//! Text over a finished picture.
 
-use crate::drawn::draw_best;
-use eightfold_tracer::glam::{Vec3, vec3};
-use eightfold_tracer::scene::{Caption, CopperBar, List, Scene};
-use eightfold_tracer::{Frame, Quality};
+use eightfold_tracer::Frame;
+use eightfold_tracer::scene::Caption;
 
 const SIZE: (usize, usize) = (640, 360);
 
@@ -28,27 +26,5 @@ fn signs_stand_for_the_digits_of_four_numbers() {
     assert!(plain.contains(&0xff_ff_ff));
     for other in [[61, 12_345, 47, 9], [60, 12_345, 47, 8]] {
         assert!(plain != written(signs, other));
-    }
-}
-
-#[test]
-fn copper_bar_covers_its_share_of_the_picture() {
-    for brightness in [0.0, 0.5, 1.0] {
-        let bar = CopperBar { middle: 0.25, height: 0.1, colour: vec3(1.0, 0.5, 0.0), brightness };
-        let scene =
-            Scene { background: Vec3::ONE, copper_bars: List::of(&[bar]), ..Scene::default() };
-        let drawn = draw_best(&scene, &Quality::DEFAULT, SIZE.0, SIZE.1);
-        for (y, row) in drawn.pixels.chunks(SIZE.0).enumerate() {
-            assert!(row.iter().all(|pixel| *pixel == row[0]), "row {y}");
-            // The bar is 36 rows high; row 90 is the first below its middle.
-            let out = (y as f32 + 0.5 - 90.0) / 18.0;
-            let covered = if out.abs() < 1.0 { brightness } else { 0.0 };
-            let light = 1.0 - out * out;
-            let [_, red, green, blue] = row[0].to_be_bytes();
-            for (channel, colour) in [(red, 1.0), (green, 0.5), (blue, 0.0)] {
-                let expected = 255.0 * (1.0 - covered + covered * light * colour);
-                assert!((f32::from(channel) - expected).abs() < 2.0, "row {y}");
-            }
-        }
     }
 }

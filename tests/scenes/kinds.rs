@@ -1,7 +1,7 @@
 use crate::{Random, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
-    Ambience, Block, Camera, Caption, CopperBar, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS,
-    MAX_SPHERES, Material, Plane, Scene, Shape, Sphere, Waves,
+    Ambience, Block, Camera, Caption, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SPHERES,
+    Material, Plane, Scene, Shape, Sphere, Waves,
 };
 use glam::{Vec3, vec3};
 
@@ -201,12 +201,6 @@ fn add_overlays(scene: &mut Scene, random: &mut Random) {
             letters: List::of(b"EIGHTFOLD"),
             middle: random.between(0.0, 1.0),
             size: random.between(0.01, 0.3),
-            brightness: random.between(0.0, 1.0),
-        });
-        scene.copper_bars.push(CopperBar {
-            middle: random.between(0.0, 1.0),
-            height: random.between(0.01, 0.3),
-            colour: random.colour(),
             brightness: random.between(0.0, 1.0),
         });
     }

@@ -54,7 +54,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 /// Removes effects other than light transport.
 fn transported(mut scene: Scene) -> Scene {
     scene.captions.clear();
-    scene.copper_bars.clear();
     scene.film = Film { tolerance: scene.film.tolerance, ..Film::PLAIN };
     for light in scene.lights.iter_mut() {
         light.glow = 0.0;

@@ -1,7 +1,7 @@
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Kinds, Random, cases};
-use eightfold_tracer::scene::{Caption, CopperBar, List, Scene};
+use eightfold_tracer::scene::{Caption, List, Scene};
 use std::fs;
 use std::path::Path;
 
@@ -9,7 +9,6 @@ fn written(kinds: Kinds, random: &mut Random) -> Scene {
     let mut scene = kinds.scene(random);
     scene.captions.push(Caption::default());
     scene.captions[0].letters = List::of(b"\"8\\\x7f\n#");
-    scene.copper_bars.push(CopperBar::default());
     scene
 }
 

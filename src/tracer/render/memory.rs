@@ -92,7 +92,6 @@ impl Memory {
             counts += self.smoothing.run(picture, &job, threads);
         }
         let overlay = Overlay {
-            copper_bars: &scene.copper_bars,
             captions: &scene.captions,
             numbers: &[counts.points as usize, width * height],
             middle: 0.5,

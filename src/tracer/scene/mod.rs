@@ -1,4 +1,4 @@
-//! The scene description: camera, shapes, materials, lights, captions and copper bars.
+//! The scene description: camera, shapes, materials, lights and captions.
 //!
 //! Units are in [the crate's conventions](crate#conventions).
 
@@ -21,7 +21,7 @@ pub use camera::{Camera, Raster};
 pub use film::Film;
 pub use list::{CapacityError, List};
 pub use method::Method;
-pub use overlay::{Caption, CopperBar};
+pub use overlay::Caption;
 pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
@@ -43,8 +43,6 @@ pub const MAX_LIGHTS: usize = 4;
 
 /// The maximum number of captions. The show uses up to 3.
 pub const MAX_CAPTIONS: usize = 10;
-/// The maximum number of copper bars. The show uses 2.
-pub const MAX_COPPER_BARS: usize = 16;
 /// The maximum number of letters in a caption. The longest of the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
@@ -88,8 +86,6 @@ pub struct Scene {
     pub lights: List<Light, MAX_LIGHTS>,
     /// Text over the picture.
     pub captions: List<Caption, MAX_CAPTIONS>,
-    /// The bars over the picture, behind the captions.
-    pub copper_bars: List<CopperBar, MAX_COPPER_BARS>,
 }
 
 impl Default for Scene {
@@ -121,7 +117,6 @@ impl Scene {
             blocks: List::over(block),
             lights: List::over(Light::DARK),
             captions: List::over(Caption::ZERO),
-            copper_bars: List::over(CopperBar::ZERO),
         }
     };
 

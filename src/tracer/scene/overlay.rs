@@ -1,9 +1,8 @@
-//! Captions and copper bars over the picture.
+//! Captions over the picture.
 
 use super::validate::SHARE;
 use super::{List, MAX_LETTERS};
 use crate::range_error::{Checked, RangeError};
-use glam::Vec3;
 
 /// A line of text, centred in the picture's width.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,39 +43,6 @@ impl Caption {
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("middle", self.middle, SHARE)?;
         of.field("size", self.size, SHARE)?;
-        of.field("brightness", self.brightness, SHARE)
-    }
-}
-
-/// A bar across the picture, shaded like a rod, as on the Amiga's copper.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct CopperBar {
-    /// The middle of the bar, relative to the picture's height from the top, 0 to 1.
-    pub middle: f32,
-    /// The height, relative to the picture's height, 0 to 1.
-    pub height: f32,
-    /// The colour of the middle, 0 to 1 in each channel. It fades to black at both sides.
-    pub colour: Vec3,
-    /// The opacity, 0 to 1.
-    pub brightness: f32,
-}
-
-impl Default for CopperBar {
-    fn default() -> Self {
-        Self { middle: 0.5, height: 0.05, colour: Vec3::ONE, brightness: 1.0 }
-    }
-}
-
-impl CopperBar {
-    pub(super) const ZERO: Self =
-        Self { middle: 0.0, height: 0.0, colour: Vec3::ZERO, brightness: 0.0 };
-
-    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        of.field("middle", self.middle, SHARE)?;
-        of.field("height", self.height, SHARE)?;
-        of.field("colour", self.colour, SHARE)?;
         of.field("brightness", self.brightness, SHARE)
     }
 }
