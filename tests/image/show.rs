@@ -71,11 +71,11 @@ fn balls_land_on_their_notes() {
     }
 }
 
-/// Removing an object changes a pixel at one time or more. Scenes with the same number of objects have the same objects.
+/// Removing an object changes a pixel at one time or more, when the scene has the most objects.
 #[test]
 fn every_object_of_the_show_is_seen() {
     const MOMENTS: usize = 8;
-    let mut unseen: HashMap<(&str, usize), Vec<Object>> = HashMap::new();
+    let mut unseen: HashMap<&str, (usize, Vec<Object>)> = HashMap::new();
     for (number, name) in show::NAMES.into_iter().enumerate() {
         let start = show::CUTS[number];
         let end = show::CUTS.get(number + 1).unwrap_or(&show::BARS);
@@ -87,11 +87,16 @@ fn every_object_of_the_show_is_seen() {
             let spheres = (0..scene.spheres.len()).map(Object::Sphere);
             let blocks = (0..scene.blocks.len()).map(Object::Block);
             let all: Vec<Object> = spheres.chain(blocks).collect();
-            let objects = unseen.entry((name, all.len())).or_insert(all);
+            let (most, objects) = unseen.entry(name).or_default();
+            if all.len() > *most {
+                (*most, *objects) = (all.len(), all);
+            } else if all.len() < *most {
+                continue;
+            }
             objects.retain(|&object| draw(&without(&scene, object)) == whole);
         }
     }
-    unseen.retain(|_, objects| !objects.is_empty());
+    unseen.retain(|_, (_, objects)| !objects.is_empty());
     assert!(unseen.is_empty(), "{unseen:?}");
 }
 

@@ -12,8 +12,8 @@ pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS)
 const SUN: [f32; 3] = [-10.0, 26.0, -170.0];
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.78, 0.45, 0.22),
-    sky: vec3(-0.56, -0.30, 0.04),
+    background: vec3(0.64, 0.35, 0.17),
+    sky: vec3(-0.44, -0.21, 0.08),
     ambient: vec3(0.035, 0.042, 0.065),
     ambience: Ambience::UNIFORM,
     haze: 0.0165,
@@ -21,7 +21,7 @@ static ENVIRONMENT: Environment = Environment {
     floor: Some(&WATER),
     swell: Waves { slope: 0.008, length: 8.0, phase: 0.08 },
     lights: &[
-        Light { drawn_radius: 28.0, glow: 15.0, ..point(SUN, [4.0, 3.3, 2.3]) },
+        Light { drawn_radius: 28.0, glow: 11.0, ..point(SUN, [4.0, 3.3, 2.3]) },
         Light { diameter: 2.0, ..point([30.0, 30.0, 30.0], [0.03, 0.045, 0.08]) },
     ],
     field_of_view: 0.88,
@@ -32,15 +32,15 @@ static SHOTS: &[Shot] = &[
     shot(
         5,
         &[
-            view([3.0, 1.6, 8.0], SUN),
-            view([-1.0, 1.2, 2.0], SUN),
+            view([1.2, 1.6, 8.0], SUN),
+            view([-1.5, 1.2, 2.0], SUN),
             view([-6.0, 0.9, -4.0], SUN),
             view([-8.9, 0.7, -8.5], SUN),
         ],
     ),
     shot(
         3,
-        &[view([4.9, 5.4, -17.0], SUN), view([4.5, 4.0, -19.0], SUN), view([4.1, 2.0, -20.5], SUN)],
+        &[view([7.1, 5.4, -17.0], SUN), view([6.7, 4.0, -19.0], SUN), view([6.4, 2.0, -20.5], SUN)],
     ),
 ];
 
@@ -54,14 +54,14 @@ const LETTER: Size = Size { step: 2.2, half_width: 0.9, half_depth: 1.8 };
 
 fn add(now: Now, scene: &mut Scene) {
     for (number, &letter) in (0..).zip(b"EIGHT") {
-        let foot = vec3(-15.3, LETTER.half_width, -20.0) + vec3(7.6, 0.0, -9.0) * number as f32;
+        let foot = vec3(-15.3, LETTER.half_width, -20.0) + vec3(8.6, 0.0, -9.0) * number as f32;
         add_letter(letter, foot, Mat3::IDENTITY, &LETTER, &TOWER, scene);
     }
     let drift = now.beat / 20.0;
     let ball = if drift < 1.0 {
         vec3(1.4 - 9.9 * drift, 0.3, -6.0 - 8.0 * drift)
     } else {
-        vec3(4.2 - drift, 0.3, -28.0)
+        vec3(6.6 - drift, 0.3, -28.0)
     };
     add_sphere(ball, 0.36, &RED, scene);
 }

@@ -53,7 +53,7 @@ const ADVANCE: f32 = 0.56;
 const WORLD: f32 = 12.0;
 const CENTRE: Vec3 = vec3(0.0, -1.8 - WORLD, 3.5);
 /// The direction from there to the horizon, where the name stands.
-const HORIZON: Vec3 = vec3(0.0, 0.974, -0.228);
+const HORIZON: Vec3 = vec3(0.0, 0.973_66, -0.228);
 
 /// The beats between the starts of two letters, and of a rise.
 const BEATS: f32 = 1.0;
