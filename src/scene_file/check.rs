@@ -19,6 +19,7 @@ fn directions(scene: &mut Scene) -> Vec<(&mut Vec3, Vec3)> {
     let mut ends = vec![(&mut camera.look_at, camera.eye), (&mut camera.up, Vec3::ZERO)];
     let spots = scene.lights.iter_mut().filter_map(|it| it.spot.as_mut());
     ends.extend(spots.map(|spot| (&mut spot.aim, Vec3::ZERO)));
+    ends.extend(scene.softboxes.iter_mut().map(|it| (&mut it.aim, Vec3::ZERO)));
     ends
 }
 

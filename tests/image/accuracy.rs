@@ -9,6 +9,7 @@ use eightfold::show;
 use eightfold_oracle::frame::Frame;
 use eightfold_oracle::squares::Squares;
 use eightfold_oracle::{Oracle, pixel_like};
+use eightfold_scene_file::SceneFile;
 use eightfold_scenes::{Kinds, Random, cases, crowd, known};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphere};
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
@@ -98,6 +99,13 @@ fn fields_and_crowds_match_the_oracle() {
         let scene = crowd(&mut Random::new(seed as u64), counts, [0.0, 0.3]);
         assert_traced(&scene, [160, 120], &format!("a crowd of {counts:?}"));
     }
+}
+
+#[test]
+fn bubbles_match_the_oracle() {
+    let text = include_str!("../../examples/scenes/bubbles.ron");
+    let scene = SceneFile::parse("", text).expect("a scene").at(1.0);
+    assert_traced(&scene, [192, 108], "bubbles");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //!     UPDATE_GOLDEN=1 cargo test --test image golden
 
 use crate::cpu;
-use crate::drawn::draw_by_all;
+use crate::drawn::{draw_best, draw_by_all};
 use crate::error::Difference;
 use crate::picture::png;
 use crate::shipped::Still;
@@ -61,17 +61,35 @@ fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
     }
 }
 
+fn scene_of(text: &str) -> Scene {
+    SceneFile::parse("", text).expect("a scene").at(0.0)
+}
+
+fn bubbles() -> Scene {
+    scene_of(include_str!("../../examples/scenes/bubbles.ron"))
+}
+
+/// Squares follow films and the soft edges of softboxes.
+#[test]
+fn bubbles_have_50_decibels() {
+    let [drawn, exhaustive] = [Quality::DEFAULT, Quality::EXHAUSTIVE]
+        .map(|quality| Quality { antialias: false, ..quality })
+        .map(|quality| draw_best(&bubbles(), &quality, 1280, 720).pixels);
+    let psnr = Difference::between(&exhaustive, &drawn).psnr;
+    assert!(psnr > 50.0, "{psnr} dB");
+}
+
 #[test]
 fn scenes_match_golden_pictures() {
     // Thin rods, which were once dashed.
-    let file = SceneFile::parse("fence.ron", include_str!("../../examples/scenes/fence.ron"));
-    let fence = file.expect("a scene").at(0.0);
+    let fence = scene_of(include_str!("../../examples/scenes/fence.ron"));
     for (name, scene, quality, (width, height)) in [
         ("model", show::model_scene(2.0), Quality::EXHAUSTIVE, (640, 360)),
         ("squares", show::model_scene(1.0), Quality::THESIS, (320, 240)),
         ("field", show::field(64, 1.0), Quality::THESIS, (320, 240)),
         ("between", between_corners().scene, Quality::DEFAULT, (320, 240)),
         ("fence", fence, Quality::DEFAULT, (640, 360)),
+        ("bubbles", bubbles(), Quality::DEFAULT, (640, 360)),
     ] {
         hold(name, &scene, &quality, width, height);
     }

@@ -162,7 +162,7 @@ pub(super) fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
     }
 }
 
-fn smooth(tau: f64) -> f64 {
+pub(super) fn smooth(tau: f64) -> f64 {
     let tau = tau.clamp(0.0, 1.0);
     tau * tau * (3.0 - 2.0 * tau)
 }

@@ -1,10 +1,10 @@
 //! Phong shading, and secondary rays.
 
 use super::geometry::{Met, Ray};
-use super::light::{ToLight, reach};
+use super::light::{ToLight, reach, smooth};
 use super::pattern::reflectance;
 use super::{Body, Object, Oracle, Traced, grooves, waves};
-use eightfold_tracer::scene::{Light, Material};
+use eightfold_tracer::scene::{Light, Material, Softbox};
 use glam::DVec3;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -108,6 +108,7 @@ impl Oracle<'_> {
             self.note(object, &[], weight, path, traced);
             let light = match object {
                 Object::Light(i) => self.scene.lights[i].colour.as_dvec3(),
+                _ if path > 1 => self.behind(ray.d) + self.softboxes(ray.d),
                 _ => self.behind(ray.d),
             };
             return cut(light + glow);
@@ -149,6 +150,44 @@ impl Oracle<'_> {
         self.scene.background.as_dvec3() + rise * (2.0 - rise) * self.scene.sky.as_dvec3()
     }
 
+    /// Returns the light of a reflected or refracted ray that is not traced.
+    pub fn untraced(&self, d: DVec3, is_reflected: bool) -> DVec3 {
+        let softboxes = if is_reflected { self.softboxes(d) } else { DVec3::ZERO };
+        self.behind(d).max(self.scene.ambient.as_dvec3()) + softboxes
+    }
+
+    pub fn softboxes(&self, d: DVec3) -> DVec3 {
+        let light = |it: &Softbox| {
+            let aim = it.aim.as_dvec3().normalize();
+            let right = DVec3::Y.cross(aim).normalize_or(DVec3::X);
+            let toward = d.dot(aim).max(1e-3);
+            let off = |side: DVec3, half: f32| f64::from(half) - d.dot(side).abs() / toward;
+            let inside = off(right, it.half_width).min(off(aim.cross(right), it.half_height));
+            smooth(inside / f64::from(it.softness)) * it.colour.as_dvec3()
+        };
+        let shown = self.scene.softboxes.iter().filter(|_| !self.scene.black_beyond);
+        shown.map(light).sum()
+    }
+
+    /// Returns the reflectances of a thin film relative to a mirror.
+    pub fn film(&self, hit: &Hit<'_>) -> Option<DVec3> {
+        let thickness = f64::from(hit.material.film_thickness);
+        let height = match hit.object {
+            Object::Sphere(i) => {
+                let sphere = &self.scene.spheres[i];
+                (hit.ray.o.y - f64::from(sphere.centre.y)) / f64::from(sphere.radius)
+            }
+            _ => 0.0,
+        };
+        let sine = (1.0 - hit.cosine().powi(2)) / 1.33_f64.powi(2);
+        let path = 2.0 * 1.33 * thickness * (1.0 - 0.8 * height) * (1.0 - sine).sqrt();
+        let reflected = |wavelength: f64| {
+            let w = 4.0 * (path / wavelength - (path / wavelength).round()).abs() - 1.0;
+            0.5 + w * (1.0 - 0.5 * w.abs())
+        };
+        (thickness > 0.0).then(|| DVec3::new(610.0, 540.0, 455.0).map(reflected))
+    }
+
     pub fn transmittance(&self, t: f64) -> f64 {
         1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2))
     }
@@ -161,13 +200,14 @@ impl Oracle<'_> {
                 continue;
             };
             let weight = weight * share;
-            let is_traced = depth(path) < self.quality.depth;
+            let film = self.film(hit).filter(|_| node % 2 == 0);
+            let is_traced = depth(path) < self.quality.depth && film.is_none();
             if is_traced && weight >= self.quality.least_contribution {
                 let light = self.follow(hit.ray.turned(d), weight, node, traced);
                 seen += f64::from(share) * light;
             } else if !self.scene.black_beyond {
-                let light = self.behind(d).max(self.scene.ambient.as_dvec3());
-                untraced += f64::from(share) * light;
+                untraced +=
+                    f64::from(share) * film.unwrap_or(DVec3::ONE) * self.untraced(d, node % 2 == 0);
             }
         }
         [seen, untraced]

@@ -1,7 +1,7 @@
 use crate::{Random, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
-    Ambience, Block, Camera, Caption, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SPHERES,
-    Material, Plane, Scene, Shape, Sphere, Waves,
+    Ambience, Block, Camera, Caption, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SOFTBOXES,
+    MAX_SPHERES, Material, Plane, Scene, Shape, Softbox, Sphere, Waves,
 };
 use glam::{Vec3, vec3};
 
@@ -152,6 +152,20 @@ fn add_air(scene: &mut Scene, random: &mut Random) {
             ground: random.colour(),
             bounce: random.zero_or(0.1, 1.0),
         };
+    }
+    if random.below(2) == 0
+        && let Some(sphere) = scene.spheres.first_mut()
+    {
+        sphere.material.film_thickness = random.between(100.0, 1000.0);
+    }
+    for _ in 0..random.below(MAX_SOFTBOXES + 1) {
+        scene.softboxes.push(Softbox {
+            aim: random.vector(Vec3::NEG_ONE, Vec3::ONE),
+            half_width: random.between(0.3, 2.0),
+            half_height: random.between(0.3, 2.0),
+            softness: random.between(0.2, 1.0),
+            colour: 2.0 * random.colour(),
+        });
     }
     if random.below(2) == 0 {
         scene.water = Waves {

@@ -59,6 +59,9 @@ impl<'a> PathTracer<'a> {
             }
             let behind = throughput * self.oracle.behind(ray.d);
             let Some(hit) = hit else {
+                if bounces > 0 && length.is_none() {
+                    found += throughput * self.oracle.softboxes(ray.d);
+                }
                 return found + behind;
             };
             let clear = self.oracle.transmittance(t);
@@ -66,6 +69,9 @@ impl<'a> PathTracer<'a> {
             throughput *= clear;
 
             let surface = Surface::new(&hit);
+            if let (Some(film), [Some((d, share)), _]) = (self.oracle.film(&hit), hit.bounces()) {
+                found += throughput * f64::from(share) * film * self.oracle.untraced(d, true);
+            }
             found += throughput * self.direct(&surface, random);
             let Some(next) = surface.bounce(random) else {
                 return found;
@@ -125,8 +131,11 @@ impl<'a> Surface<'a> {
     fn new(hit: &'a Hit<'a>) -> Self {
         let material = hit.material;
         let [kd, ks, exponent] = [material.kd, material.ks, material.exponent].map(f64::from);
-        let [mirrored, refracted] =
+        let [mut mirrored, refracted] =
             hit.bounces().map(|it| it.map_or(0.0, |(_, share)| share.into()));
+        if material.film_thickness > 0.0 {
+            mirrored = 0.0;
+        }
         let diffuse = kd * hit.painted.max_element();
         // Anisotropic lobes are wide: sample them like diffuse ones.
         let shares = if material.anisotropy > 0.0 {

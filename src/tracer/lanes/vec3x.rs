@@ -17,6 +17,12 @@ impl<S: Simd> Vec3x<S> {
         Self { x: splat(simd, v.x), y: splat(simd, v.y), z: splat(simd, v.z) }
     }
 
+    /// Returns a vector with equal components.
+    #[inline(always)]
+    pub fn equal(c: F<S>) -> Self {
+        Self { x: c, y: c, z: c }
+    }
+
     #[inline(always)]
     pub fn dot(self, b: Self) -> F<S> {
         self.x.mul_add(b.x, self.y.mul_add(b.y, self.z * b.z))

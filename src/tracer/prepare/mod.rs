@@ -4,6 +4,7 @@ mod ambience;
 mod film;
 mod light;
 mod object;
+mod softbox;
 mod surface;
 mod tree;
 
@@ -13,11 +14,13 @@ pub(crate) use film::ROUND;
 pub(crate) use film::{Dither, Film, Four};
 pub(crate) use light::{PreparedLight, ShadowCone, SpotCone};
 pub(crate) use object::{Object, ObjectId, is_crowd};
+pub(crate) use softbox::Softbox;
 pub(crate) use surface::{Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};
 
 use crate::scene::{
-    MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Plane, Scene, camera::Raster,
+    MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SOFTBOXES, MAX_SOLIDS, Material, Plane, Scene,
+    camera::Raster,
 };
 use crate::shapes::block;
 use core::ops::Deref;
@@ -64,6 +67,8 @@ pub(crate) struct Prepared {
     pub solids: usize,
     lights: [PreparedLight; MAX_LIGHTS],
     pub light_count: usize,
+    softboxes: [Softbox; MAX_SOFTBOXES],
+    softbox_count: usize,
     pub plane_count: usize,
     pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
     pub glitters: [bool; MAX_OBJECTS],
@@ -91,6 +96,8 @@ impl Prepared {
             solids: 0,
             lights: [const { PreparedLight::ZERO }; MAX_LIGHTS],
             light_count: 0,
+            softboxes: [Softbox::ZERO; _],
+            softbox_count: 0,
             plane_count: 0,
             surfaces: [[0.0; SURFACE_NUMBERS]; MAX_OBJECTS],
             glitters: [false; MAX_OBJECTS],
@@ -103,6 +110,10 @@ impl Prepared {
 
     pub fn lights(&self) -> &[PreparedLight] {
         &self.lights[..self.light_count]
+    }
+
+    pub fn softboxes(&self) -> &[Softbox] {
+        &self.softboxes[..self.softbox_count]
     }
 
     pub fn first_plane(&self) -> usize {
@@ -148,6 +159,10 @@ impl Prepared {
         }
         for (prepared, light) in self.lights.iter_mut().zip(scene.lights.iter()) {
             prepared.set(light, self.tree.solid_nodes(), scene.spheres.len());
+        }
+        self.softbox_count = scene.softboxes.len();
+        for (prepared, softbox) in self.softboxes.iter_mut().zip(scene.softboxes.iter()) {
+            *prepared = Softbox::of(softbox);
         }
         let lights = &self.lights[..self.light_count];
         self.ambience.set(scene, self.tree.solid_nodes(), lights);

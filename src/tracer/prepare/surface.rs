@@ -16,7 +16,7 @@ pub(crate) enum Parameter {
     Centre = 0,
     /// 0 for planes and blocks.
     InverseRadius = 3,
-    /// 0 for visible lights and the background.
+    /// 0 for visible lights and the background, otherwise 1 and [`Material::film_thickness`].
     IsLit = 4,
     /// A colour: the reflected ambient light (the share that is reflected, with ambience), or the colour of a visible light or the background.
     Emitted = 5,
@@ -60,7 +60,7 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
         Object::Light(light) => light.colour,
         Object::Background => scene.background,
         Object::Sphere(_) | Object::Block(_) | Object::Plane(_) => {
-            set(Parameter::IsLit, &[1.0]);
+            set(Parameter::IsLit, &[1.0 + material.film_thickness]);
             // With ambience, the ambient light depends on the point.
             let is_uniform = scene.ambience.occlusion == 0.0;
             material.colour * if is_uniform { scene.ambient } else { Vec3::ONE }

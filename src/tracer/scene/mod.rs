@@ -12,6 +12,7 @@ mod overlay;
 mod pattern;
 #[cfg(feature = "serde")]
 mod serial;
+mod softbox;
 mod validate;
 mod waves;
 
@@ -23,6 +24,7 @@ pub use list::{CapacityError, List};
 pub use method::Method;
 pub use overlay::Caption;
 pub use pattern::Pattern;
+pub use softbox::Softbox;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
@@ -40,6 +42,9 @@ pub const MAX_BLOCKS: usize = 128;
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
 /// The maximum number of lights.
 pub const MAX_LIGHTS: usize = 4;
+
+/// The maximum number of softboxes.
+pub const MAX_SOFTBOXES: usize = 3;
 
 /// The maximum number of captions. The show uses up to 3.
 pub const MAX_CAPTIONS: usize = 10;
@@ -70,7 +75,8 @@ pub struct Scene {
     /// The occlusion of ambient light, and the ambient light from below.
     pub ambience: Ambience,
     /// Whether rays beyond [`Quality::depth`](crate::Quality::depth) and
-    /// [`Quality::least_contribution`](crate::Quality::least_contribution) are black, as in the 2008 thesis.
+    /// [`Quality::least_contribution`](crate::Quality::least_contribution) are black, as in the 2008 thesis. Softboxes
+    /// are black, too.
     pub black_beyond: bool,
     /// The overlay that explains the rendering method.
     pub method: Method,
@@ -84,6 +90,8 @@ pub struct Scene {
     pub blocks: List<Block, MAX_BLOCKS>,
     /// The lights.
     pub lights: List<Light, MAX_LIGHTS>,
+    /// The lights beyond the scene that only mirrors and glass show.
+    pub softboxes: List<Softbox, MAX_SOFTBOXES>,
     /// Text over the picture.
     pub captions: List<Caption, MAX_CAPTIONS>,
 }
@@ -116,6 +124,7 @@ impl Scene {
             water: Waves::CALM,
             blocks: List::over(block),
             lights: List::over(Light::DARK),
+            softboxes: List::over(Softbox::ZERO),
             captions: List::over(Caption::ZERO),
         }
     };
@@ -162,6 +171,13 @@ pub struct Material {
     pub fresnel: f32,
     /// The weight of the transmitted ray, 0 to 1. Above 0 the surface is transparent.
     pub kt: f32,
+    /// The mean thickness of a thin film, such as a soap bubble's, in nm, 0 to 10,000; 0 for none. A film reflects no traced ray, but
+    /// the light of untraced ones: the brighter of background and ambient light, and softboxes.
+    ///
+    /// At an angle with the cosine c, the factor on red, green and blue light of the wavelengths w = 610, 540 and 455 nm is
+    /// `sin^2(2 pi n D t / w)` with n = 1.33 and `t = sqrt(1 - (1 - c^2) / n^2)`; parabolas replace the sine. At the height h above the
+    /// centre of a sphere, in radii, the film is `D = (1 - 0.8 h) film_thickness` thick; on other shapes, `film_thickness`.
+    pub film_thickness: f32,
     /// The refractive index of the inside relative to the outside, 0.1 to 10.
     pub index: f32,
     /// The colour of the object's shadow from lights with a [`Light::diameter`], 0 to 1 in each channel; black for a full shadow.
@@ -188,6 +204,7 @@ impl Material {
         kr: 0.0,
         fresnel: 0.0,
         kt: 0.0,
+        film_thickness: 0.0,
         index: 1.0,
         tint: Vec3::ZERO,
         pattern: Pattern::NONE,
@@ -251,6 +268,8 @@ impl Material {
         of.field("material.kr", self.kr, SHARE)?;
         of.field("material.fresnel", self.fresnel, SHARE)?;
         of.field("material.kt", self.kt, SHARE)?;
+        let thickness = Range(0.0, 1e4, "0 to 10000");
+        of.field("material.film_thickness", self.film_thickness, thickness)?;
         of.field("material.index", self.index, Range(0.1, 10.0, "0.1 to 10"))?;
         of.field("material.tint", self.tint, SHARE)?;
         self.pattern.check(of)

@@ -1,6 +1,6 @@
 //! The ranges of a scene's numbers.
 
-use super::{Block, Caption, Light, Plane, Scene, Sphere};
+use super::{Block, Caption, Light, Plane, Scene, Softbox, Sphere};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 
@@ -54,6 +54,7 @@ impl Scene {
         self.water.check(Checked::one("water"))?;
         each("blocks", &self.blocks, Block::check)?;
         each("lights", &self.lights, Light::check)?;
+        each("softboxes", &self.softboxes, Softbox::check)?;
         each("captions", &self.captions, Caption::check)
     }
 }

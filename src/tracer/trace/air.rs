@@ -1,4 +1,4 @@
-//! Haze, sky, and the glow around lights.
+//! Haze, sky, softboxes, and the glow around lights.
 
 use super::rays::Rays;
 use super::surface::SurfaceLanes;
@@ -52,6 +52,28 @@ pub(super) fn sky<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
     let [horizon, sky] =
         [world.scene.background, world.scene.sky].map(|colour| Vec3x::splat(simd, colour));
     horizon.add_scaled(sky, gradient)
+}
+
+/// The least cosine between a direction and the aim of a softbox that it sees.
+const BESIDE: f32 = 1e-3;
+
+/// Returns the light of softboxes in directions of length 1, see [`crate::scene::Softbox`].
+#[inline(always)]
+pub(super) fn softboxes<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
+    let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
+    let mut light = Vec3x::splat(simd, Vec3A::ZERO);
+    for softbox in world.softboxes() {
+        let toward = d.dot(Vec3x::splat(simd, softbox.aim));
+        let scale = one / at_least::<S>(toward, splat(simd, BESIDE));
+        let [x, y] = softbox.along.map(
+            #[inline(always)]
+            |side| d.dot(Vec3x::splat(simd, side)).abs() * scale,
+        );
+        let inside = at_most::<S>(x * -1.0 + softbox.half.x, y * -1.0 + softbox.half.y);
+        let share = smooth_step::<S>(clamp::<S>(inside, zero, one));
+        light = light.add_scaled(Vec3x::splat(simd, softbox.colour), share);
+    }
+    light
 }
 
 /// Larger than the distance of any surface or light, with a finite square.

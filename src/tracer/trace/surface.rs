@@ -29,7 +29,7 @@ pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
     table: &'a SurfaceTable,
     background: &'a SurfaceNumbers,
-    is_background: M<S>,
+    pub is_background: M<S>,
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
