@@ -1,5 +1,7 @@
 use crate::sound::{self, Cue, Track};
-use eightfold_tracer::scene::{Ambience, Film, Light, Material, Method, Plane, Scene, Waves};
+use eightfold_tracer::scene::{
+    Ambience, Film, Light, Material, Method, Plane, Scene, Softbox, Waves,
+};
 use glam::Vec3;
 
 /// The environment of one scene or of two consecutive ones. The first fields are as in [`Scene`]; colours are linear.
@@ -16,6 +18,7 @@ pub(super) struct Environment {
     /// The floor's waves, of which `phase` is the distance per beat.
     pub swell: Waves,
     pub lights: &'static [Light],
+    pub softboxes: &'static [Softbox],
     /// See [`Camera::field_of_view`](eightfold_tracer::scene::Camera::field_of_view).
     pub field_of_view: f32,
     /// Adds objects and moves lights.
@@ -45,6 +48,13 @@ pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
     Light::new(Vec3::from_array(position), Vec3::from_array(colour))
 }
 
+/// `sizes` are half the width, half the height and the softness at distance 1.
+pub(super) const fn softbox(aim: [f32; 3], sizes: [f32; 3], colour: [f32; 3]) -> Softbox {
+    let [half_width, half_height, softness] = sizes;
+    let [aim, colour] = [Vec3::from_array(aim), Vec3::from_array(colour)];
+    Softbox { aim, half_width, half_height, softness, colour }
+}
+
 impl Environment {
     pub fn apply(&self, now: Now, scene: &mut Scene) {
         scene.background = self.background;
@@ -64,6 +74,10 @@ impl Environment {
         scene.lights.clear();
         for &light in self.lights {
             scene.lights.push(light);
+        }
+        scene.softboxes.clear();
+        for &softbox in self.softboxes {
+            scene.softboxes.push(softbox);
         }
         scene.spheres.clear();
         scene.blocks.clear();

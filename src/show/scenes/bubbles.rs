@@ -1,26 +1,32 @@
 //! The bubbles: one divides into two, four and eight, a division a bar, until they burst.
 
-use crate::show::environment::{Environment, Now, point};
+use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::add_sphere;
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Ambience, Material, Scene, Waves};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
 use glam::{Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.16, 0.035, 0.07),
-    sky: vec3(-0.12, -0.02, 0.02),
-    ambient: vec3(0.25, 0.27, 0.32),
+    background: vec3(0.19, 0.042, 0.06),
+    sky: vec3(-0.18, -0.038, -0.03),
+    ambient: vec3(0.2, 0.17, 0.2),
     ambience: Ambience::UNIFORM,
     haze: 0.0,
     vignette: 0.4,
     floor: None,
     swell: Waves::CALM,
-    lights: &[point([-10.0, 22.0, 4.0], [0.55, 0.5, 0.6])],
+    lights: &[Light { parallel: true, glow: 0.16, ..point([0.25, 0.02, -1.0], [0.6, 0.2, 0.11]) }],
+    softboxes: &[
+        // A window behind the camera, a strip of evening sun, and a pale sky above.
+        softbox([-7.0, 6.5, 9.0], [0.5, 0.4, 0.3], [12.0, 10.0, 8.5]),
+        softbox([9.0, -1.0, 6.0], [0.2, 1.2, 0.2], [6.0, 2.4, 1.3]),
+        softbox([0.0, 1.0, 0.2], [2.5, 2.5, 2.5], [1.2, 1.0, 1.1]),
+    ],
     field_of_view: 0.6,
     add,
 };
@@ -29,31 +35,22 @@ static SHOTS: &[Shot] = &[
     shot(
         4,
         &[
-            view([0.0, 0.0, 7.0], [0.0; 3]),
-            view([1.0, 0.4, 7.6], [0.0; 3]),
-            view([0.6, 0.2, 8.6], [0.0; 3]),
+            view([0.0, -1.5, 6.6], [0.0; 3]),
+            view([0.8, -1.2, 7.2], [0.1, 0.0, 0.0]),
+            view([0.5, -0.9, 8.2], [0.3, 0.0, 0.0]),
         ],
     ),
     shot(
         2,
         &[
-            view([1.0, -0.3, 2.6], [0.5, 0.1, 0.0]),
-            view([0.5, 0.2, 3.6], [0.2, 0.0, 0.0]),
-            view([0.0, 0.0, 7.0], [0.0; 3]),
+            view([1.0, -0.9, 2.7], [0.5, 0.1, 0.0]),
+            view([0.5, -1.2, 3.8], [0.2, 0.0, 0.0]),
+            view([0.0, -1.5, 6.6], [0.0; 3]),
         ],
     ),
 ];
 
-static FILM: Material = Material {
-    ks: 0.6,
-    exponent: 300.0,
-    kr: 0.05,
-    fresnel: 0.7,
-    kt: 0.97,
-    index: 1.0,
-    tint: vec3(0.95, 0.95, 0.95),
-    ..Material::matt(vec3(0.02, 0.02, 0.02), 0.02)
-};
+const FILM: Material = Material { kr: 0.22, fresnel: 0.9, kt: 0.97, ..Material::BLACK };
 
 /// The bubbles' centres, at rest, and radii.
 static BUBBLES: [(Vec3, f32); 8] = [
@@ -83,6 +80,9 @@ fn add(now: Now, scene: &mut Scene) {
         }
         let float = vec3(0.0, 0.07 * sin(now.beat * 0.7 + 2.0 * number as f32), 0.0);
         let centre = BUBBLES[parent].0.lerp(centre, grown) + float * grown;
-        add_sphere(centre, radius * (0.2 + 0.8 * grown), &FILM, scene);
+        // Films flow, and thicker ones shine in other colours.
+        let film = 180.0 + 40.0 * (number % 3) as f32 + 50.0 * sin(0.4 * now.beat);
+        let material = Material { film_thickness: film, ..FILM };
+        add_sphere(centre, radius * (0.2 + 0.8 * grown), &material, scene);
     }
 }

@@ -20,6 +20,7 @@ static ENVIRONMENT: Environment = Environment {
     floor: Some(&PAPER),
     swell: Waves::CALM,
     lights: &[Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.90, 0.81, 0.68]) }],
+    softboxes: &[],
     field_of_view: 0.6,
     add,
 };

@@ -24,6 +24,7 @@ static ENVIRONMENT: Environment = Environment {
         Light { drawn_radius: 28.0, glow: 11.0, ..point(SUN, [4.0, 3.3, 2.3]) },
         Light { diameter: 2.0, ..point([30.0, 30.0, 30.0], [0.03, 0.045, 0.08]) },
     ],
+    softboxes: &[],
     field_of_view: 0.88,
     add,
 };

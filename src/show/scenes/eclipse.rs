@@ -28,6 +28,7 @@ static ENVIRONMENT: Environment = Environment {
         // The diamond of the ring.
         Light { glow: 0.03, ..point([0.36, 0.36, 4.8], [0.0, 0.0, 0.0]) },
     ],
+    softboxes: &[],
     field_of_view: 0.6,
     add,
 };

@@ -28,6 +28,7 @@ static ENVIRONMENT: Environment = Environment {
         point([0.0, 16.0, -30.0], [7.0, 3.6, 1.5]),
         Light { diameter: 2.0, ..point([-12.0, 14.0, 16.0], [0.1, 0.075, 0.14]) },
     ],
+    softboxes: &[],
     field_of_view: 0.75,
     add,
 };

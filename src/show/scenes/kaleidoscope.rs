@@ -26,6 +26,7 @@ static ENVIRONMENT: Environment = Environment {
         glow: 1.2,
         ..point([0.0, 6.5, 0.0], [1.9, 1.6, 1.25])
     }],
+    softboxes: &[],
     field_of_view: 0.5,
     add,
 };

@@ -25,6 +25,7 @@ static ENVIRONMENT: Environment = Environment {
         // The air at the giant's rim.
         Light { glow: 0.5, ..point([0.0, 0.0, -0.5], [0.1, 0.22, 0.55]) },
     ],
+    softboxes: &[],
     field_of_view: 0.6,
     add,
 };

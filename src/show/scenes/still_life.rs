@@ -20,6 +20,7 @@ pub(super) static ENVIRONMENT: Environment = Environment {
     floor: Some(&PAPER),
     swell: Waves::CALM,
     lights: &[Light { diameter: 20.0, ..point([-30.0, 48.0, 27.0], [1.21, 1.12, 0.97]) }],
+    softboxes: &[],
     field_of_view: 0.62,
     add,
 };
