@@ -1,6 +1,6 @@
 //! The chimes: a ball strikes a tune on a ring of eight brass pipes.
 
-use crate::show::environment::{Environment, Now, point};
+use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
@@ -20,7 +20,10 @@ static ENVIRONMENT: Environment = Environment {
     floor: Some(&PAPER),
     swell: Waves::CALM,
     lights: &[Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.90, 0.81, 0.68]) }],
-    softboxes: &[],
+    softboxes: &[
+        softbox([-4.0, 3.0, 8.0], [0.25, 1.5, 0.25], [6.0, 5.5, 5.0]),
+        softbox([8.0, 2.0, 2.0], [0.4, 1.0, 0.4], [2.0, 2.2, 2.4]),
+    ],
     field_of_view: 0.6,
     add,
 };
@@ -50,6 +53,8 @@ static BRASS: Material = Material {
     ks: 1.0,
     exponent: 10.0,
     metallic: 1.0,
+    kr: 0.35,
+    film_thickness: 330.0,
     anisotropy: 0.85,
     ..Material::matt(vec3(0.69, 0.355, 0.084), 0.46)
 };
