@@ -25,7 +25,9 @@ pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
     move_camera(shot.views, time_of_shot, shown.environment.field_of_view, scene);
     // Halve squares on eighths, and double them on sixteenths.
     let bars_left = shown.bars() as f32 - bar;
-    BEATS * f32::min(2.0 * bar, 4.0 * bars_left)
+    // The last scene ends by itself.
+    let is_last = core::ptr::eq(shown, &ALL[ALL.len() - 1]);
+    BEATS * if is_last { 2.0 * bar } else { f32::min(2.0 * bar, 4.0 * bars_left) }
 }
 
 /// Coarsens a scene's beginning and end, from squares of 32 pixels. `halvings` counts from the beginning, or to the end.

@@ -4,10 +4,11 @@ use crate::show::captions::Cue;
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::add_sphere;
+use crate::show::solids::{add_block, add_sphere};
+use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
-use glam::vec3;
+use eightfold_tracer::scene::{Ambience, Light, Material, Method, Scene, Shape, Waves};
+use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
     ShowScene { captions: CAPTIONS, ..ShowScene::new(&ENVIRONMENT, SHOTS) };
@@ -70,10 +71,22 @@ static PLUM: Material = Material {
     ..Material::matt(vec3(0.476, 0.125, 0.193), 0.95)
 };
 
+/// The light of the gold square at the end, relative to the ambient light.
+const GOLD: Vec3 = vec3(30.0, 17.0, 1.0);
+
+const BALL: Vec3 = vec3(0.0, 1.9, 0.8);
+
 fn add(now: Now, scene: &mut Scene) {
+    let last = now.cue(Track::Marimba);
+    if last.count > 0 {
+        return end(last.since, scene);
+    }
+    // Squares grow on every second sixteenth of the last row of notes.
+    let side = (1 << now.cue(Track::Square).count.div_ceil(2) & !1) as f32;
+    scene.method = Method { coarse: side, squares: side / 64.0, ..Method::default() };
     // The sun sinks behind the ball until bar 4.
     scene.lights[0].position.y -= 14.0 * smooth_step(now.beat / 16.0);
-    add_sphere(vec3(0.0, 1.9, 0.8), 1.9, &GLASS, scene);
+    add_sphere(BALL, 1.9, &GLASS, scene);
     for row in 0..4 {
         let row = row as f32;
         let float = 0.06 * sin(now.beat * 0.8 + row);
@@ -82,4 +95,13 @@ fn add(now: Now, scene: &mut Scene) {
             add_sphere(centre, 0.4, &PLUM, scene);
         }
     }
+}
+
+/// Leaves one gold square, which dies with the last note.
+fn end(beats: f32, scene: &mut Scene) {
+    scene.planes.clear();
+    scene.lights.clear();
+    (scene.background, scene.sky) = (Vec3::ZERO, Vec3::ZERO);
+    let gold = Material::matt(GOLD * (1.0 - 2.0 * beats).max(0.0), 1.0);
+    add_block(Shape::Box, BALL, Vec3::splat(0.3), Mat3::IDENTITY, &gold, scene);
 }
