@@ -2,15 +2,15 @@ use crate::drawn::{draw_best, isa_of, jagged};
 use crate::patches::compared;
 use eightfold_scenes::{Random, cases, materials, materials_of, solids};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
 const SIZE: [usize; 2] = [480, 270];
 
 /// Returns a patterned floor, half the time with a patterned shape on it, near or far.
-fn patterned(random: &mut Random) -> Scene {
+fn patterned(random: &mut Random, any: fn(&mut Random) -> Pattern) -> Scene {
     let distance = random.power(-0.3, 1.5);
-    let mut pattern = materials::pattern(random);
+    let mut pattern = any(random);
     pattern.waves *= random.one_of([0.0, 1.0, 1.0, 1.0]) * random.power(-0.5, 0.5);
     let material = Material { pattern, ..Material::matt(random.colour(), 0.8) };
     let eye = vec3(0.0, random.between(0.4, 3.0), -distance);
@@ -41,11 +41,11 @@ fn patterned(random: &mut Random) -> Scene {
 
 /// Draws random patterns, jagged and antialiased. Spots are lost where no drawn pixel nearby is similar; shadows of shapes can
 /// lose some, too.
-fn hold(cases: impl Iterator<Item = Random>) {
+fn hold(cases: impl Iterator<Item = Random>, any: fn(&mut Random) -> Pattern) {
     let (mut worst, mut below) = ((f64::INFINITY, 0), Vec::new());
     for mut random in cases {
         let isa = isa_of(random.seed);
-        let scene = patterned(&mut random);
+        let scene = patterned(&mut random, any);
         let is_bare = scene.spheres.is_empty() && scene.blocks.is_empty();
         for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
             let (psnr, patch) = compared(isa, &scene, quality, SIZE);
@@ -67,13 +67,15 @@ fn hold(cases: impl Iterator<Item = Random>) {
 fn patterns_are_right_at_any_distance() {
     // Before patterns had bounds, the first ten had 32 to 39 dB, and lost spots of up to 136 pixels.
     let known = [72, 263, 378, 407, 458, 688, 778, 853, 888, 893];
-    hold(known.map(Random::new).into_iter().chain(cases(6)));
+    hold(known.map(Random::new).into_iter().chain(cases(6)), materials::pattern);
+    hold(cases(12), materials::swirled);
 }
 
 #[test]
 #[ignore = "many scenes"]
 fn long_patterns_are_right_at_any_distance() {
-    hold(cases(4500));
+    hold(cases(4500), materials::pattern);
+    hold(cases(4500), materials::swirled);
 }
 
 /// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp patterns.
@@ -82,7 +84,7 @@ fn sharp_patterns_split_few_squares() {
     let quality = jagged(Quality::DEFAULT);
     let (mut points, mut plainly) = (0, 0);
     for mut random in cases(40) {
-        let mut scene = patterned(&mut random);
+        let mut scene = patterned(&mut random, materials::pattern);
         let pattern = scene.planes[0].material.pattern;
         if pattern.edge > 10.0 && pattern.waves != Vec3::ZERO {
             points += draw_best(&scene, &quality, SIZE[0], SIZE[1]).counts.points;

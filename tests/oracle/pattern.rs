@@ -3,11 +3,12 @@
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
-/// Returns the factor of a pattern at `p` in the object's own axes, where a pixel covers `footprint` scene units.
-pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
+/// Returns the factors of a pattern at `p` in the object's own axes, where a pixel covers `footprint` scene units.
+pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> DVec3 {
     if pattern.depth == 0.0 {
-        return 1.0;
+        return DVec3::ONE;
     }
+    let p = swirled(pattern, p, footprint);
     let waves = pattern.waves.as_dvec3();
     let mut v = p * waves;
     v.x += turbulence(pattern, p);
@@ -19,7 +20,28 @@ pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     let edge = f64::from(pattern.edge).min(steepest);
     let shift = f64::from(pattern.balance) * edge.max(1.0);
     let height = (sign * lowest * edge + shift).clamp(-1.0, 1.0);
-    1.0 - f64::from(pattern.depth) * (0.5 - 0.5 * height)
+    let dark = f64::from(pattern.depth) * (0.5 - 0.5 * height);
+    DVec3::ONE.lerp(pattern.tint.as_dvec3(), dark)
+}
+
+fn swirled(pattern: &Pattern, mut p: DVec3, footprint: f64) -> DVec3 {
+    let [grain, swirl, flat] = [pattern.grain, pattern.swirl, 1.0 - pattern.stretch].map(f64::from);
+    if grain * swirl > 0.0 {
+        p *= DVec3::new(flat, 1.0, flat);
+        let sine = |u: f64| {
+            let f = u - u.round();
+            8.0 * f * (1.0 - 2.0 * f.abs())
+        };
+        for octave in 0..7 {
+            let cells = grain * 1.618_034_f64.powi(octave);
+            let share = (0.125 / (footprint * cells) - 0.5).clamp(0.0, 1.0);
+            let strength = share * swirl / cells;
+            p.x += strength * sine(p.y * cells);
+            p.y += strength * sine(p.z * cells);
+            p.z += strength * sine(p.x * cells);
+        }
+    }
+    p
 }
 
 fn wave(v: f64) -> f64 {

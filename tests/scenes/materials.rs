@@ -24,7 +24,7 @@ pub fn painted(random: &mut Random) -> Material {
     let material = plain(random);
     Material {
         tint: random.colour() * f32::from(u8::from(material.kt > 0.0)),
-        pattern: pattern(random),
+        pattern: swirled(random),
         // Grazing reflections in curved mirrors show patterns beyond the precision of f32.
         fresnel: 0.05 * material.fresnel,
         ..material
@@ -60,6 +60,18 @@ pub fn pattern(random: &mut Random) -> Pattern {
         balance: random.one_of([-1.0, 1.0]) * (1.0 - most * random.between(0.0, 1.0)),
         warp: random.zero_or(0.2, 3.0),
         grain: random.power(-0.5, 1.0),
+        ..Pattern::NONE
+    }
+}
+
+/// Returns a [`pattern`] of two colours, half the time with swirls.
+pub fn swirled(random: &mut Random) -> Pattern {
+    let mut more = Random::new(random.clone().bits());
+    Pattern {
+        swirl: more.zero_or(0.02, 0.2),
+        stretch: more.zero_or(0.2, 0.9),
+        tint: more.colour(),
+        ..pattern(random)
     }
 }
 

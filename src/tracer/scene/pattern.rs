@@ -1,15 +1,19 @@
-//! Procedural textures: stripes, checkers and marble.
+//! Procedural textures: stripes, checkers, marble and swirling bands.
 
 use super::validate::{SHARE, SIGNED, THOUSAND};
 use crate::range_error::{Checked, RangeError};
 use glam::Vec3;
 
-/// A procedural texture that darkens the colour of a surface.
+/// A procedural texture of two colours: the surface's, and a darker one.
 ///
 /// Coordinates are relative to the object's centre, along its own axes; spheres and planes have the scene's axes. Along each axis a
 /// triangle wave between -1 and 1 has a maximum at 0. The smallest of the waves' magnitudes, with the sign of their product, is
 /// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three
-/// checkers, with fields half a period wide. Noise along x turns stripes into marble.
+/// checkers, with fields half a period wide. Noise along x turns stripes into marble, swirls turn
+/// them into the bands of a giant planet.
+///
+/// Swirls shear the coordinates seven times along each axis, each time by finer waves: x by waves along y, y by waves along z, z by
+/// waves along x. Waves below four pixels vanish.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -27,8 +31,14 @@ pub struct Pattern {
     /// The amplitude in periods of the noise that shifts the pattern along x, 0 to 1000. Octaves of half the size and amplitude are
     /// added while their amplitude is above [`Pattern::LEAST_WARP`].
     pub warp: f32,
-    /// Cells of the noise's coarsest octave per scene unit, 0 to 1000.
+    /// Cells of the coarsest octave of noise and swirls per scene unit, 0 to 1000.
     pub grain: f32,
+    /// The strength of swirls, 0 to 1: the amplitude of each octave's waves, relative to their length.
+    pub swirl: f32,
+    /// The stretch of swirling patterns along x and z, 0 to 1: these coordinates are multiplied by `1 - stretch`.
+    pub stretch: f32,
+    /// The darker colour relative to the surface's, 0 to 1 in each channel, for a `depth` of 1.
+    pub tint: Vec3,
 }
 
 impl Pattern {
@@ -42,8 +52,17 @@ impl Pattern {
     pub const LEAST_WARP: f32 = 0.2;
 
     /// A uniform colour.
-    pub const NONE: Self =
-        Self { waves: Vec3::ZERO, depth: 0.0, edge: 0.0, balance: 0.0, warp: 0.0, grain: 0.0 };
+    pub const NONE: Self = Self {
+        waves: Vec3::ZERO,
+        depth: 0.0,
+        edge: 0.0,
+        balance: 0.0,
+        warp: 0.0,
+        grain: 0.0,
+        swirl: 0.0,
+        stretch: 0.0,
+        tint: Vec3::ZERO,
+    };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("material.pattern.waves", self.waves, THOUSAND)?;
@@ -51,6 +70,9 @@ impl Pattern {
         of.field("material.pattern.edge", self.edge, THOUSAND)?;
         of.field("material.pattern.balance", self.balance, SIGNED)?;
         of.field("material.pattern.warp", self.warp, THOUSAND)?;
-        of.field("material.pattern.grain", self.grain, THOUSAND)
+        of.field("material.pattern.grain", self.grain, THOUSAND)?;
+        of.field("material.pattern.swirl", self.swirl, SHARE)?;
+        of.field("material.pattern.stretch", self.stretch, SHARE)?;
+        of.field("material.pattern.tint", self.tint, SHARE)
     }
 }

@@ -6,7 +6,7 @@ use crate::prepare::{Object, Parameter, World};
 use crate::rounding;
 use crate::shapes::TexturePoint;
 use crate::shapes::block::BlockHit;
-use glam::Mat3;
+use glam::{Mat3, Vec3A};
 
 pub(super) struct ShadingPoint<S: Isa> {
     pub p: Vec3x<S>,
@@ -22,6 +22,8 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub anisotropy: F<S>,
     /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
     pub reflectance: F<S>,
+    /// See [`Pattern::tint`](crate::scene::Pattern::tint).
+    pub tint: Vec3x<S>,
     /// A hash of the texture's field.
     pub field: U<S>,
     /// The least cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere, whose far
@@ -85,6 +87,7 @@ impl<S: Isa> ShadingPoint<S> {
             groove: n,
             anisotropy: zero,
             reflectance: splat(simd, 1.0),
+            tint: Vec3x::splat(simd, Vec3A::ZERO),
             field: U::<S>::splat(simd, 0),
             horizon: inverse_radius * 0.5,
             inside: shaded,
@@ -128,6 +131,7 @@ impl<S: Isa> ShadingPoint<S> {
                 let (left, field) = texture_point.reflectance(simd, world, pattern, d, hit.t);
                 self.field = same.select(field, self.field);
                 self.reflectance = same.select(left, self.reflectance);
+                self.tint = Vec3x::select(same, Vec3x::splat(simd, pattern.tint), self.tint);
             }
         }
     }

@@ -57,7 +57,13 @@ pub(super) fn shade<S: Isa>(
         untextured = reflected.untextured;
         reflectance = point.reflectance;
         field = point.field;
-        colour = reflected.specular.add_scaled(untextured, reflectance.abs());
+        let mut plain = reflected.specular;
+        if world.has_patterns {
+            let tinted = untextured * point.tint;
+            plain = plain + tinted;
+            untextured = untextured - tinted;
+        }
+        colour = plain.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scattered = scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);

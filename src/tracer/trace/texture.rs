@@ -145,14 +145,27 @@ const NOISE_SLOPE: f32 = 1.2;
 ///
 /// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
 /// w)` of the waves w along the axes.
-#[inline(always)]
+///
+/// Inlined into both callers it would add 630 packed bytes.
+#[inline(never)]
 fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> (F<S>, U<S>) {
+    by_isa!(simd: reflectance_by(simd, pattern, own, pixels))
+}
+
+#[inline(always)]
+fn reflectance_by<S: Isa>(
+    simd: S,
+    pattern: &Pattern,
+    own: &Vec3x<S>,
+    pixels: F<S>,
+) -> (F<S>, U<S>) {
     let mut height = splat(simd, 1.0);
     let mut field = U::<S>::splat(simd, 0);
     if pattern.depth == 0.0 {
         return (height, field);
     }
     let [along_x, along_y, along_z] = pattern.waves.to_array();
+    let (own, steepness) = &swirled(simd, pattern, *own, pixels);
     let (noise, slope) = turbulence(simd, pattern, *own);
     for v in [own.x * along_x + noise, own.y * along_y, own.z * along_z] {
         let halves: F<S> = v + v;
@@ -167,13 +180,53 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     let one = splat(simd, 1.0);
     let height = flipped::<S>(height * edge, field << 31);
     let height = height + at_least::<S>(edge, one) * pattern.balance;
-    let frequency = (along_x + slope).max(along_y).max(along_z);
+    let frequency = (along_x + slope).max(along_y).max(along_z) * steepness;
     let excess = at_least::<S>(height.abs() - 1.0, splat(simd, SMOOTH));
     let fine = (excess * pixels).simd_lt(edge * (4.0 * REACH * frequency));
     let height = clamp::<S>(height, -one, one);
     let share = (height - 1.0) * (0.5 * pattern.depth) + 1.0;
     let sign: U<S> = fine.to_vector().bitcast();
     (flipped::<S>(share, sign & (1 << 31)), field)
+}
+
+/// Returns the sheared coordinates, and a bound of their change per scene unit.
+#[inline(always)]
+fn swirled<S: Isa>(simd: S, pattern: &Pattern, own: Vec3x<S>, pixels: F<S>) -> (Vec3x<S>, f32) {
+    let Pattern { swirl, stretch, .. } = *pattern;
+    let (mut p, mut steepness) = (own, 1.0);
+    if swirl * pattern.grain == 0.0 {
+        return (p, steepness);
+    }
+    p.x *= 1.0 - stretch;
+    p.z *= 1.0 - stretch;
+    let (mut cells, mut length) = (pattern.grain, 1.0 / pattern.grain);
+    for _ in 0..SWIRLS {
+        let share = clamp::<S>(pixels * (0.125 * length) - 0.5, splat(simd, 0.0), splat(simd, 1.0));
+        let strength = share * (swirl * length);
+        p.x += wave::<S>(p.y * cells) * strength;
+        p.y += wave::<S>(p.z * cells) * strength;
+        p.z += wave::<S>(p.x * cells) * strength;
+        cells *= FINER;
+        length *= 1.0 / FINER;
+        steepness *= 1.0 + SWIRL_SLOPE * swirl;
+    }
+    (p, steepness)
+}
+
+/// Octaves of swirls.
+const SWIRLS: usize = 7;
+
+/// The ratio of the lengths of an octave's waves and the next one's: irrational, so that the pattern does not repeat.
+const FINER: f32 = 1.618_034;
+
+/// The growth of a swirling pattern's slope per octave, for a `swirl` of 1. With 1, thin bands of planets lose spots.
+const SWIRL_SLOPE: f32 = 2.0;
+
+/// Returns nearly a sine with a period of 1.
+#[inline(always)]
+fn wave<S: Isa>(u: F<S>) -> F<S> {
+    let f = off_integer::<S>(u);
+    f * (f.abs() * -16.0 + 8.0)
 }
 
 /// Returns the noise along x, in periods, and its slope in periods per scene unit. It is constant along one oblique direction.
