@@ -54,13 +54,17 @@ static SHOTS: &[Shot] = &[
 
 static GIANT: Material = Material {
     pattern: Pattern {
-        waves: vec3(0.0, 4.6, 0.0),
-        depth: 0.6,
-        edge: 1.15,
-        balance: 0.22,
+        waves: vec3(0.0, 2.64, 0.0),
+        depth: 1.0,
+        edge: 0.9,
+        balance: -0.05,
+        grain: 1.8,
+        swirl: 0.15,
+        stretch: 0.8,
+        tint: vec3(0.42, 0.17, 0.08),
         ..Pattern::NONE
     },
-    ..Material::matt(vec3(0.83, 0.68, 0.43), 1.0)
+    ..Material::matt(vec3(0.78, 0.60, 0.38), 1.0)
 };
 static STONE: Material = Material::matt(vec3(0.52, 0.476, 0.434), 1.0);
 static RUST: Material = Material::matt(vec3(0.424, 0.125, 0.038), 1.0);
@@ -68,18 +72,14 @@ static RUST: Material = Material::matt(vec3(0.424, 0.125, 0.038), 1.0);
 fn add(now: Now, scene: &mut Scene) {
     add_sphere(Vec3::ZERO, 1.0, &GIANT, scene);
     add_sphere(Vec3::from_array(MOON), 0.065, &STONE, scene);
-    for moon in 0..7 {
-        let moon = moon as f32;
-        let out = around(0.09 + 0.045 * moon + 0.004 * now.beat) * (1.7 + 0.35 * moon);
-        let radius = 0.035 + 0.03 * (moon * 0.37 % 1.0);
-        add_sphere(
-            out + Vec3::Y * (0.12 * moon - 0.6),
-            radius,
-            if moon as i32 % 3 == 1 { &RUST } else { &STONE },
-            scene,
-        );
+    for number in 0..7_u8 {
+        let moon = f32::from(number);
+        let out = around(0.13 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
+        let centre = out + Vec3::Y * (0.25 * out.x - 0.2 * out.z);
+        let material = if number % 3 == 1 { &RUST } else { &STONE };
+        add_sphere(centre, 0.03 + 0.04 * (moon * 0.37).fract(), material, scene);
     }
     let kick = now.cue(Track::Kick);
     let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
-    scene.lights[0].position = around(0.78 + 0.03 * steps) * 400.0 + Vec3::Y * 140.0;
+    scene.lights[0].position = around(0.70 + 0.0235 * steps) * 400.0 + Vec3::Y * 140.0;
 }
