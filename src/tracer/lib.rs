@@ -95,6 +95,7 @@ extern crate std;
 mod counts;
 mod coverage;
 mod debug;
+mod fold;
 pub mod font;
 mod governor;
 mod grid;

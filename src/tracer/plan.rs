@@ -1,3 +1,4 @@
+use crate::fold::Fold;
 use crate::picture::{Frame, Probing};
 use crate::prepare;
 use crate::quality::Quality;
@@ -17,6 +18,7 @@ pub(crate) struct FramePlan {
     pub finished: usize,
     /// See [`Method::coarse`]; below 2 for none.
     pub coarse: usize,
+    pub fold: Fold,
     /// Whether all points of strong mirrors and glass have different keys.
     pub glitters: bool,
     /// In pixels.
@@ -60,6 +62,7 @@ impl FramePlan {
             size,
             finished,
             coarse,
+            fold: Fold::new(scene.sectors, size),
             glitters,
             offset: frame.offset,
             probing: frame.probing,

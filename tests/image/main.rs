@@ -12,6 +12,7 @@ mod error_measures;
 mod errors;
 mod extremes;
 mod film;
+mod fold;
 mod golden;
 mod governor;
 mod huge;

@@ -66,7 +66,8 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     let (top, stride) = (band.top, band.stride);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();
-    let mut places = plan.probing.places(size).filter(|&place| index(place) < count);
+    let places = plan.probing.places(size).map(|place| plan.fold.source(place));
+    let mut places = places.filter(|&place| place[0] < size[0] && index(place) < count);
     worker.batch.begin();
     worker.pyramid.scratch().fill(0);
     loop {

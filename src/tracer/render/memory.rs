@@ -91,6 +91,7 @@ impl Memory {
             };
             counts += self.smoothing.run(picture, &job, threads);
         }
+        plan.fold.copy(picture);
         let overlay = Overlay {
             captions: &scene.captions,
             numbers: &[counts.points as usize, width * height],

@@ -78,6 +78,13 @@ pub struct Scene {
     /// [`Quality::least_contribution`](crate::Quality::least_contribution) are black, as in the 2008 thesis. Softboxes
     /// are black, too.
     pub black_beyond: bool,
+    /// The number of sectors of a kaleidoscope, 1, 2, 4 or 8, rounded down: 1 for none, 2 for a picture that is mirrored left and right, 4
+    /// for one that is also mirrored up and down, 8 for one that is also mirrored along diagonals.
+    ///
+    /// The centre is in the middle and at 46 % of the height, rounded up and left to whole cells of 8 pixels. Only a wedge is traced: with 8
+    /// sectors, from the line to the right to the diagonal to the lower right, or in narrow pictures from there to the line downwards. The
+    /// rest copies its pixels. Captions and copper bars are not mirrored.
+    pub sectors: f32,
     /// The overlay that explains the rendering method.
     pub method: Method,
     /// The spheres, in any order.
@@ -118,6 +125,7 @@ impl Scene {
             ambient: Vec3::ZERO,
             ambience: Ambience::UNIFORM,
             black_beyond: false,
+            sectors: 1.0,
             method: Method::PLAIN,
             spheres: List::over(Sphere::new(Vec3::ZERO, 0.0, material)),
             planes: List::over(Plane::new(Vec3::ZERO, 0.0, 0.0, material)),
@@ -133,6 +141,7 @@ impl Scene {
     pub const ZEROED: Self = Self {
         camera: Camera { eye: Vec3::ZERO, up: Vec3::ZERO, field_of_view: 0.0, ..Camera::STANDARD },
         exposure: 0.0,
+        sectors: 0.0,
         film: Film { shoulder: 0.0, tolerance: 0.0, ..Film::PLAIN },
         method: Method { picture: 0.0, ..Method::PLAIN },
         ..Self::EMPTY

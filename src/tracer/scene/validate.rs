@@ -48,6 +48,7 @@ impl Scene {
         self.film.check(Checked::one("film"))?;
         Checked::one("ambient").field("", self.ambient, LENGTH)?;
         self.ambience.check(Checked::one("ambience"))?;
+        Checked::one("sectors").field("", self.sectors, Range(1.0, 8.0, "1 to 8"))?;
         self.method.check(Checked::one("method"))?;
         each("spheres", &self.spheres, Sphere::check)?;
         each("planes", &self.planes, Plane::check)?;

@@ -26,7 +26,9 @@ impl<O: Observer> Tile<'_, '_, O> {
                     } else {
                         (self.rough(y + 1), whole, 1, stride)
                     };
-                    each((own ^ other) & among, |x| {
+                    let drawn = self.drawn(y)
+                        & if side == 0 { self.drawn(y) >> 1 } else { self.drawn(y + 1) };
+                    each((own ^ other) & among & drawn, |x| {
                         let mut at = self.area.left + CELL * (y * stride + x) + (CELL - 1) * across;
                         // A one above the pairs' bits ends the loop, which is smaller than one over a range.
                         let mut edges = 1_u32;
@@ -48,6 +50,11 @@ impl<O: Observer> Tile<'_, '_, O> {
             }
             self.trace(0);
         }
+    }
+
+    /// Returns the cells that a fold leaves to be drawn.
+    fn drawn(&self, y: usize) -> u64 {
+        self.worker.marks.squares[CELL.ilog2() as usize][y].0[0]
     }
 
     fn rough(&self, y: usize) -> u64 {

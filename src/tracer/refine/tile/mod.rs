@@ -54,6 +54,15 @@ pub(crate) fn draw<O: Observer>(
         };
         tile.draw();
     }
+    // Around the wedge of a fold, pixels are stale.
+    for (row, rough) in band.rough.iter_mut().enumerate() {
+        let cells = plan.fold.cells(band.top / CELL + row, 0);
+        for (first, word) in (0..).step_by(u64::BITS as usize).zip(rough) {
+            let from =
+                |cell: usize| u64::MAX.checked_shl(cell.saturating_sub(first).min(64) as u32);
+            *word &= from(cells.start).unwrap_or(0) & !from(cells.end).unwrap_or(0);
+        }
+    }
 }
 
 pub(super) struct Tile<'a, 'b, O: Observer> {
@@ -73,15 +82,18 @@ impl<O: Observer> Tile<'_, '_, O> {
     pub fn draw(&mut self) {
         let Context { plan, world, coverage, .. } = self.context;
         let top = plan.quality.top_level();
-        let (columns, rows) = (self.area.columns(top), self.area.rows(top));
-        self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
-        let open = if plan.quality.guarded && top > 0 {
+        let rows = self.area.rows(top);
+        self.mark_drawn(top);
+        let marks = &mut self.worker.marks;
+        if marks.squares[top][..rows].iter().all(Bits::is_empty) {
+            return;
+        }
+        if plan.quality.guarded && top > 0 {
             self.worker.guard.begin(coverage, &self.area, self.rect);
-            Bits::first(columns)
+            marks.open[top] = marks.squares[top];
         } else {
-            Bits::NONE
-        };
-        self.worker.marks.open[top][..rows].fill(open);
+            marks.open[top][..rows].fill(Bits::NONE);
+        }
         for level in (1..=top).rev() {
             self.find_points(level, level == top);
             if plan.quality.guarded {
@@ -112,13 +124,29 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    fn crowding(&self, top: usize) -> f32 {
+    /// Marks the largest squares in the wedge of a fold and around it.
+    fn mark_drawn(&mut self, top: usize) {
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
-        let mut filled = 0;
-        for row in &self.worker.marks.filled[top][..rows] {
-            row.for_each(|_| filled += 1);
+        let squares = &mut self.worker.marks.squares[top];
+        squares[..rows].fill(Bits::NONE);
+        for y in (0..self.area.bottom - self.area.top).step_by(CELL) {
+            let cells = self.context.plan.fold.cells((self.area.top + y) / CELL, 1);
+            let at = |cell: usize| cell.saturating_mul(CELL).saturating_sub(self.area.left);
+            let end = columns.min(at(cells.end).div_ceil(1 << top));
+            let drawn = Bits::first(end).without(Bits::first(at(cells.start) >> top));
+            for row in &mut squares[y >> top..rows.min((y + CELL).div_ceil(1 << top))] {
+                *row |= drawn;
+            }
         }
-        let split = 1.0 - pixels(filled) / pixels(columns * rows);
+    }
+
+    fn crowding(&self, top: usize) -> f32 {
+        let rows = self.area.rows(top);
+        let count = |rows: &[Bits]| rows.iter().flat_map(|row| row.0).map(u64::count_ones).sum();
+        let marks = &self.worker.marks;
+        let [filled, all]: [u32; 2] =
+            [&marks.filled[top][..rows], &marks.squares[top][..rows]].map(count);
+        let split = 1.0 - pixels(filled as usize) / pixels(all as usize);
         let square = split * split;
         square * square
     }

@@ -1,0 +1,96 @@
+//! Kaleidoscopes, see `Scene::sectors`.
+
+use crate::cpu;
+use crate::drawn::{draw_best, of_the_show};
+use crate::error::Difference;
+use crate::sameness::work;
+use crate::threaded_renderer::ThreadedRenderer;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Method, Scene};
+
+const SIZES: [[usize; 2]; 7] =
+    [[640, 360], [203, 357], [333, 331], [1100, 70], [65, 33], [7, 9], [1, 1]];
+const SECTORS: [f32; 5] = [1.0, 2.0, 4.0, 5.5, 8.0];
+
+/// Returns the pixel that a pixel copies.
+fn source(sectors: f32, [width, height]: [usize; 2], [x, y]: [usize; 2]) -> [usize; 2] {
+    let [mut left, mut top] = [width / 2 / 8 * 8, height * 46 / 100 / 8 * 8];
+    if sectors < 4.0 {
+        top = 0;
+    }
+    if sectors < 2.0 {
+        left = 0;
+    }
+    let mirrored = |at: usize, middle: usize| {
+        (2 * (at as i32 - middle as i32) + 1).unsigned_abs() as usize / 2
+    };
+    let [a, b] = [mirrored(x, left), mirrored(y, top)];
+    let is_wide = width - left >= height - top;
+    match (sectors >= 8.0, is_wide) {
+        (false, _) => [left + a, top + b],
+        (true, true) => [left + a.max(b), top + a.min(b)],
+        (true, false) => [left + a.min(b), top + a.max(b)],
+    }
+}
+
+fn scene(sectors: f32) -> Scene {
+    let mut scene = of_the_show(51.0);
+    (scene.method, scene.sectors) = (Method::default(), sectors);
+    scene.captions.clear();
+    scene
+}
+
+/// Draws over other pixels with 1 and 3 threads, and asserts that both agree, and that probes find no error in exhaustive pictures.
+fn draw(
+    renderers: &mut [ThreadedRenderer; 2],
+    scene: &Scene,
+    quality: &Quality,
+    [width, height]: [usize; 2],
+) -> Vec<u32> {
+    let mut old = 0;
+    let [one, three] = renderers.each_mut().map(|renderer| {
+        let mut pixels: Vec<u32> = vec![old; width * height];
+        pixels.iter_mut().for_each(|pixel| {
+            old = old.wrapping_mul(0x9e_3779) % 0xff_ffff + 1;
+            *pixel = old;
+        });
+        renderer.set_probes(200, old);
+        let counts = renderer.draw(cpu::best().level, scene, quality, width, &mut pixels);
+        assert!(quality.square > 1 || counts.probes.psnr() == f32::INFINITY, "{:?}", counts.probes);
+        (pixels, work(counts))
+    });
+    assert!(one == three, "{width}x{height} depends on threads or old pixels");
+    one.0
+}
+
+#[test]
+fn folded_picture_equals_its_reflections() {
+    let mut renderers = [1, 3].map(ThreadedRenderer::new);
+    let jagged = Quality { antialias: false, ..Quality::EXHAUSTIVE };
+    for size in SIZES {
+        for quality in [Quality::DEFAULT, Quality::THESIS, Quality::EXHAUSTIVE, jagged] {
+            let whole = draw(&mut renderers, &scene(1.0), &quality, size);
+            for sectors in SECTORS {
+                let what = format!("{size:?}, {sectors} sectors, {quality:?}");
+                let folded = draw(&mut renderers, &scene(sectors), &quality, size);
+                let from = (0..folded.len()).map(|i| {
+                    let [x, y] = source(sectors, size, [i % size[0], i / size[0]]);
+                    y * size[0] + x
+                });
+                let copied = |of: &[u32]| from.clone().map(|i| of[i]).collect::<Vec<_>>();
+                assert!(folded == copied(&folded), "{what}");
+                // Squares beside the wedge decide a few squares in it.
+                let difference = Difference::between(&copied(&whole), &folded);
+                let is_near =
+                    difference.mean == 0.0 || quality.square > 1 && difference.psnr > 45.0;
+                assert!(is_near, "{what}: {difference:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn eight_sectors_trace_a_quarter_of_the_picture() {
+    let points = |sectors| draw_best(&scene(sectors), &Quality::EXHAUSTIVE, 640, 360).counts.points;
+    assert!(points(8.0) < points(1.0) / 4, "{} of {}", points(8.0), points(1.0));
+}
