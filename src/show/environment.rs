@@ -66,6 +66,7 @@ impl Environment {
         scene.black_beyond = false;
         scene.film = Film { filmic: true, vignette: self.vignette, dither: 1.0, ..Film::PLAIN };
         scene.method = Method::default();
+        scene.sectors = 1.0;
         scene.planes.clear();
         if let Some(&material) = self.floor {
             scene.planes.push(Plane::new(Vec3::ZERO, FAR, FAR, material));

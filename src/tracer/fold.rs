@@ -13,7 +13,7 @@ pub(crate) struct Fold {
 
 impl Fold {
     pub fn new(sectors: f32, [width, height]: [usize; 2]) -> Self {
-        let cells = |share: usize, is_folded: bool| share / CELL * usize::from(is_folded);
+        let cells = |at: usize, is_folded: bool| at / CELL * usize::from(is_folded);
         let centre = [cells(width / 2, sectors >= 2.0), cells(height * 23 / 50, sectors >= 4.0)];
         let [right, below] = [width - CELL * centre[0], height - CELL * centre[1]];
         Self { centre, has_diagonal: sectors >= 8.0, is_wide: right >= below }

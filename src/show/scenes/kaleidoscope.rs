@@ -51,15 +51,19 @@ static BRASS: Material = Material {
 };
 
 fn add(now: Now, scene: &mut Scene) {
+    // Each boom doubles the sectors: 1, 2, 4, 8.
+    scene.sectors = (1 << now.cue(Track::Boom).count >> 1) as f32;
     let kick = now.cue(Track::Kick);
     let turns = (kick.count as f32 - 1.0 + smooth_step(kick.since * 2.0)) * 0.125;
     let half = vec3(4.2, 0.9, 4.2);
     add_block(Shape::Cylinder, Vec3::Y * 0.4, half, Mat3::IDENTITY, &BRASS, scene);
-    add_sphere(around(0.1875 + turns) * 7.6 + Vec3::Y * 0.6, 2.75, &RED, scene);
-    add_sphere(around(0.25 - turns) * 13.0 + Vec3::Y * 1.2, 1.9, &INK, scene);
-    add_sphere(around(0.125 - turns) * 13.2 + Vec3::Y * 1.2, 1.9, &INK, scene);
-    let out = around(0.1875 + 0.5 * turns);
-    let axes = Mat3::from_cols(Vec3::Y.cross(out), out, Vec3::NEG_Y);
-    let half = vec3(0.95, 7.3, 0.95);
-    add_block(Shape::Capsule, out * 19.7 + Vec3::Y * 1.5, half, axes, &BRASS, scene);
+    for number in 0..7 {
+        let part = number as f32 / 7.0;
+        add_sphere(around(part + turns) * 7.9 + Vec3::Y * 0.6, 2.6, &RED, scene);
+        add_sphere(around(part - turns) * 13.5 + Vec3::Y * 1.2, 1.9, &INK, scene);
+        let out = around(part + 0.5 * turns + 0.07);
+        let axes = Mat3::from_cols(Vec3::Y.cross(out), out, Vec3::NEG_Y);
+        let half = vec3(0.95, 7.3, 0.95);
+        add_block(Shape::Capsule, out * 20.5 + Vec3::Y * 1.5, half, axes, &BRASS, scene);
+    }
 }

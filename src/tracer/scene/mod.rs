@@ -83,7 +83,7 @@ pub struct Scene {
     ///
     /// The centre is in the middle and at 46 % of the height, rounded up and left to whole cells of 8 pixels. Only a wedge is traced: with 8
     /// sectors, from the line to the right to the diagonal to the lower right, or in narrow pictures from there to the line downwards. The
-    /// rest copies its pixels. Captions and copper bars are not mirrored.
+    /// rest copies its pixels. Captions are not mirrored.
     pub sectors: f32,
     /// The overlay that explains the rendering method.
     pub method: Method,
