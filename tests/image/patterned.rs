@@ -1,5 +1,6 @@
 use crate::drawn::{draw_best, isa_of, jagged};
 use crate::patches::compared;
+use eightfold_scene_file::SceneFile;
 use eightfold_scenes::{Random, cases, materials, materials_of, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
@@ -76,6 +77,15 @@ fn patterns_are_right_at_any_distance() {
 fn long_patterns_are_right_at_any_distance() {
     hold(cases(4500), materials::pattern);
     hold(cases(4500), materials::swirled);
+}
+
+/// Swirls and the rim of air are smooth enough for squares.
+#[test]
+fn planet_matches_its_exhaustive_frame() {
+    let planet = include_str!("../../examples/scenes/planet.ron");
+    let scene = SceneFile::parse("planet.ron", planet).expect("a scene").at(0.0);
+    let (psnr, _) = compared(isa_of(0), &scene, Quality::DEFAULT, [960, 540]);
+    assert!(psnr > 55.0, "{psnr:.1} dB");
 }
 
 /// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp patterns.

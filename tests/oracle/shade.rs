@@ -1,7 +1,7 @@
 //! Phong shading, and secondary rays.
 
 use super::geometry::{Met, Ray};
-use super::light::{ToLight, reach, smooth};
+use super::light::{ToLight, cone, reach, smooth};
 use super::pattern::reflectance;
 use super::{Body, Object, Oracle, Traced, grooves, waves};
 use eightfold_tracer::scene::{Light, Material, Softbox};
@@ -136,10 +136,17 @@ impl Oracle<'_> {
             if radius2 > 0.0 {
                 let to_light = light.position.as_dvec3() * reach(light) - ray.o;
                 let nearest = to_light.dot(ray.d);
-                let q = (to_light - nearest * ray.d).length_squared() + radius2;
+                let mut height2 = (to_light - nearest * ray.d).length_squared();
+                let mut share = 0.5 * radius2;
+                if light.core > 0.0 {
+                    let out = nearest.clamp(0.0, t) * ray.d - to_light;
+                    share *= cone(light, out.normalize());
+                    height2 =
+                        (out.length() - f64::from(light.core) * reach(light)).max(0.0).powi(2);
+                }
+                let q = height2 + radius2;
                 let sine = |at: f64| (at - nearest) / (q + (at - nearest).powi(2)).sqrt();
-                let share = 0.5 * radius2 / q * (sine(t.min(1e20)) - sine(0.0));
-                glow += share * light.colour.as_dvec3();
+                glow += share / q * (sine(t.min(1e20)) - sine(0.0)) * light.colour.as_dvec3();
             }
         }
         glow

@@ -103,6 +103,7 @@ pub fn scaled(scene: &Scene, factor: f32) -> Scene {
         }
         light.diameter *= factor;
         light.glow *= factor;
+        light.core *= factor;
     }
     for material in materials_of(&mut scene) {
         let pattern = &mut material.pattern;

@@ -18,6 +18,8 @@ pub(crate) struct PreparedLight {
     pub diameter: f32,
     /// The square of [`Light::glow_radius`].
     pub glow2: f32,
+    /// [`Light::core`] times [`Light::far`].
+    pub core: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
     /// The first object that shadow rays list as an occluder. The spheres before it cast hard shadows, found by a faster test.
@@ -94,6 +96,7 @@ impl PreparedLight {
         cone: SpotCone::ZERO,
         diameter: 0.0,
         glow2: 0.0,
+        core: 0.0,
         max_penumbra: 0.0,
         is_point: false,
         listed_from: ObjectId::FIRST,
@@ -109,6 +112,7 @@ impl PreparedLight {
         self.cone = light.spot.map_or(SpotCone::ALL_BRIGHT, SpotCone::new);
         self.diameter = light.shadow_diameter();
         self.glow2 = light.glow_radius() * light.glow_radius();
+        self.core = light.core * light.far();
         // Below 0, a sphere's shadow would extend beyond its bound's.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {

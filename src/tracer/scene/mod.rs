@@ -368,7 +368,7 @@ pub struct Light {
     /// The radius of the visible light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 makes it invisible. Lights cast no shadows, and haze
     /// does not dim them.
     pub drawn_radius: f32,
-    /// Whether the rays are nearly parallel: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and the light is
+    /// Whether the rays are nearly parallel: `position`, `diameter`, `glow` and `core` are multiplied by [`Light::FAR`], and the light is
     /// invisible.
     pub parallel: bool,
     /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, solids cast penumbrae, and an object's `tint` colours its shadow.
@@ -378,6 +378,10 @@ pub struct Light {
     /// of it; far away the glow falls off with the squared distance. An object hides the glow behind it. The glow of a parallel
     /// light is the sun's disc.
     pub glow: f32,
+    /// The radius of a sphere from which the glow's distances count, 0 to [`MAX_LENGTH`]: the rim of air around a planet with this
+    /// radius and centre, or a corona. The glow is then as bright as the light where the ray is nearest to the position: a
+    /// spotlight's cone, with its `aim` towards the sun, restricts it to the sun's side.
+    pub core: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
 }
@@ -402,6 +406,7 @@ impl Light {
         parallel: false,
         diameter: 0.0,
         glow: 0.0,
+        core: 0.0,
         spot: None,
     };
 
@@ -423,7 +428,7 @@ impl Light {
         Self { spot: Some(Spot::new(aim, outer_angle)), ..Self::new(position, colour) }
     }
 
-    fn far(&self) -> f32 {
+    pub(crate) fn far(&self) -> f32 {
         if self.parallel { Self::FAR } else { 1.0 }
     }
 
@@ -457,6 +462,7 @@ impl Light {
         of.rule("drawn_radius", self.drawn_radius, is_drawable, "0 or 1e-9 to 1e9")?;
         of.field("diameter", self.diameter, LENGTH)?;
         of.field("glow", self.glow, LENGTH)?;
+        of.field("core", self.core, LENGTH)?;
         self.spot.map_or(Ok(()), |spot| spot.check(of))
     }
 }

@@ -2,8 +2,9 @@
 
 use super::rays::Rays;
 use super::surface::SurfaceLanes;
+use super::visibility::soft_edge;
 use crate::lanes::*;
-use crate::prepare::World;
+use crate::prepare::{SpotCone, World};
 use glam::Vec3A;
 
 /// The density of haze added everywhere, in 1 / scene units: invisible within a scene, it leaves only the sky at the distance of a
@@ -83,7 +84,7 @@ const FARTHEST: f32 = 1e15;
 ///
 /// At the distance r from a light, the air of a glow with the radius a emits `a^2 / 2 (r^2 + a^2)^(-3/2)`. The integral along a ray
 /// that passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))` with
-/// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray.
+/// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray. With a core, h is the height of the seen part of the ray above it.
 #[inline(always)]
 pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
     let t = at_most::<S>(t, splat(simd, FARTHEST));
@@ -93,10 +94,21 @@ pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -
             let to_light = Vec3x::splat(simd, light.position) - rays.o;
             let x = -to_light.dot(rays.d);
             let across = to_light.add_scaled(rays.d, x);
-            let q = across.dot(across) + light.glow2;
+            let (mut h2, mut in_cone) = (across.dot(across), splat(simd, 1.0));
+            if light.core > 0.0 {
+                let along = at_most::<S>(at_least::<S>(-x, splat(simd, 0.0)), t);
+                let nearest = rays.d.scaled_minus(along, to_light);
+                let h: F<S> = nearest.dot(nearest).sqrt();
+                let SpotCone { aim, cos_inner, cos_outer } = light.cone;
+                let cosine: F<S> = nearest.dot(Vec3x::splat(simd, aim)) / h;
+                in_cone = soft_edge(simd, (cosine - cos_outer) / (cos_inner - cos_outer));
+                h2 = at_least::<S>(h - light.core, splat(simd, 0.0));
+                h2 *= h2;
+            }
+            let q = h2 + light.glow2;
             let y = t + x;
             let (x, y) = (x / (x * x + q).sqrt(), y / (y * y + q).sqrt());
-            let share = (y - x) * (0.5 * light.glow2) / q;
+            let share = (y - x) * (0.5 * light.glow2) / q * in_cone;
             glow = glow.add_scaled(Vec3x::splat(simd, light.colour), share);
         }
     }

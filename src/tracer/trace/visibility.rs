@@ -134,6 +134,6 @@ fn penumbra<S: Isa>(
 }
 
 #[inline(always)]
-fn soft_edge<S: Isa>(simd: S, v: F<S>) -> F<S> {
+pub(super) fn soft_edge<S: Isa>(simd: S, v: F<S>) -> F<S> {
     smooth_step::<S>(clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0)))
 }
