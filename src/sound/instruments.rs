@@ -23,7 +23,7 @@ pub(super) struct Instrument {
     pub saw: f32,
     pub sine: f32,
     pub noise: f32,
-    /// The oscillators' pitches relative to the note's. The higher ones decay faster.
+    /// The oscillators' pitches relative to the note's. The higher ones decay faster; the first is the lowest.
     pub partials: Vec4,
     /// The outermost oscillators' deviation, as a fraction of the pitch.
     pub detune: f32,
@@ -64,7 +64,7 @@ pub(super) struct Instrument {
 }
 
 /// The factor on all amplitudes, for a soundtrack between -14 and -12 LUFS, which a test checks.
-pub(super) const LOUDNESS: f32 = 0.44;
+pub(super) const LOUDNESS: f32 = 0.47;
 
 /// Converts a frequency in Hz to an angle.
 const fn hz(frequency: f32) -> f32 {
@@ -75,6 +75,9 @@ const fn hz(frequency: f32) -> f32 {
 const fn s(time: f32) -> f32 {
     1.0 / (time * RATE as f32)
 }
+
+/// The attack of a struck instrument.
+pub(super) const STROKE: f32 = s(0.001);
 
 const SILENT: Instrument = Instrument {
     notes: Notes::Root,
@@ -106,8 +109,8 @@ const SILENT: Instrument = Instrument {
 
 const PAD: Instrument = Instrument {
     notes: Notes::Chord(24),
-    saw: 0.1,
-    noise: 0.006,
+    saw: 0.08,
+    noise: 0.02,
     detune: 0.006,
     attack: s(0.6),
     decay: s(10.0),
@@ -121,6 +124,8 @@ const PAD: Instrument = Instrument {
     glide: 0.03,
     room: 0.2,
     duck: 0.6,
+    centre: 0.25,
+    high: 0.15,
     ..SILENT
 };
 
@@ -129,10 +134,10 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Kick.
     Instrument {
         notes: Notes::Root,
-        sine: 0.5,
-        noise: 0.15,
+        sine: 0.35,
+        noise: 0.08,
         bend: 9.0,
-        attack: s(0.001),
+        attack: STROKE,
         decay: s(0.14),
         release: s(0.04),
         gate: 0.5,
@@ -150,7 +155,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         sine: 0.12,
         noise: 0.3,
         bend: 0.8,
-        attack: s(0.001),
+        attack: STROKE,
         decay: s(0.09),
         release: s(0.06),
         gate: 0.5,
@@ -165,8 +170,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Hat.
     Instrument {
         notes: Notes::Drum(60),
-        noise: 0.3,
-        attack: s(0.001),
+        noise: 0.22,
+        attack: STROKE,
         decay: s(0.025),
         release: s(0.02),
         gate: 0.25,
@@ -183,7 +188,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     Instrument {
         notes: Notes::Drum(60),
         noise: 0.18,
-        attack: s(0.001),
+        attack: STROKE,
         decay: s(0.12),
         release: s(0.03),
         gate: 0.4,
@@ -200,10 +205,10 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Tom.
     Instrument {
         notes: Notes::Drum(45),
-        sine: 0.35,
-        noise: 0.1,
+        sine: 0.12,
+        noise: 0.05,
         bend: 1.5,
-        attack: s(0.001),
+        attack: STROKE,
         decay: s(0.18),
         release: s(0.06),
         gate: 0.7,
@@ -218,17 +223,17 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Bass.
     Instrument {
         notes: Notes::Tone(0),
-        saw: 0.2,
-        sine: 0.15,
-        index: 0.15,
+        saw: 0.09,
+        sine: 0.08,
+        index: 0.1,
         ratio: 1.0,
         attack: s(0.003),
         decay: s(0.4),
         release: s(0.03),
         gate: 0.4,
         sweep: s(0.1),
-        cutoff_start: hz(1200.0),
-        cutoff_end: hz(220.0),
+        cutoff_start: hz(900.0),
+        cutoff_end: hz(160.0),
         light: 3.0,
         damping: 0.9,
         centre: 1.0,
@@ -239,8 +244,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Sub.
     Instrument {
         notes: Notes::Theme(36),
-        sine: 0.2,
-        saw: 0.03,
+        sine: 0.05,
+        saw: 0.065,
         attack: s(0.05),
         decay: s(3.0),
         release: s(0.1),
@@ -248,7 +253,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         sweep: s(1.0),
         cutoff_start: hz(300.0),
         cutoff_end: hz(300.0),
-        light: 2.0,
+        light: 1.0,
         damping: 1.4,
         centre: 1.0,
         room: 0.02,
@@ -256,12 +261,14 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     },
     // Vowel: the formants of a dark O.
     Instrument {
-        noise: 0.02,
-        cutoff_start: hz(330.0),
-        cutoff_end: hz(330.0),
+        noise: 0.2,
+        cutoff_start: hz(300.0),
+        cutoff_end: hz(300.0),
         formants: vec4(1.0, 2.6, 2.6, 1.0),
-        light: 1.0,
+        light: 0.35,
         damping: 0.35,
+        high: 0.22,
+        saw: 0.1,
         ..PAD
     },
     PAD,
@@ -270,7 +277,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Arpeggio.
     Instrument {
         notes: Notes::Tone(24),
-        saw: 0.15,
+        saw: 0.24,
         detune: 0.004,
         attack: s(0.002),
         decay: s(0.18),
@@ -289,25 +296,27 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Strings, in unison.
     Instrument {
         notes: Notes::Theme(0),
-        saw: 0.2,
-        detune: 0.005,
+        saw: 0.45,
+        detune: 0.004,
         attack: s(0.12),
         decay: s(8.0),
         release: s(0.15),
         gate: 5.0,
         sweep: s(1.0),
-        cutoff_start: hz(1200.0),
-        cutoff_end: hz(3000.0),
-        light: 2.0,
+        cutoff_start: hz(3000.0),
+        cutoff_end: hz(4500.0),
+        light: 1.0,
         damping: 1.2,
         room: 0.2,
+        high: 0.55,
+        centre: 0.3,
         ..SILENT
     },
     // Lead, in octaves.
     Instrument {
         notes: Notes::Theme(0),
-        saw: 0.22,
-        sine: 0.06,
+        saw: 0.3,
+        sine: 0.24,
         partials: vec4(1.0, 1.0, 2.0, 2.0),
         detune: 0.005,
         attack: s(0.006),
@@ -319,19 +328,20 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         cutoff_end: hz(1800.0),
         light: 2.0,
         damping: 0.9,
-        centre: 0.6,
+        centre: 0.2,
         glide: 0.1,
         echo: 0.3,
         room: 0.12,
-        duck: 0.2,
+        duck: 0.1,
+        high: 0.5,
         ..SILENT
     },
     // Chime: the partials of a pipe.
     Instrument {
         notes: Notes::Theme(0),
-        sine: 0.3,
+        sine: 0.42,
         partials: vec4(1.0, 2.0, 2.99, 4.17),
-        attack: s(0.001),
+        attack: STROKE,
         decay: s(0.5),
         release: s(0.5),
         gate: 4.0,
@@ -339,19 +349,20 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         cutoff_start: hz(12000.0),
         cutoff_end: hz(6000.0),
         damping: 1.4,
-        centre: 0.6,
+        centre: 0.2,
         echo: 0.2,
-        room: 0.2,
+        room: 0.15,
         duck: 0.2,
+        detune: 0.001,
         ..SILENT
     },
     // Marimba: a bar, tuned to double octaves.
     Instrument {
         notes: Notes::Theme(12),
-        sine: 0.3,
-        noise: 0.1,
+        sine: 0.35,
+        noise: 0.05,
         partials: vec4(1.0, 1.0, 4.0, 4.0),
-        attack: s(0.001),
+        attack: STROKE,
         decay: s(0.25),
         release: s(0.01),
         gate: 2.0,
@@ -361,43 +372,50 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         damping: 1.4,
         echo: 0.2,
         room: 0.12,
+        detune: 0.003,
+        centre: 0.0,
+        index: 0.3,
+        ratio: 4.0,
         ..SILENT
     },
     // Square: a modulator an octave up gives odd harmonics.
     Instrument {
-        notes: Notes::Theme(0),
-        sine: 0.25,
-        index: 0.25,
+        notes: Notes::Theme(12),
+        sine: 0.28,
+        index: 0.4,
         ratio: 2.0,
-        attack: s(0.001),
+        attack: STROKE,
         decay: s(0.3),
-        release: s(0.02),
+        release: s(0.05),
         gate: 0.25,
         sweep: s(0.3),
-        cutoff_start: hz(9000.0),
-        cutoff_end: hz(4000.0),
+        cutoff_start: hz(12000.0),
+        cutoff_end: hz(6000.0),
         damping: 1.4,
-        centre: 0.6,
+        centre: 0.25,
         room: 0.05,
+        detune: 0.001,
+        echo: 0.15,
         ..SILENT
     },
     // Pop: it rises to its note, as a bubble does.
     Instrument {
         notes: Notes::Theme(0),
-        sine: 0.4,
-        noise: 0.05,
+        sine: 0.28,
+        noise: 0.1,
         bend: -0.6,
-        attack: s(0.001),
-        decay: s(0.12),
+        attack: STROKE,
+        decay: s(0.2),
         release: s(0.05),
         gate: 1.0,
         sweep: s(0.012),
         cutoff_start: hz(9000.0),
         cutoff_end: hz(6000.0),
         damping: 1.4,
-        centre: 0.6,
-        echo: 0.4,
+        centre: 0.0,
+        echo: 0.25,
         room: 0.15,
+        detune: 0.003,
         ..SILENT
     },
     // Riser.
@@ -421,7 +439,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Boom.
     Instrument {
         notes: Notes::Drum(33), // A1
-        sine: 0.32,
+        sine: 0.1,
         noise: 0.05,
         bend: 2.0,
         attack: s(0.002),
@@ -433,7 +451,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         cutoff_end: hz(120.0),
         damping: 1.4,
         centre: 1.0,
-        room: 0.2,
+        room: 0.05,
         ..SILENT
     },
 ];

@@ -23,7 +23,7 @@ pub enum Track {
     Tom,
     /// Plucked at 12 s, driven at 80 s.
     Bass,
-    /// Three notes of the theme at the beginning.
+    /// Three notes of the theme at the beginning, the roots of the chords in the calm scenes.
     Sub,
     /// Chords in calm scenes.
     Vowel,
@@ -91,12 +91,12 @@ static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 /// The brightness of each bar, 0 to 15, which opens the filters.
 #[rustfmt::skip]
 static LIGHT: [u8; BARS] = indices_of(
-    b"234567 566788 45566789 45678987 89aabb 789abb 6789ab ddeeff a98765", DIGITS);
+    b"445677 8899aa 45566789 45678987 89aabb 789abb bbccdd ddeeff ba9876", DIGITS);
 
 /// The loudness of each bar, 0 to 15, in dB.
 #[rustfmt::skip]
 static GAIN: [u8; BARS] = indices_of(
-    b"cccccc cccccc cccccccc cccccccc cccccc cccccc cccccc cccccc cccccc", DIGITS);
+    b"aaaaaa cccccc bbcccccc cccccccc cccccc bbbbcc cccccd ddddde cccccc", DIGITS);
 
 /// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
 /// [`Notes`](super::instruments::Notes) defines; 0 starts none.
@@ -149,12 +149,12 @@ static PARTS: [Part; TRACKS] = [
             pattern(b"..7. ..74 ..7. .47."),
             pattern(b"4.7. 4.7. 4.74 ...."),
             pattern(b"7494 7494 7494 7496"),
-            pattern(b".... 5... .... 5..."),
-            pattern(b".... 5..3 .... 5..."),
-            pattern(b"..3. 5..3 ..3. 5..."),
-            pattern(b"..3. 5.33 .33. 5.33"),
+            pattern(b".... b... .... b..."),
+            pattern(b".... b..7 .... b..."),
+            pattern(b"..7. b..7 ..7. b..."),
+            pattern(b"..7. b.77 .77. b.77"),
             pattern(b"7494 7494 7494 7496"),
-            pattern(b"9.47 ..94 7.9. 9.47"),
+            pattern(b"6.34 ..63 4.6. 6.34"),
             pattern(b"d9d9 d9d9 d9d9 d9df"),
         ],
     },
@@ -174,7 +174,7 @@ static PARTS: [Part; TRACKS] = [
     },
     // Bass.
     Part {
-        bars: bars(b"...... ababac eeeeeeee ........ cdcdce fgfgfe hihihi jjjjjj ......"),
+        bars: bars(b"...... ababac eeeeeeee ........ cdcdce fggfgg hihihi jjjjjj ......"),
         patterns: &[
             pattern(b"1... ..1. ..5. 1..."),
             pattern(b"1... 5.1. ..1. 5.2."),
@@ -190,11 +190,14 @@ static PARTS: [Part; TRACKS] = [
     },
     // Sub.
     Part {
-        bars: bars(b".abcd. ...... ........ ........ ...... ...... ...... ...... ......"),
+        bars: bars(b".abcea ...... gdebgdea gdebgeda ...... ...... ...... ...... gefag."),
         patterns: &[
             pattern(b"1... .... .... ...."),
             pattern(b"2... .... .... ...."),
             pattern(b"3... .... .... ...."),
+            pattern(b"4... .... .... ...."),
+            pattern(b"6... .... .... ...."),
+            pattern(b"7... .... .... ...."),
             pattern(b"8... .... .... ...."),
         ],
     },
@@ -214,12 +217,12 @@ static PARTS: [Part; TRACKS] = [
     },
     // Arpeggio.
     Part {
-        bars: bars(b"...... ...... ........ ........ ...... ...... ...... aababa ......"),
-        patterns: &[pattern(b"1351 3513 5135 7535"), pattern(b"1353 5753 1353 5795")],
+        bars: bars(b"...... .c.d.c ........ ........ ...... ...... ...... aababa ......"),
+        patterns: &[pattern(b"1351 3513 5135 7535"), pattern(b"1353 5753 1353 5795"), pattern(b"..5. 3..1 ..5. 7..."), pattern(b"..3. 5..7 .5.. 3...")],
     },
     // Strings.
     Part {
-        bars: bars(b"...... ...... ........ abcdefgh ...... ...... ...... ...... abcdi."),
+        bars: bars(b"...... ...... ........ abcdefgh ...... ...... jklmno ...... abcdi."),
         patterns: &[
             pattern(b"1... .... 2... ...."),
             pattern(b"3... .... 4... ...."),
@@ -230,6 +233,12 @@ static PARTS: [Part; TRACKS] = [
             pattern(b"4... .... 3... ...."),
             pattern(b"2... .... 1... ...."),
             pattern(b"8... .... .... ...."),
+            pattern(b"1... .... .... ...."),
+            pattern(b"2... .... .... ...."),
+            pattern(b"3... .... .... ...."),
+            pattern(b"4... .... .... ...."),
+            pattern(b"5... .... .... ...."),
+            pattern(b"6... .... .... ...."),
         ],
     },
     // Lead.
@@ -271,7 +280,7 @@ static PARTS: [Part; TRACKS] = [
             pattern(b"1.2. 3.4. 5... ...."),
             pattern(b"1.2. 3.4. 5.6. ...."),
             pattern(b"1.2. 3.4. 5.6. 7..."),
-            pattern(b"1.2. 3.4. 5.6. 7.8."),
+            pattern(b"1.2. 3.4. 5.67 8..."),
             pattern(b".... 1234 5678 ...."),
         ],
     },

@@ -1,5 +1,5 @@
 use super::{STEP, voice::Mix};
-use glam::{Vec4, Vec4Swizzles};
+use glam::{Vec4, Vec4Swizzles, vec4};
 
 /// The echo's ring buffer in samples: above [`DELAY`], and a power of two for fast remainders.
 const ECHO: usize = 1 << 15;
@@ -22,6 +22,10 @@ const DECAY: f32 = 0.86;
 /// The coefficient of the one-pole low pass in each delay's feedback: 5 kHz.
 const WALL: f32 = 0.5;
 
+/// The amplitudes of the taps on each side.
+const LEFT: Vec4 = vec4(0.5, 0.0, 0.5, 0.0);
+const RIGHT: Vec4 = vec4(0.0, 0.5, 0.0, 0.5);
+
 /// Echo, and reverberation from a feedback delay network. Silence is all zeros. [`Mix`] explains the lanes.
 pub(super) struct Space {
     echo: [Vec4; ECHO],
@@ -40,9 +44,12 @@ impl Space {
         // Echoes alternate between left and right.
         let echo = self.echo[(position + ECHO - DELAY) % ECHO];
         self.echo[position % ECHO] = mix.echo + echo.yxwz() * FEEDBACK;
-        let mut taps = Vec4::ZERO;
+        let (mut taps, mut difference, mut sign) = (Vec4::ZERO, Vec4::ZERO, Vec4::ONE);
         for (line, &length) in LENGTHS.iter().enumerate() {
-            taps += self.room[(position + ROOM - length) % ROOM][line];
+            let tap = self.room[(position + ROOM - length) % ROOM][line];
+            taps += tap;
+            difference += tap * sign;
+            sign = -sign;
         }
         // A Householder reflection mixes all delays and preserves the energy. Rotating the lanes spreads the sound between left and
         // right.
@@ -54,6 +61,7 @@ impl Space {
             *wall += (sent + (tap + reflected) * DECAY - *wall) * WALL;
             self.room[position % ROOM][line] = wall.yzwx();
         }
-        mix.dry + echo + taps * 0.5
+        // Alternate signs on the right make both sides independent.
+        mix.dry + echo + taps * LEFT + difference * RIGHT
     }
 }

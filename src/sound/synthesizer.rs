@@ -11,17 +11,14 @@ const SWING: u32 = 8;
 /// The fraction of the difference to the bar's brightness that each chunk adds: 63 % in a second.
 const BRIGHTENING: f32 = 0.001;
 
-/// The fraction of the difference to the bar's amplification that each chunk adds: 63 % in 20 ms.
-const SWELLING: f32 = 0.05;
+/// The fraction of the difference to the bar's amplification that each chunk adds: 63 % in 25 ms.
+const SWELLING: f32 = 0.04;
 
 /// The end of the last note, in samples: 60 ms after its start, a beat before the end.
 const END: u32 = SONG_LENGTH - 4 * STEP + 60 * CHUNK as u32;
 
-/// The factor on all sound in each chunk after [`END`]: it falls by 52 dB in 0.4 s.
-const ENDING: f32 = 0.985;
-
-/// The maximum sample: -1.3 dB of full scale.
-const CEILING: f32 = 0.86;
+/// The maximum sample: -1.7 dB of full scale.
+const CEILING: f32 = 0.82;
 
 /// A synthesizer of the song, with 1 MB of memory, initially zero.
 pub struct Synthesizer {
@@ -119,12 +116,10 @@ impl Synthesizer {
         let bar = self.position / BAR;
         let (light, gain) = song::mood(bar);
         mood.light += (light - mood.light) * BRIGHTENING;
-        self.gain += (libm::exp2f((gain - 12.0) / 6.0) - self.gain) * SWELLING;
+        let is_over = self.position >= END;
+        let gain = if is_over { 0.0 } else { libm::exp2f((gain - 12.0) / 6.0) };
+        self.gain += (gain - self.gain) * SWELLING;
         mood.rest = song::is_last(bar) && self.position % BAR >= BAR - 2 * STEP;
-        if self.position > END {
-            mood.rest = true;
-            self.gain *= ENDING;
-        }
         mood.kick = mood.next_kick;
         mood.next_kick *= FADE;
         if self.wait == 0 {

@@ -1,6 +1,6 @@
 //! An instrument's voice: four oscillators, an amplitude envelope, a sweep and a filter.
 
-use super::instruments::{Instrument, LOUDNESS, Notes};
+use super::instruments::{Instrument, LOUDNESS, Notes, STROKE};
 use super::{CHUNK, song};
 use eightfold_tracer::maths::ROUND_TO_INTEGER;
 use glam::{Vec4, Vec4Swizzles, vec4};
@@ -80,8 +80,6 @@ impl Voice {
         let mut peak = 1.0;
         let mut drum = |note| {
             peak = f32::from(digit) / 15.0;
-            // So that every hit sounds the same.
-            self.phase = Vec4::ZERO;
             [note; 4]
         };
         let notes = match instrument.notes {
@@ -96,6 +94,10 @@ impl Voice {
         });
         let pitch = Vec4::from_array(pitch) * instrument.partials;
         self.target = pitch + pitch * DETUNES * instrument.detune;
+        if instrument.attack >= STROKE {
+            // So that every stroke sounds the same.
+            self.phase = Vec4::ZERO;
+        }
         self.peak = Vec4::splat(peak);
         self.sweep = Vec4::ONE;
         self.age = 0.0;
