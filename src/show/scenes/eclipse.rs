@@ -21,12 +21,17 @@ static ENVIRONMENT: Environment = Environment {
     swell: Waves::CALM,
     lights: &[
         // The sun.
-        Light { drawn_radius: 7.4, glow: 1.0, ..point([0.0, 0.0, -60.0], [22.0, 19.0, 16.0]) },
+        Light {
+            drawn_radius: 7.4,
+            core: 7.2,
+            glow: 0.4,
+            ..point([0.0, 0.0, -60.0], [22.0, 19.0, 16.0])
+        },
         // Its halo.
-        Light { glow: 15.0, ..point([0.0, 0.0, -61.0], [0.012, 0.03, 0.10]) },
+        Light { core: 7.2, glow: 6.0, ..point([0.0, 0.0, -60.0], [0.05, 0.10, 0.28]) },
         point([-6.0, 7.0, -3.0], [1.6, 1.4, 1.2]),
         // The diamond of the ring.
-        Light { glow: 0.03, ..point([0.36, 0.36, 4.8], [0.0, 0.0, 0.0]) },
+        Light { glow: 0.05, ..point([0.36, 0.36, 4.8], [0.0, 0.0, 0.0]) },
     ],
     softboxes: &[],
     field_of_view: 0.6,

@@ -6,7 +6,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Waves};
+use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Spot, Waves};
 use glam::{Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -23,7 +23,7 @@ static ENVIRONMENT: Environment = Environment {
     lights: &[
         Light { diameter: 8.5, ..point([-400.0, 140.0, 40.0], [3.2, 2.9, 2.5]) },
         // The air at the giant's rim.
-        Light { glow: 0.5, ..point([0.0, 0.0, -0.5], [0.1, 0.22, 0.55]) },
+        Light { core: 0.935, glow: 0.025, ..point([0.0; 3], [0.3, 0.65, 1.4]) },
     ],
     softboxes: &[],
     field_of_view: 0.6,
@@ -81,5 +81,7 @@ fn add(now: Now, scene: &mut Scene) {
     }
     let kick = now.cue(Track::Kick);
     let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
-    scene.lights[0].position = around(0.70 + 0.0235 * steps) * 400.0 + Vec3::Y * 140.0;
+    let sun = around(0.70 + 0.0235 * steps) * 400.0 + Vec3::Y * 140.0;
+    scene.lights[0].position = sun;
+    scene.lights[1].spot = Some(Spot { aim: sun, inner_angle: 0.9, outer_angle: 2.0 });
 }
