@@ -39,7 +39,9 @@ impl Kernels {
         Self::of::<Baseline, Baseline>(level)
     }
 
+    // Never in a caller's crate, which may be optimised for size.
     #[cfg(target_arch = "x86_64")]
+    #[inline(never)]
     pub fn avx2(simd: Avx2) -> Self {
         Self::of::<Avx2, Avx2>(Level::Avx2(simd))
     }
