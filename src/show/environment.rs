@@ -64,7 +64,7 @@ impl Environment {
         scene.haze = self.haze;
         scene.exposure = 1.0;
         scene.black_beyond = false;
-        scene.film = Film { filmic: true, vignette: self.vignette, dither: 1.0, ..Film::PLAIN };
+        scene.film = Film { filmic: true, vignette: self.vignette, dither: 1.0 };
         scene.method = Method::default();
         scene.sectors = 1.0;
         scene.planes.clear();

@@ -37,7 +37,6 @@ impl FramePlan {
         };
         let coarse = method.coarse as usize;
         let is_coarse = coarse >= 2;
-        let tolerance = scene.film.tolerance;
         let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
         let square = if glitters { quality.square.min(CROWD_SQUARE) } else { quality.square };
         let quality = Quality {
@@ -48,10 +47,6 @@ impl FramePlan {
             } else {
                 square
             },
-            tolerance_agreeing: quality.tolerance_agreeing * tolerance,
-            tolerance_differing: quality.tolerance_differing * tolerance,
-            tolerance_side: quality.tolerance_side * tolerance,
-            key_weight: quality.key_weight * tolerance * tolerance,
             // Coarse squares and marks keep their hard edges.
             antialias: quality.antialias && !is_coarse && finished > 0,
             edge: quality.edge.max(1),

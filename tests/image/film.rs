@@ -1,27 +1,6 @@
 use crate::drawn::{REFINEMENTS, draw_best};
-use eightfold::show;
-use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::Scene;
-
-#[test]
-fn film_tolerance_scales_quality_tolerances() {
-    let mut scene = show::model_scene(1.0);
-    let quality = Quality::DEFAULT;
-    let halved = Quality {
-        tolerance_agreeing: 0.5 * quality.tolerance_agreeing,
-        tolerance_differing: 0.5 * quality.tolerance_differing,
-        tolerance_side: 0.5 * quality.tolerance_side,
-        key_weight: 0.25 * quality.key_weight,
-        ..quality
-    };
-    let [whole, by_quality] =
-        [quality, halved].map(|quality| draw_best(&scene, &quality, 160, 120));
-    scene.film.tolerance = 0.5;
-    let by_film = draw_best(&scene, &quality, 160, 120);
-    assert!(by_film.pixels == by_quality.pixels);
-    assert!(by_film.counts.points > whole.counts.points);
-}
 
 #[test]
 fn dither_keeps_means_between_two_steps() {

@@ -79,7 +79,6 @@ fn room(mut random: Random) -> (String, Scene) {
         haze: 0.05,
         ..Scene::default()
     };
-    scene.film.tolerance = 0.5;
     let light = random.vector(vec3(-2.0, 2.0, -2.0), vec3(2.0, 4.0, 2.0));
     scene.lights.push(Light::new(light, Vec3::ONE));
     for [x, z] in [[-5.0, 0.0], [0.0, -5.0], [5.0, 0.0], [0.0, 5.0_f32]] {

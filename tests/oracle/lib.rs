@@ -129,18 +129,14 @@ impl<'a> Oracle<'a> {
         let (across, down) = (from_middle(x, self.width), from_middle(y, self.height));
         let film = &self.scene.film;
         let vignette = f64::from(film.vignette) * (across * across + down * down);
-        let shoulder = f64::from(film.shoulder);
-        let roll_off = |c: f64| {
+        let curve = |c: f64| {
             if film.filmic {
-                return (c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)).sqrt();
+                (c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)).sqrt()
+            } else {
+                c
             }
-            if c <= shoulder {
-                return c;
-            }
-            let (over, room) = (c - shoulder, 1.0 - shoulder);
-            shoulder + over * room / (room + over)
         };
-        (light / (1.0 + vignette)).map(roll_off)
+        (light / (1.0 + vignette)).map(curve)
     }
 }
 

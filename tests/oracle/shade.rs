@@ -251,7 +251,7 @@ impl Oracle<'_> {
     fn note(&self, object: Object, states: &[State], weight: f32, path: u32, traced: &mut Traced) {
         let lit: Vec<bool> = states.iter().map(|&s| s != State::Dark).collect();
         traced.tree ^= hash(&(path, object, lit));
-        if weight < self.quality.key_weight * self.scene.film.tolerance.powi(2) {
+        if weight < self.quality.key_weight {
             return;
         }
         if depth(path) <= self.quality.key_depth {

@@ -2,7 +2,7 @@
 
 use super::{Object, Oracle, TIE, Traced, bytes, pixel_like, steps};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Film, Material, Scene};
+use eightfold_tracer::scene::{Material, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
@@ -194,7 +194,7 @@ impl<'a> Squares<'a> {
         let quality = self.oracle.quality;
         let agree = corners.iter().all(|corner| corner.key == corners[0].key);
         let spread = if agree { quality.tolerance_agreeing } else { quality.tolerance_differing };
-        f64::from(spread * self.oracle.scene.film.tolerance) * self.growth(side)
+        f64::from(spread) * self.growth(side)
     }
 
     fn growth(&self, side: usize) -> f64 {
@@ -204,8 +204,7 @@ impl<'a> Squares<'a> {
 
     /// Returns the tolerance of a side's midpoint; negative if no midpoint is averaged.
     fn allowed_side(&self, side: usize) -> f64 {
-        let Film { tolerance, .. } = self.oracle.scene.film;
-        let tolerance = f64::from(self.oracle.quality.tolerance_side * tolerance);
+        let tolerance = f64::from(self.oracle.quality.tolerance_side);
         if tolerance > 0.0 { tolerance * self.growth(side) } else { -1.0 }
     }
 

@@ -139,10 +139,8 @@ fn add_air(scene: &mut Scene, random: &mut Random) {
     if random.below(2) == 0 {
         scene.film = Film {
             filmic: random.below(3) == 0,
-            shoulder: random.between(0.0, 1.0),
             vignette: random.between(0.0, 0.5),
             dither: random.between(0.0, 1.0),
-            tolerance: random.between(0.0, 1.0),
         };
     }
     if random.below(2) == 0 {

@@ -54,7 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 /// Removes effects other than light transport.
 fn transported(mut scene: Scene) -> Scene {
     scene.captions.clear();
-    scene.film = Film { tolerance: scene.film.tolerance, ..Film::PLAIN };
+    scene.film = Film::PLAIN;
     for light in scene.lights.iter_mut() {
         light.glow = 0.0;
     }

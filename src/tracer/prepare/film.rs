@@ -13,8 +13,6 @@ pub(crate) struct Film {
     /// The factor on light in fixed-point sums: filmic pictures sum four times as much light, in steps four
     /// times as large.
     pub sum_unit: f32,
-    shoulder: f32,
-    room: f32,
     vignette: f32,
     middle: Vec2,
     unit: f32,
@@ -34,16 +32,11 @@ pub(crate) const ROUND: Dither = [[128 * WORDS; 8]; 4];
 /// 1 in each channel of a [`Dither`] word.
 const WORDS: u64 = 0x0001_0001_0001_0001;
 
-/// Avoids a division by 0, and changes no output step.
-const LEAST_ROOM: f32 = 1e-3;
-
 impl Film {
     pub const ZERO: Self = Self {
         is_plain: false,
         is_filmic: false,
         sum_unit: 0.0,
-        shoulder: 0.0,
-        room: 0.0,
         vignette: 0.0,
         middle: Vec2::ZERO,
         unit: 0.0,
@@ -56,8 +49,6 @@ impl Film {
             is_plain: *film == scene::Film::PLAIN,
             is_filmic: film.filmic,
             sum_unit: if film.filmic { 0.25 } else { 1.0 },
-            shoulder: 255.0 * film.shoulder,
-            room: (255.0 * (1.0 - film.shoulder)).max(LEAST_ROOM),
             vignette: film.vignette,
             middle: 0.5 * vec2(width - 1.0, height - 1.0),
             unit: 2.0 / height,
@@ -89,7 +80,7 @@ impl Film {
 
     /// Applies the vignette and the tone curve.
     #[inline(never)]
-    pub fn expose(&self, simd: Baseline, light: &mut Four, at: [f32x4<Baseline>; 2]) {
+    pub fn expose(&self, light: &mut Four, at: [f32x4<Baseline>; 2]) {
         let dimming: [f32; 4] = self.dimming(at).into();
         for (light, dimming) in light.iter_mut().zip(dimming) {
             *light /= dimming;
@@ -97,15 +88,6 @@ impl Film {
         if self.is_filmic {
             for light in light {
                 *light = filmic(*light);
-            }
-            return;
-        }
-        let [a, b, c, d] = *light;
-        let most = a.max(b).max(c.max(d));
-        if most.simd_gt(self.shoulder).any_true() {
-            for light in light {
-                let over = (*light - self.shoulder).max(splat(simd, 0.0));
-                *light = *light - over + over * self.room / (over + self.room);
             }
         }
     }

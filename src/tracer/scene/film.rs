@@ -10,11 +10,8 @@ use crate::range_error::{Checked, RangeError};
 pub struct Film {
     /// Whether light becomes colour by a filmic curve and a gamma of 2, so that bright things turn white as on film: `c` becomes the
     /// root of `c (2.51 c + 0.03) / (c (2.43 c + 0.59) + 0.14)` (Narkowicz, "ACES filmic tone mapping curve", 2015). A ray then
-    /// contributes 8 at most, which is white. The scene's colours are linear: the square of a displayed colour is about right.
+    /// contributes 8 at most, which is white, instead of 2. The scene's colours are linear: the square of a displayed colour is about right.
     pub filmic: bool,
-    /// The start of the roll-off of highlights, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`
-    /// with `x = c - s`, a smooth curve below 1. A ray contributes 2 at most. 1 clips highlights. A filmic picture has no shoulder.
-    pub shoulder: f32,
     /// The darkening towards the corners, 0 to 1: the factor on light is `1 / (1 + vignette r^2)` at r half heights from the
     /// picture's middle.
     pub vignette: f32,
@@ -22,9 +19,6 @@ pub struct Film {
     /// pixels have steps of 1/16, so that slow gradients show no bands. A pixel's threshold depends on its position only.
     /// Antialiased pixels keep their dither.
     pub dither: f32,
-    /// The factor on a [`Quality`](crate::Quality)'s tolerances, 0 to 1: less for dark scenes with dim edges, where the eye sees
-    /// smaller steps. Its square is the factor on the key weight, so that dimmer images split squares, too.
-    pub tolerance: f32,
 }
 
 impl Default for Film {
@@ -35,13 +29,10 @@ impl Default for Film {
 
 impl Film {
     /// No change, except clipping at 1.
-    pub const PLAIN: Self =
-        Self { filmic: false, shoulder: 1.0, vignette: 0.0, dither: 0.0, tolerance: 1.0 };
+    pub const PLAIN: Self = Self { filmic: false, vignette: 0.0, dither: 0.0 };
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        of.field("shoulder", self.shoulder, SHARE)?;
         of.field("vignette", self.vignette, SHARE)?;
-        of.field("dither", self.dither, SHARE)?;
-        of.field("tolerance", self.tolerance, SHARE)
+        of.field("dither", self.dither, SHARE)
     }
 }

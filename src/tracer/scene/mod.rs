@@ -142,7 +142,6 @@ impl Scene {
         camera: Camera { eye: Vec3::ZERO, up: Vec3::ZERO, field_of_view: 0.0, ..Camera::STANDARD },
         exposure: 0.0,
         sectors: 0.0,
-        film: Film { shoulder: 0.0, tolerance: 0.0, ..Film::PLAIN },
         method: Method { picture: 0.0, ..Method::PLAIN },
         ..Self::EMPTY
     };

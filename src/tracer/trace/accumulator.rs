@@ -153,7 +153,7 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
         let light: f32x4<Baseline> = i32x4::simd_from(simd, sum).to_float();
         light * (1.0 / (film.sum_unit * (1 << STEP_BITS) as f32))
     });
-    film.expose(simd, &mut four, at);
+    film.expose(&mut four, at);
     four.map(|colour| {
         let sum = colour * (1 << STEP_BITS) as f32 + 0.5;
         sum.to_int::<i32x4<Baseline>>().into()

@@ -98,7 +98,7 @@ fn interpolate(
                 });
                 if !film.is_plain {
                     let at = [x as f32 + columns, splat(simd, y as f32)];
-                    film.expose(simd, &mut four, at);
+                    film.expose(&mut four, at);
                 }
                 let four = rounded(simd, four, thresholds);
                 match pixels.first_chunk_mut() {
