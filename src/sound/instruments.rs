@@ -110,7 +110,7 @@ const SILENT: Instrument = Instrument {
 const PAD: Instrument = Instrument {
     notes: Notes::Chord(24),
     saw: 0.08,
-    noise: 0.02,
+    noise: 0.032,
     detune: 0.006,
     attack: s(0.6),
     decay: s(10.0),
@@ -261,14 +261,14 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     },
     // Vowel: the formants of a dark O.
     Instrument {
-        noise: 0.2,
+        noise: 0.22,
         cutoff_start: hz(300.0),
         cutoff_end: hz(300.0),
         formants: vec4(1.0, 2.6, 2.6, 1.0),
         light: 0.35,
         damping: 0.35,
         high: 0.22,
-        saw: 0.1,
+        saw: 0.145,
         ..PAD
     },
     PAD,
@@ -296,27 +296,27 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Strings, in unison.
     Instrument {
         notes: Notes::Theme(0),
-        saw: 0.45,
+        saw: 0.36,
         detune: 0.004,
         attack: s(0.12),
         decay: s(8.0),
         release: s(0.15),
         gate: 5.0,
         sweep: s(1.0),
-        cutoff_start: hz(3000.0),
-        cutoff_end: hz(4500.0),
+        cutoff_start: hz(4000.0),
+        cutoff_end: hz(6000.0),
         light: 1.0,
         damping: 1.2,
         room: 0.2,
-        high: 0.55,
+        high: 0.5,
         centre: 0.3,
         ..SILENT
     },
     // Lead, in octaves.
     Instrument {
         notes: Notes::Theme(0),
-        saw: 0.3,
-        sine: 0.24,
+        saw: 0.33,
+        sine: 0.27,
         partials: vec4(1.0, 1.0, 2.0, 2.0),
         detune: 0.005,
         attack: s(0.006),
@@ -359,11 +359,11 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Marimba: a bar, tuned to double octaves.
     Instrument {
         notes: Notes::Theme(12),
-        sine: 0.35,
+        sine: 0.3,
         noise: 0.05,
         partials: vec4(1.0, 1.0, 4.0, 4.0),
         attack: STROKE,
-        decay: s(0.25),
+        decay: s(0.22),
         release: s(0.01),
         gate: 2.0,
         sweep: s(0.03),
@@ -374,7 +374,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         room: 0.12,
         detune: 0.003,
         centre: 0.0,
-        index: 0.3,
+        index: 0.5,
         ratio: 4.0,
         ..SILENT
     },
@@ -382,7 +382,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     Instrument {
         notes: Notes::Theme(12),
         sine: 0.28,
-        index: 0.4,
+        index: 0.5,
         ratio: 2.0,
         attack: STROKE,
         decay: s(0.3),
@@ -390,7 +390,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         gate: 0.25,
         sweep: s(0.3),
         cutoff_start: hz(12000.0),
-        cutoff_end: hz(6000.0),
+        cutoff_end: hz(9000.0),
         damping: 1.4,
         centre: 0.25,
         room: 0.05,

@@ -132,9 +132,9 @@ static PARTS: [Part; TRACKS] = [
     },
     // Clap.
     Part {
-        bars: bars(b"...... ...... ........ ........ .aabac cdcdbe .....b aabadb ......"),
+        bars: bars(b"...... .c.ccc ........ ........ .aabac cdcdbe .....b aabadb ......"),
         patterns: &[
-            pattern(b".... d... .... d..."),
+            pattern(b"..9. e... ..9. e..."),
             pattern(b".... d... .... d.9b"),
             pattern(b".... .... d... ...."),
             pattern(b".... ..7. d... .5.."),
@@ -149,10 +149,10 @@ static PARTS: [Part; TRACKS] = [
             pattern(b"..7. ..74 ..7. .47."),
             pattern(b"4.7. 4.7. 4.74 ...."),
             pattern(b"7494 7494 7494 7496"),
-            pattern(b".... b... .... b..."),
-            pattern(b".... b..7 .... b..."),
-            pattern(b"..7. b..7 ..7. b..."),
-            pattern(b"..7. b.77 .77. b.77"),
+            pattern(b".... d... .... d..."),
+            pattern(b".... e..a .... e..a"),
+            pattern(b"..a. e..a ..a. e..."),
+            pattern(b"..a. e.aa .aa. e.aa"),
             pattern(b"7494 7494 7494 7496"),
             pattern(b"6.34 ..63 4.6. 6.34"),
             pattern(b"d9d9 d9d9 d9d9 d9df"),
@@ -174,7 +174,7 @@ static PARTS: [Part; TRACKS] = [
     },
     // Bass.
     Part {
-        bars: bars(b"...... ababac eeeeeeee ........ cdcdce fggfgg hihihi jjjjjj ......"),
+        bars: bars(b"...... ababac eeeeffab ........ cdcdce fggfgg hihihi jjjjjj ......"),
         patterns: &[
             pattern(b"1... ..1. ..5. 1..."),
             pattern(b"1... 5.1. ..1. 5.2."),
@@ -217,7 +217,7 @@ static PARTS: [Part; TRACKS] = [
     },
     // Arpeggio.
     Part {
-        bars: bars(b"...... .c.d.c ........ ........ ...... ...... ...... aababa ......"),
+        bars: bars(b"...... .cddcd ........ ........ ...... ...... ...... aababa ......"),
         patterns: &[pattern(b"1351 3513 5135 7535"), pattern(b"1353 5753 1353 5795"), pattern(b"..5. 3..1 ..5. 7..."), pattern(b"..3. 5..7 .5.. 3...")],
     },
     // Strings.
@@ -253,7 +253,7 @@ static PARTS: [Part; TRACKS] = [
     },
     // Chime.
     Part {
-        bars: bars(b"c.c.c. ...... ........ ........ ababab ...... ...... ...... defg.."),
+        bars: bars(b"..c.c. ...... ........ ........ ababab ...... ...... ...... defg.."),
         patterns: &[
             pattern(b"1... 2... 3... 4..."),
             pattern(b"5... 6... 7... 8..."),
@@ -298,8 +298,9 @@ static PARTS: [Part; TRACKS] = [
     },
     // Riser.
     Part {
-        bars: bars(b"....a. ....a. ......a. ......a. ....a. ....a. ....a. ....a. ......"),
-        patterns: &[pattern(b"f... .... .... ....")],
+        bars: bars(b"....b. ....a. ......b. ......a. ....a. ....a. ....a. ....a. c.c..."),
+        patterns: &[
+ pattern(b"f... .... .... ...."), pattern(b"9... .... .... ...."), pattern(b"5... .... .... ....")],
     },
     // Boom.
     Part {
