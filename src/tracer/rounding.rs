@@ -15,15 +15,16 @@
 //! - The coordinates of the point on the plane: less than `h / 3` from the sphere's coordinates and `e / 3` from the distance to
 //!   it, since an error at the far end of a ray from the light is smaller at the sphere. (The plane's centre, from which points are
 //!   computed, must not be much farther from the eye.)
-//! - The distance of the point from the eye: some `u` of it; [`SIDE`] is 1e-5 of it, since a side's terms are scaled by the
-//!   distance from the light to the eye's mirror image, which exceeds the eye's height.
+//! - The distance of the point from the eye: some `u` of it; [`SIDE`] is 1e-5 of it, since a side's terms are scaled by a length above the
+//!   eye's height.
 //! - The cone's own terms: below [`SIDE`], and [`WIDE`] covers the cosine.
 //!
 //! # Lights and eyes far away
 //!
-//! A vector from a light or an eye at the distance `D` to an object has an error of some `u D`, and so has the cross product of two such
-//! vectors. [`CORNER_BY_LIGHT`], [`CORNER`], [`SIDE`] and [`WIDER`] exceed it, so bounds get wider with `D`, never narrower: they contain
-//! the shadow of a light a million units away (`outlines_contain_objects_and_shadows`), but leave more squares open. In numbers near 1:
+//! A vector from a light at the distance `D` has an error of some `u D`. Sides and bounds of shadows take distances along its direction
+//! only, which is exact to some `u`, from the object's centre (see `coverage::view`), and their margins grow with the eye's distance, not
+//! with `D`: suns a thousand or a million units away open as many squares (`far_suns_and_telescopes_open_few_squares`). For telescopes
+//! [`CORNER`] and [`SIDE`] are at most a tenth of a pixel. In numbers near 1:
 //!
 //! - `1 - r^2 / D^2`, a cone's squared cosine, is within some `u` even if it cancels near the sphere, and [`WIDE`] enlarges it.
 //! - The point of tangency, the sphere's chord and the squared chord of a shadow's cone are products with `r / D`: they have no difference
@@ -83,9 +84,6 @@ pub(crate) const BOUND: f32 = 1e-3;
 /// The enlargement of a sphere before its bounding cone is computed: the cosine of any cone grows by more than its rounding error.
 pub(crate) const WIDE: f32 = 1.0 + 1e-6;
 
-/// The addend to a cone's sine before its tangent planes are computed: more than their rounding error.
-pub(crate) const WIDER: f32 = 1e-4;
-
 /// The multiple of a shadow's errors within which a point is uncertain: 1 for the wider cone, 1 for the smaller radius of shadow
 /// rays, and less than 1/3 for their origins.
 pub(crate) const UNSURE: f32 = 3.0;
@@ -97,12 +95,16 @@ pub(crate) const SIDE: f32 = 1e-5;
 /// a thousand times as far away.
 pub(crate) const USUAL: f32 = 0.03;
 
-/// The largest error of a block's corner, relative to its distance and size: the error of axes that
-/// [`Scene::validate`](crate::scene::Scene::validate) accepts, far above rounding; a tenth of a pixel.
+/// The largest error of a block's corner, relative to its distance and size, far above rounding.
 pub(crate) const CORNER: f32 = 2e-4;
 
 /// The largest error of a block's corner seen from a light, up to a thousand times as far away: two roundings.
 pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
+
+/// Returns a margin of at most a tenth of a pixel, but of 5 roundings: telescopes have small pixels.
+pub(crate) fn within_pixel(margin: f32, pixel: f32) -> f32 {
+    margin.min((0.1 * pixel).max(SIDE * USUAL))
+}
 
 /// The largest distance between an object and its point recomputed from the picture, relative to the largest coordinate: some `u`.
 pub(crate) const SEEN: f32 = 1e-5;
@@ -110,8 +112,7 @@ pub(crate) const SEEN: f32 = 1e-5;
 /// The distance from a sphere, in hit errors, within which the eye may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
-/// The least height of the eye and of a light above a plane, relative to the distance from the light to the eye's mirror image, for
-/// reliable bounds of shadows.
+/// The least height of a light above a plane, relative to its distance from the eye, for reliable bounds of shadows.
 pub(crate) const LEAST_HEIGHT: f32 = 0.01;
 
 /// The margin of a bounding rectangle in pixels, far above rounding.

@@ -8,6 +8,7 @@ use crate::error::worst_channel;
 use crate::errors::{SHADED, patches};
 use eightfold::show;
 use eightfold_oracle::geometry::{PicturePlane, Ray, Shape};
+use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{
     Hidden, Random, View, between_corners, cases, coloured, floor, known, materials_of, placed,
     placed_blocks, shiny, solids,
@@ -199,6 +200,32 @@ fn hidden_objects_open_few_squares() {
             drawn.counts.points as f64
         });
         assert!(guarded <= limit * unguarded, "{}", guarded / unguarded);
+    }
+}
+
+/// Compares the traced points with a light a thousand units away, in the same picture.
+#[test]
+fn far_suns_and_telescopes_open_few_squares() {
+    for kind in KINDS[..ON_FLOORS].iter().chain(&KINDS[16..]) {
+        let scenes: Vec<Scene> =
+            cases(2).map(|mut random| kind.scene(&mut random, LIGHTS[0].1, FLOORS[0].1)).collect();
+        let points = |light: f32, eye: f32| {
+            let points = scenes.iter().map(|scene| {
+                let mut scene = scene.clone();
+                let (camera, position) = (&mut scene.camera, &mut scene.lights[0].position);
+                *position = position.normalize() * light;
+                camera.eye = camera.look_at.lerp(camera.eye, eye);
+                camera.field_of_view /= eye;
+                draw_best(&scene, &jagged(Quality::DEFAULT), 640, 360).counts.points as f64
+            });
+            points.sum::<f64>()
+        };
+        let usual = points(1e3, 1.0);
+        let far = [(1e4, 1.0), (5e4, 1.0), (1e6, 1.0), (1e3, 10.0), (1e3, 100.0), (1e3, 1e3)];
+        for ((light, eye), most) in far.into_iter().zip([1.05, 1.05, 1.2, 1.3, 1.3, 1.75]) {
+            let share = points(light, eye) / usual;
+            assert!(share < most, "{share} of {}, {light}, {eye}", kind.0);
+        }
     }
 }
 

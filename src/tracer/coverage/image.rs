@@ -18,7 +18,7 @@ impl Coverage {
             let mut eye = world.eye;
             eye.y = 2.0 * plane.centre.y - eye.y;
             let mirrored = self.axes.rows.map(|row| row.with_y(-row.y));
-            self.image = View::eye(eye, mirrored);
+            self.image = View::eye(eye, mirrored, self.axes.pixel);
             for (_, node) in world.tree.objects() {
                 let screen = self.image.screen(node, self.axes.pixel);
                 self.groups[1][node.group()].join(screen);

@@ -129,7 +129,7 @@ impl Coverage {
         self.axes = Axes::new(&raster, [width, height], offset);
         self.groups = [[ScreenBounds::NONE; MAX_GROUPS]; 2];
         self.outlined = 0;
-        self.eye = View::eye(world.eye, self.axes.rows);
+        self.eye = View::eye(world.eye, self.axes.rows, self.axes.pixel);
         self.set_objects(world);
         self.set_images(world);
         self.set_shadows(world);
@@ -157,7 +157,7 @@ impl Coverage {
             }
         };
         let sides = match id.index().checked_sub(world.first_plane()) {
-            Some(plane) => Sides::of_rectangle(&view.rays, view.from, &world.planes()[plane]),
+            Some(plane) => Sides::of_rectangle(&view.axes, view.from, &world.planes()[plane]),
             None => {
                 let node = &world.tree.nodes()[usize::from(self.objects[id.index()].node)];
                 view.sides(node, &world.object(id).0)

@@ -3,30 +3,25 @@
 use super::view::View;
 use super::{Coverage, Outline};
 use crate::prepare::{PreparedLight, World};
-use crate::rounding::{CORNER_BY_LIGHT, LEAST_HEIGHT, USUAL};
+use crate::rounding::{CORNER_BY_LIGHT, USUAL};
 use crate::scene::Plane;
-use glam::Vec3A;
 
 impl View {
-    /// Returns the view of a light from points on a plane. The normals are zero where rounding exceeds the margins.
-    ///
-    /// The normals are linear in the eye's axes. With H and L the heights of eye and light, and w the light's ray for the eye's ray d (see
-    /// `sides`), `n . d H L = (n L - y (n . (light - eye))) . w`.
-    fn light(light: &PreparedLight, plane: &Plane, eye: Vec3A, axes: &[Vec3A; 3]) -> Self {
-        let height = eye.y - plane.centre.y;
-        let mut by = (light.position - eye).extend(height);
-        // All terms are below 2, and point towards the plane.
-        by *= (1.0 / by.length()).copysign(height);
-        let (to, height) = (Vec3A::from_vec4(by), by.w);
-        let above = height + to.y;
-        let is_sure = height.min(above) > LEAST_HEIGHT;
-        let normal = |axis: Vec3A| axis * above - Vec3A::Y * axis.dot(to);
+    /// Returns the view of a light from points on a plane.
+    fn light(light: &PreparedLight, plane: &Plane, eye: &Self) -> Self {
+        let (height, to_light) = (eye.eye.y - plane.centre.y, light.position - eye.eye);
+        // Points towards the plane.
+        let scale = (1.0 / to_light.extend(height).length()).copysign(height);
         Self {
             from: light.position,
-            rays: axes.map(|ray| ray * height + to * ray.y),
-            normals: if is_sure { axes.map(normal) } else { [Vec3A::ZERO; 3] },
+            to_light: to_light * scale,
+            above: (light.position.y - plane.centre.y) * scale,
+            ground: plane.centre.y,
+            height: height.abs(),
+            side: 1.0_f32.copysign(height),
             corner: CORNER_BY_LIGHT,
             rounding: if light.is_point { 1.0 } else { USUAL },
+            ..*eye
         }
     }
 }
@@ -35,7 +30,7 @@ impl Coverage {
     pub(super) fn set_shadows(&mut self, world: World<'_>) {
         for (plane, rectangle) in world.planes().iter().enumerate() {
             for (number, light) in world.lights().iter().enumerate() {
-                let view = View::light(light, rectangle, world.eye, &self.axes.rows);
+                let view = View::light(light, rectangle, &self.eye);
                 self.shadows[plane][number] = view;
                 for (_, node) in world.tree.solids() {
                     // Neither a sphere around the light nor a solid beyond the plane casts a shadow.

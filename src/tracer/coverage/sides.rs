@@ -1,8 +1,9 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
 //! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with the axis a and the half angle of its bounding cone. From the eye, w is the
-//! ray `(u, v, 1)`. From a light to the hit of the eye's ray d on a plane at H below the eye, w is parallel to `H d - (eye - light) d.y`:
-//! linear in d, so a shadow is a cone as well. Blocks and planes are bounded by planes through the eye or light.
+//! ray `(u, v, 1)`. From a light to the hit of the eye's ray d on a plane at H below the eye, w is linear in d, so a shadow is a cone as
+//! well. It is the sum of a vector from the object's centre and a share of the vector to the centre (see `view`). Blocks and planes are
+//! bounded by planes through the eye or light.
 //!
 //! The difference of both sides is concave in u and v: nowhere above its tangent plane, whose maximum over a square is at a corner. So a
 //! square is outside if the tangent plane at its centre is negative at all corners.
@@ -10,7 +11,8 @@
 use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
 use crate::maths::sqrt;
-use crate::rounding::{SIDE, hit_error};
+use crate::prepare::BvhNode;
+use crate::rounding::{HIT, SIDE, UNSURE, WIDE, within_pixel};
 use crate::scene::{Block, Plane, Shape};
 use crate::shapes::plane;
 use core::array;
@@ -31,7 +33,7 @@ pub(super) enum Sides {
     /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
     Round {
         terms: Terms,
-        /// See [`BoundingCone::unsure`](super::view).
+        /// The margin, relative to the last lane, from which rays certainly meet the sphere. The cone is wider by its hit error.
         unsure: f32,
     },
     /// The rays on the inner side of eight planes around the object, and of eight planes inside it.
@@ -39,15 +41,35 @@ pub(super) enum Sides {
 }
 
 impl Sides {
-    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward for `corner`, see
-    /// [`CORNER`](crate::rounding::CORNER). `to` is the block's centre.
+    /// Returns the rays in the bounding cone of a node's sphere, whose centre is at `to` from the tip. Rays are vectors from the centre, and
+    /// their shares of the vector to it.
     #[inline(never)]
-    pub fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
+    pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
+        let radius = (node.radius + node.hit_error) * WIDE;
+        let distance2 = to.length_squared();
+        let cosine2 = (distance2 - radius * radius) / distance2;
+        if cosine2 < 0.0 {
+            return Self::All;
+        }
+        let [cosine, sine] = [sqrt(cosine2 / distance2), radius / distance2];
+        let error = UNSURE * (node.hit_error + HIT * sqrt(distance2));
+        Self::Round {
+            terms: rays.map(|ray| {
+                let w = Vec3A::from_vec4(ray);
+                (to.cross(w) * cosine).extend(to.dot(w) * sine + ray.w * radius)
+            }),
+            unsure: error / (radius * cosine2),
+        }
+    }
+
+    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward by `slack`. `to` is the vector to
+    /// the block's centre; for `rays` see [`Sides::of_sphere`].
+    #[inline(never)]
+    pub fn of_block(rays: &[Vec4; 3], to: Vec3A, block: &Block, slack: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
         let half = Vec3A::from(block.half);
-        let slack = corner * (to.abs() + half).element_sum() + hit_error(block.centre.into(), 0.0);
         let (shape, centre) = (block.shape, inward * to);
-        let rays = rays.map(|ray| across(shape, inward * ray));
+        let rays = rays.map(|ray| (across(shape, inward * Vec3A::from_vec4(ray)), ray.w));
         // A cylinder contains the prism of a hexagon inside its circle, a capsule the same without its round ends.
         let ends = if shape == Shape::Capsule { half.x } else { 0.0 };
         let inside = half - slack - Vec3A::Y * ends;
@@ -173,7 +195,7 @@ pub(super) struct Region {
 impl Region {
     /// Returns the region inside some sides. `rounding` is the applicable share of [`SIDE`].
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
-        let rounding = SIDE * axes.reach * rounding;
+        let rounding = within_pixel(SIDE * axes.reach * rounding, axes.pixel);
         Self { bounds, sides, rounding, margin: rounding }
     }
 
@@ -213,16 +235,18 @@ fn silhouette_terms(
     centre: Vec3A,
     half: Vec3A,
     hexagon: f32,
-    rays: &[[Vec4; 2]; 3],
+    rays: &[([Vec4; 2], f32); 3],
 ) -> [Terms; 2] {
     let silhouette = Silhouette::new(shape, centre, half, hexagon);
-    let has_none = silhouette.has_none;
+    let (has_none, a, b) = (silhouette.has_none, silhouette.a, silhouette.b);
     [1.0, -1.0].map(|sign| {
-        let [x, y] = silhouette.ends(sign);
+        let [right, up] = silhouette.corners(sign);
+        let (x, y) = (a + right, b + up);
         let scale = Vec4::select(has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
-        let mut terms = rays.map(|[a, b]| {
+        let mut terms = rays.map(|([across_a, across_b], share)| {
+            let depth = across_b * x - across_a * y + (b * right - a * up) * share;
             // NaN inside a cylinder.
-            Vec4::select(has_none, Vec4::ZERO, (b * x - a * y) * scale)
+            Vec4::select(has_none, Vec4::ZERO, depth * scale)
         });
         terms[2] += Vec4::select(has_none, Vec4::ONE, Vec4::ZERO);
         terms
@@ -250,18 +274,15 @@ impl Silhouette {
         }
     }
 
-    /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1.
-    pub fn ends(&self, sign: f32) -> [Vec4; 2] {
+    /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1, from their centres.
+    pub fn corners(&self, sign: f32) -> [Vec4; 2] {
         let &Self { a, b, half_a, half_b, .. } = self;
         let is_below = Vec4::select(self.is_beside, a * sign, b).cmplt(Vec4::ZERO);
-        let mut y = Vec4::select(is_below, b + half_b, b - half_b);
-        let is_left = (y * sign).cmplt(Vec4::ZERO);
-        let mut x = Vec4::select(is_left, a - half_a, a + half_a);
-        match self.shape {
-            Shape::Box => {}
-            Shape::Cylinder | Shape::Capsule => {
-                [x.y, y.y] = tangent_point(a.y, b.y, half_b.y, sign)
-            }
+        let mut y = Vec4::select(is_below, half_b, -half_b);
+        let is_left = ((b + y) * sign).cmplt(Vec4::ZERO);
+        let mut x = Vec4::select(is_left, -half_a, half_a);
+        if self.shape != Shape::Box {
+            [x.y, y.y] = tangent_point(a.y, b.y, half_b.y, sign);
         }
         [x, y]
     }
@@ -283,11 +304,10 @@ fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     }
 }
 
-/// Returns the point of tangency of a line through the origin and a circle about (a, b), on the side of `sign`.
+/// Returns the point of tangency of a line through the origin and a circle about (a, b), on the side of `sign`, from the centre.
 fn tangent_point(a: f32, b: f32, radius: f32, sign: f32) -> [f32; 2] {
     // As shares of the distance to the centre, along and across.
     let share = radius * radius / (a * a + b * b);
-    let along = 1.0 - share;
-    let apart = sqrt(along * share);
-    [a * along + b * apart * sign, b * along - a * apart * sign]
+    let apart = sqrt((1.0 - share) * share) * sign;
+    [b * apart - a * share, -a * apart - b * share]
 }

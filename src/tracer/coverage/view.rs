@@ -1,20 +1,29 @@
-//! Viewpoints (eye, mirrored eye, lights), and the bounding cones of spheres from there.
+//! Viewpoints (eye, mirrored eye, lights), and the bounds of spheres from there.
 
 use super::screen::ScreenBounds;
-use super::sides::{Sides, Terms};
-use crate::maths::{sqrt, unit};
+use super::sides::Sides;
+use crate::maths::sqrt;
 use crate::prepare::{BvhNode, Object};
-use crate::rounding::{CORNER, HIT, UNSURE, WIDE, WIDER};
+use crate::rounding::{CORNER, LEAST_HEIGHT, WIDE, hit_error, within_pixel};
 use glam::{Vec3A, Vec4};
 
-/// A viewpoint, and its rays through the picture.
+/// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
+///
+/// The eye's ray d meets the plane in a point x, which a plane through the light contains. Shadows of a light far away are exact, since
+/// vectors to x start at an object's centre `c`, not at the light: for `m = -d.y` and an eye at the height H, `m (x - c) = H d + (c - eye)
+/// d.y`. For the eye itself m is 0, and H is 1.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
-    /// The linear map from the camera's rays (u, v, 1) to this view's rays, up to a factor: columns for u, v and 1.
-    pub rays: [Vec3A; 3],
-    /// The normals of the planes through this point that the picture shows as the lines u = 0, v = 0, and the line at infinity.
-    pub normals: [Vec3A; 3],
+    pub eye: Vec3A,
+    pub axes: [Vec3A; 3],
+    /// The vector from the eye to the light, and the light's height above the plane, both divided by one length. For the eye 0 and 1.
+    pub to_light: Vec3A,
+    pub above: f32,
+    /// The plane's height, the eye's distance from it, and the sign of the eye's side, 0 for the eye.
+    pub ground: f32,
+    pub height: f32,
+    pub side: f32,
     pub corner: f32,
     /// The applicable share of [`SIDE`](crate::rounding::SIDE).
     pub rounding: f32,
@@ -23,112 +32,69 @@ pub(super) struct View {
 impl View {
     pub const ZERO: Self = Self {
         from: Vec3A::ZERO,
-        rays: [Vec3A::ZERO; 3],
-        normals: [Vec3A::ZERO; 3],
+        eye: Vec3A::ZERO,
+        axes: [Vec3A::ZERO; 3],
+        to_light: Vec3A::ZERO,
+        above: 0.0,
+        ground: 0.0,
+        height: 0.0,
+        side: 0.0,
         corner: 0.0,
         rounding: 0.0,
     };
 
-    pub fn eye(from: Vec3A, axes: [Vec3A; 3]) -> Self {
-        Self { from, rays: axes, normals: axes, corner: CORNER, rounding: 1.0 }
+    pub fn eye(eye: Vec3A, axes: [Vec3A; 3], pixel: f32) -> Self {
+        let corner = within_pixel(CORNER, pixel);
+        Self { from: eye, eye, axes, above: 1.0, height: 1.0, corner, rounding: 1.0, ..Self::ZERO }
     }
 
     pub fn reach(&self, centre: Vec3A, radius: f32) -> f32 {
         (centre - self.from).length() + radius
     }
 
-    /// Returns the cone around a node's sphere; `None` if this point is inside.
-    fn cone(&self, node: &BvhNode) -> Option<BoundingCone> {
-        BoundingCone::around(node.centre - self.from, node.radius + node.hit_error)
-    }
-
+    /// Returns the bounds of a node's sphere or its shadow.
+    ///
+    /// The line u = c of the picture is a plane through this point, with the normal of u = 0 minus c times the normal of the line at
+    /// infinity. It touches the sphere where its distance from the centre is the radius (Mara and McGuire: 2D Polyhedral Bounds of a
+    /// Clipped, Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal normals). For a light, with its height L above the plane, the
+    /// normals are linear in the eye's axes n: `n L - y (n . (light - eye))`. The centre's distances are `n . (L (c - eye) - (c.y -
+    /// ground) (light - eye))`.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
-        let cone = self.cone(node);
-        cone.map_or(ScreenBounds::ALL, |cone| cone.bounds(&self.normals, pixel))
-    }
-
-    pub fn sides(&self, node: &BvhNode, object: &Object<'_>) -> Sides {
-        if let Object::Block(block) = object {
-            return Sides::of_block(&self.rays, node.centre - self.from, block, self.corner);
+        let &Self { to_light, above, .. } = self;
+        if above <= LEAST_HEIGHT {
+            return ScreenBounds::ALL;
         }
-        self.cone(node).map_or(Sides::All, |cone| Sides::Round {
-            terms: cone.terms(&self.rays),
-            unsure: cone.unsure(node.hit_error),
-        })
-    }
-}
-
-/// The rays from a tip outside a sphere that meet the sphere.
-#[derive(Clone, Copy)]
-struct BoundingCone {
-    to: Vec3A,
-    /// The cosine of the angle at the tip, divided by the length of `to`; below, the sine.
-    cosine_by_length: f32,
-    sine_by_length: f32,
-}
-
-impl BoundingCone {
-    /// `None` if the tip is inside the sphere.
-    pub fn around(to: Vec3A, radius: f32) -> Option<Self> {
-        let distance2 = to.length_squared();
-        let radius = radius * WIDE;
-        let cosine2 = (distance2 - radius * radius) / distance2;
-        (cosine2 >= 0.0).then(|| Self {
-            to,
-            // `to` contains one factor of the distance, the sine two.
-            cosine_by_length: sqrt(cosine2 / distance2),
-            sine_by_length: radius / distance2,
-        })
-    }
-
-    /// Returns the margin, relative to the sine, from which rays certainly meet the sphere. The cone is wider by `hit_error`.
-    #[inline(never)]
-    pub fn unsure(&self, hit_error: f32) -> f32 {
-        let distance2 = self.to.length_squared();
-        let (radius, cosine2) = (
-            self.sine_by_length * distance2,
-            self.cosine_by_length * self.cosine_by_length * distance2,
-        );
-        let error = UNSURE * (hit_error + HIT * sqrt(distance2));
-        error / (radius * cosine2)
-    }
-
-    /// `rays` are for a step along u, along v, and at (0, 0).
-    #[inline(never)]
-    pub fn terms(&self, rays: &[Vec3A; 3]) -> Terms {
-        rays.map(|ray| {
-            let cosine = self.to.cross(ray) * self.cosine_by_length;
-            cosine.extend(self.to.dot(ray) * self.sine_by_length)
-        })
-    }
-
-    /// Returns the cone's bounds, from the normals of the planes that appear as the lines u = 0, v = 0, and the line at infinity: the
-    /// camera's axes, if the tip is the eye.
-    ///
-    /// The plane of u = c has the normal of u minus c times the last one. It touches the cone where its angle with the axis is the cone's
-    /// own (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal normals).
-    #[inline(never)]
-    pub fn bounds(&self, [right, down, forward]: &[Vec3A; 3], pixel: f32) -> ScreenBounds {
-        let distance = self.to.length();
-        let (axis, sine) = (self.to / distance, self.sine_by_length * distance + WIDER);
-        let ahead = axis.dot(*forward);
-        if ahead < -sine * forward.length() {
+        let radius = (node.radius + node.hit_error) * WIDE;
+        let to = (node.centre - self.eye) * above - to_light * (node.centre.y - self.ground);
+        let [right, down, (forward, ahead)] =
+            self.axes.map(|n| (n * above - Vec3A::Y * n.dot(to_light), n.dot(to)));
+        if ahead < -radius * forward.length() {
             return ScreenBounds::NONE;
         }
-        let [u, v] = [right, down].map(|normal| {
-            // All planes share one direction. Across it the problem is two-dimensional.
-            let along = unit(normal.cross(*forward));
-            let shared = axis.dot(along);
-            let cosine = sqrt(1.0 - sine * sine - shared * shared);
-            let across = along.cross(axis) * sine;
-            Vec4::new(
-                normal.dot(across),
-                cosine * axis.dot(*normal),
-                forward.dot(across),
-                cosine * ahead,
-            )
+        let [u, v] = [right, down].map(|(normal, across)| {
+            let between = forward * across - normal * ahead;
+            let shared = normal.cross(forward) * radius;
+            // NaN inside the sphere.
+            let apart = sqrt(between.length_squared() - shared.length_squared());
+            let [a, c] = [normal, forward].map(|normal| normal.dot(between) * radius);
+            Vec4::new(a, apart * across, c, apart * ahead)
         });
         ScreenBounds::around(u, v, pixel)
+    }
+
+    /// Returns the rays whose points on the plane are in an object's shadow, or for the eye those that meet it.
+    pub fn sides(&self, node: &BvhNode, object: &Object<'_>) -> Sides {
+        let (to, by_eye) = (node.centre - self.from, node.centre - self.eye);
+        let aside = by_eye * self.side;
+        let scale = 1.0 / aside.extend(self.height).length();
+        let rays =
+            self.axes.map(|d| (d * self.height + aside * d.y).extend(-self.side * d.y) * scale);
+        if let Object::Block(block) = object {
+            let reach = by_eye.abs() + Vec3A::from(block.half);
+            let slack = self.corner * reach.element_sum() + hit_error(node.centre, 0.0);
+            return Sides::of_block(&rays, to, block, slack);
+        }
+        Sides::of_sphere(&rays, to, node)
     }
 }
