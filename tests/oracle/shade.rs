@@ -121,7 +121,7 @@ impl Oracle<'_> {
             states.push(state);
         }
         self.note(object, &states, weight, path, traced);
-        let transmittance = self.transmittance(t);
+        let transmittance = self.transmittance(ray, t);
         let own = self.behind(ray.d).lerp(colour, transmittance) + glow;
         let left = weight * transmittance as f32;
         let [seen, untraced] = self.secondary(&hit, left, path, traced);
@@ -154,7 +154,12 @@ impl Oracle<'_> {
 
     pub fn behind(&self, d: DVec3) -> DVec3 {
         let rise = d.y.max(0.0);
-        self.scene.background.as_dvec3() + rise * (2.0 - rise) * self.scene.sky.as_dvec3()
+        let scattered = self.scene.lights.first().map_or(DVec3::ZERO, |sun| {
+            let share = d.dot(sun.position.as_dvec3().normalize_or_zero()).max(0.0).powi(8);
+            share * f64::from(self.scene.scatter) * sun.colour.as_dvec3()
+        });
+        let gradient = rise * (2.0 - rise) * self.scene.sky.as_dvec3();
+        self.scene.background.as_dvec3() + gradient + scattered
     }
 
     /// Returns the light of a reflected or refracted ray that is not traced.
@@ -195,8 +200,11 @@ impl Oracle<'_> {
         (thickness > 0.0).then(|| DVec3::new(610.0, 540.0, 455.0).map(reflected))
     }
 
-    pub fn transmittance(&self, t: f64) -> f64 {
-        1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2))
+    pub fn transmittance(&self, ray: Ray, t: f64) -> f64 {
+        let fall = f64::from(self.scene.haze_fall);
+        let thinning = |y: f64| 1.0 + fall * y.max(0.0);
+        let thinning = thinning(ray.o.y) * thinning(ray.at(t).y);
+        1.0 / (1.0 + (f64::from(self.scene.haze) * t / thinning).powi(2))
     }
 
     /// Returns the light of secondary rays, and the light of the ones that are not traced.

@@ -135,6 +135,9 @@ pub fn anywhere(random: &mut Random) -> Camera {
 fn add_air(scene: &mut Scene, random: &mut Random) {
     scene.sky = random.colour() - scene.background;
     scene.haze = random.zero_or(0.01, 0.1);
+    let mut more = Random::new(random.clone().bits());
+    scene.haze_fall = more.zero_or(0.1, 10.0);
+    scene.scatter = more.zero_or(0.1, 1.0);
     scene.exposure = random.between(0.1, 1.2);
     if random.below(2) == 0 {
         scene.film = Film {

@@ -80,6 +80,7 @@ pub fn coloured(scene: &Scene, step: usize) -> Scene {
 pub fn scaled(scene: &Scene, factor: f32) -> Scene {
     let mut scene = scene.clone();
     scene.haze = (scene.haze / factor).min(1e3);
+    scene.haze_fall = (scene.haze_fall / factor).min(1e3);
     scene.camera.eye *= factor;
     scene.camera.look_at *= factor;
     scene.water.length *= factor;

@@ -64,7 +64,7 @@ impl<'a> PathTracer<'a> {
                 }
                 return found + behind;
             };
-            let clear = self.oracle.transmittance(t);
+            let clear = self.oracle.transmittance(ray, t);
             found += (1.0 - clear) * behind;
             throughput *= clear;
 

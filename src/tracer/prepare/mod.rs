@@ -56,6 +56,9 @@ impl<'a> World<'a> {
 pub(crate) struct Prepared {
     pub is_clear: bool,
     pub haze: f32,
+    pub haze_fall: f32,
+    /// The direction of the light that the sky scatters, and its part of the light's colour.
+    pub scattered: [Vec3A; 2],
     pub glows: bool,
     pub film: Film,
     pub eye: Vec3A,
@@ -86,6 +89,8 @@ impl Prepared {
         Self {
             is_clear: false,
             haze: 0.0,
+            haze_fall: 0.0,
+            scattered: [Vec3A::ZERO; 2],
             glows: false,
             film: Film::ZERO,
             eye: Vec3A::ZERO,
@@ -131,8 +136,9 @@ impl Prepared {
         [width, height]: [usize; 2],
         offset: Vec2,
     ) -> World<'a> {
-        self.is_clear = scene.haze == 0.0 && scene.sky == Vec3::ZERO;
+        self.is_clear = scene.haze == 0.0 && scene.sky == Vec3::ZERO && scene.scatter == 0.0;
         self.haze = surface::bounded(scene.haze);
+        self.haze_fall = surface::bounded(scene.haze_fall);
         self.glows = scene.lights.iter().any(|light| light.glow > 0.0);
         self.film = Film::of(&scene.film, width, height);
         self.eye = scene.camera.eye.into();
@@ -165,6 +171,9 @@ impl Prepared {
             *prepared = Softbox::of(softbox);
         }
         let lights = &self.lights[..self.light_count];
+        self.scattered = lights.first().map_or([Vec3A::ZERO; 2], |sun| {
+            [sun.position.normalize_or_zero(), sun.colour * scene.scatter]
+        });
         self.ambience.set(scene, self.tree.solid_nodes(), lights);
         World { scene, prepared: self }
     }

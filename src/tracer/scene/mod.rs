@@ -66,6 +66,12 @@ pub struct Scene {
     /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`;
     /// the background has the rest.
     pub haze: f32,
+    /// The fall of the haze with height in 1 / scene units, 0 to 1000: at the height y above 0, its density is
+    /// `haze / (1 + haze_fall y)^2`.
+    pub haze_fall: f32,
+    /// The share of the first light's colour that sky and haze scatter, 0 to 1. In a direction at an angle with the cosine c from
+    /// the direction of the light's position, its weight is `c^8`, or 0 from 90 degrees on.
+    pub scatter: f32,
     /// The factor on all light of the picture, 0 to 11.
     pub exposure: f32,
     /// The conversion of light to the picture's colours.
@@ -120,6 +126,8 @@ impl Scene {
             background: Vec3::ZERO,
             sky: Vec3::ZERO,
             haze: 0.0,
+            haze_fall: 0.0,
+            scatter: 0.0,
             exposure: 1.0,
             film: Film::PLAIN,
             ambient: Vec3::ZERO,

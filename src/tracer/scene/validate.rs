@@ -44,6 +44,8 @@ impl Scene {
         Checked::one("background").field("", self.background, LENGTH)?;
         Checked::one("sky").rule("", self.sky, LENGTH.holds(zenith), sky)?;
         Checked::one("haze").field("", self.haze, THOUSAND)?;
+        Checked::one("haze_fall").field("", self.haze_fall, THOUSAND)?;
+        Checked::one("scatter").field("", self.scatter, SHARE)?;
         Checked::one("exposure").field("", self.exposure, Range(0.0, 11.0, "0 to 11"))?;
         self.film.check(Checked::one("film"))?;
         Checked::one("ambient").field("", self.ambient, LENGTH)?;

@@ -19,11 +19,13 @@ pub(super) struct AirLanes<S: Isa> {
 
 impl<S: Isa> AirLanes<S> {
     /// Returns the haze in front of surfaces at the distance `t`; `None` if the air is clear.
+    ///
+    /// Between the heights x and y, the mean of `1 / (1 + b h)^2` is `1 / ((1 + b x) (1 + b y))`, without cancellation on level rays.
     #[inline(always)]
     pub fn along(
         simd: S,
         world: World<'_>,
-        d: &Vec3x<S>,
+        rays: &Rays<S>,
         t: F<S>,
         surface: &SurfaceLanes<'_, S>,
     ) -> Option<Self> {
@@ -31,10 +33,15 @@ impl<S: Isa> AirLanes<S> {
             return None;
         }
         // Haze does not dim visible lights.
-        let density =
-            surface.is_light().select(splat(simd, 0.0), t * (world.haze + BACKGROUND_HAZE));
+        let zero = splat(simd, 0.0);
+        let [first, last] = [rays.o.y, rays.d.y * t + rays.o.y].map(
+            #[inline(always)]
+            |y| at_least::<S>(y, zero) * world.haze_fall + 1.0,
+        );
+        let haze = splat::<S>(simd, world.haze) / (first * last);
+        let density = surface.is_light().select(zero, t * (haze + BACKGROUND_HAZE));
         Some(Self {
-            sky: sky(simd, world, d),
+            sky: sky(simd, world, &rays.d),
             transmittance: splat::<S>(simd, 1.0) / (density * density + 1.0),
         })
     }
@@ -52,7 +59,11 @@ pub(super) fn sky<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
     let gradient = rise * (rise * -1.0 + 2.0);
     let [horizon, sky] =
         [world.scene.background, world.scene.sky].map(|colour| Vec3x::splat(simd, colour));
-    horizon.add_scaled(sky, gradient)
+    let [sun, scattered] = world.scattered.map(|it| Vec3x::splat(simd, it));
+    let towards = at_least::<S>(d.dot(sun), splat(simd, 0.0));
+    let towards = towards * towards;
+    let towards = towards * towards;
+    horizon.add_scaled(sky, gradient).add_scaled(scattered, towards * towards)
 }
 
 /// The least cosine between a direction and the aim of a softbox that it sees.

@@ -25,7 +25,7 @@ pub(super) fn shade<S: Isa>(
     let (simd, world, quality) = (tracer.isa, tracer.world, tracer.quality);
     let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut batch.surfaces);
     let shaded = active & surface.is_lit();
-    let air = AirLanes::along(simd, world, &rays.d, hit.t, &surface);
+    let air = AirLanes::along(simd, world, rays, hit.t, &surface);
     // The weight of the light that leaves the surface.
     let weight = match &air {
         Some(air) => rays.weight * air.transmittance,
