@@ -11,6 +11,8 @@ pub(super) struct Environment {
     pub ambient: Vec3,
     pub ambience: Ambience,
     pub haze: f32,
+    pub haze_fall: f32,
+    pub scatter: f32,
     /// See [`Film::vignette`].
     pub vignette: f32,
     /// The floor is endless, at y = 0.
@@ -62,6 +64,8 @@ impl Environment {
         scene.ambient = self.ambient;
         scene.ambience = self.ambience;
         scene.haze = self.haze;
+        scene.haze_fall = self.haze_fall;
+        scene.scatter = self.scatter;
         scene.exposure = 1.0;
         scene.black_beyond = false;
         scene.film = Film { filmic: true, vignette: self.vignette, dither: 1.0 };

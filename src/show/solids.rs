@@ -21,6 +21,17 @@ pub(super) fn add_block(
     scene.blocks.push(Block { centre, half, axes, shape, material: *material });
 }
 
+/// Adds stars behind a scene at the origin, seen from z.
+pub(super) fn add_stars(scene: &mut Scene) {
+    for number in 0..64 {
+        let number = number as f32;
+        let up = 42.0 * (number * 0.618).fract() - 20.0;
+        let centre = vec3(76.0 * (number * 0.755).fract() - 38.0, up, -50.0);
+        let light = Material { colour: Vec3::splat(300.0), kd: 1.0, ..Material::BLACK };
+        add_sphere(centre, 0.05 + 0.05 * (number * 0.31).fract(), &light, scene);
+    }
+}
+
 /// The sizes of a letter in scene units.
 pub(super) struct Size {
     /// The distance of the font's grid points.

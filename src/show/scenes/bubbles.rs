@@ -17,14 +17,16 @@ static ENVIRONMENT: Environment = Environment {
     ambient: vec3(0.2, 0.17, 0.2),
     ambience: Ambience::UNIFORM,
     haze: 0.0,
+    haze_fall: 0.0,
+    scatter: 0.0,
     vignette: 0.4,
     floor: None,
     swell: Waves::CALM,
-    lights: &[Light { parallel: true, glow: 0.16, ..point([0.25, 0.02, -1.0], [0.6, 0.2, 0.11]) }],
+    lights: &[Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [0.6, 0.2, 0.11]) }],
     softboxes: &[
         // A window behind the camera, a strip of evening sun, and a pale sky above.
-        softbox([-7.0, 6.5, 9.0], [0.5, 0.4, 0.3], [12.0, 10.0, 8.5]),
-        softbox([9.0, -1.0, 6.0], [0.2, 1.2, 0.2], [6.0, 2.4, 1.3]),
+        softbox([-7.0, 6.5, 9.0], [0.5, 0.4, 0.3], [26.0, 22.0, 18.0]),
+        softbox([9.0, -1.0, 6.0], [0.2, 1.2, 0.2], [12.0, 5.0, 2.6]),
         softbox([0.0, 1.0, 0.2], [2.5, 2.5, 2.5], [1.2, 1.0, 1.1]),
     ],
     field_of_view: 0.6,
@@ -65,6 +67,14 @@ static BUBBLES: [(Vec3, f32); 8] = [
 ];
 
 fn add(now: Now, scene: &mut Scene) {
+    // One near the camera, and many that rise far behind.
+    add_bubble(vec3(-2.3, -1.6, 3.2), 0.7, 3.0, now, scene);
+    for number in 0..16 {
+        let spread = number as f32 * 0.618;
+        let up = (now.beat * 0.02 + number as f32 * 0.755).fract();
+        let centre = vec3(14.0 * spread.fract() - 7.0, 8.0 * up - 3.4, -8.0);
+        add_bubble(centre, 0.06 + 0.12 * (spread * 3.0).fract(), spread, now, scene);
+    }
     let pop = now.cue(Track::Pop);
     for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {
         // Bubble 1 divides from bubble 0 in bar 1, 2 and 3 from them in bar 2, and so on, on a note each.
@@ -80,9 +90,12 @@ fn add(now: Now, scene: &mut Scene) {
         }
         let float = vec3(0.0, 0.07 * sin(now.beat * 0.7 + 2.0 * number as f32), 0.0);
         let centre = BUBBLES[parent].0.lerp(centre, grown) + float * grown;
-        // Films flow, and thicker ones shine in other colours.
-        let film = 180.0 + 40.0 * (number % 3) as f32 + 50.0 * sin(0.4 * now.beat);
-        let material = Material { film_thickness: film, ..FILM };
-        add_sphere(centre, radius * (0.2 + 0.8 * grown), &material, scene);
+        add_bubble(centre, radius * (0.2 + 0.8 * grown), number as f32, now, scene);
     }
+}
+
+/// Adds a bubble, whose film flows.
+fn add_bubble(centre: Vec3, radius: f32, number: f32, now: Now, scene: &mut Scene) {
+    let film_thickness = 220.0 + 70.0 * sin(0.4 * now.beat + 2.0 * number);
+    add_sphere(centre, radius, &Material { film_thickness, ..FILM }, scene);
 }

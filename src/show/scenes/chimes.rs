@@ -5,21 +5,27 @@ use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::{THEME, Track};
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Spot, Waves};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.42, 0.62, 0.58),
-    sky: vec3(-0.24, -0.28, -0.20),
-    ambient: vec3(0.40, 0.40, 0.42),
-    ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.40, 0.31, 0.20), bounce: 0.9 },
+    background: vec3(0.06, 0.17, 0.17),
+    sky: vec3(-0.05, -0.12, -0.10),
+    ambient: vec3(0.22, 0.24, 0.26),
+    ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.12, 0.13, 0.12), bounce: 0.9 },
     haze: 0.02,
-    vignette: 0.12,
+    haze_fall: 0.0,
+    scatter: 0.0,
+    vignette: 0.25,
     floor: Some(&PAPER),
     swell: Waves::CALM,
-    lights: &[Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.90, 0.81, 0.68]) }],
+    lights: &[
+        Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.62, 0.55, 0.45]) },
+        // The glow of the struck pipe's bore.
+        Light { glow: 0.5, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
+    ],
     softboxes: &[
         softbox([-4.0, 3.0, 8.0], [0.25, 1.5, 0.25], [6.0, 5.5, 5.0]),
         softbox([8.0, 2.0, 2.0], [0.4, 1.0, 0.4], [2.0, 2.2, 2.4]),
@@ -30,25 +36,26 @@ static ENVIRONMENT: Environment = Environment {
 
 static SHOTS: &[Shot] = &[
     shot(
-        4,
+        5,
         &[
             view([-1.4, 3.7, 8.05], [-0.834, 2.77, 2.568]),
-            view([0.0, 3.9, 9.4], [0.5, 2.0, 0.8]),
-            view([3.0, 4.3, 9.4], [0.0, 1.9, 0.0]),
-            view([6.5, 5.2, 6.5], [0.0, 1.8, 0.0]),
+            view([0.0, 4.2, 10.4], [0.3, 2.4, 0.8]),
+            view([3.0, 4.6, 10.2], [0.0, 2.4, 0.0]),
+            view([6.8, 5.0, 7.8], [0.0, 2.3, 0.0]),
+            view([9.4, 5.4, 4.0], [0.0, 2.1, 0.0]),
         ],
     ),
     shot(
-        2,
+        1,
         &[
-            view([-5.5, 8.0, 7.5], [-0.6, 2.4, 0.0]).tilted(0.0, -0.3),
-            view([-4.0, 8.6, 4.0], [-1.6, 3.2, 0.6]).tilted(0.0, -1.0),
-            view([-2.406, 7.1, 1.226], [-2.406, 3.62, 1.226]).tilted(0.0, -3.0),
+            view([0.0, 12.5, 2.0], [0.0, 2.5, 0.0]).tilted(0.0, -1.0),
+            view([-1.2, 10.5, 1.6], [-1.2, 3.0, 0.6]).tilted(0.0, -1.0),
+            view([-2.406, 7.1, 1.226], [-2.406, 3.62, 1.226]).tilted(0.0, -1.0),
         ],
     ),
 ];
 
-static PAPER: Material = Material::matt(vec3(0.45, 0.66, 0.62), 0.8);
+static PAPER: Material = Material::matt(vec3(0.20, 0.42, 0.40), 0.8);
 static BRASS: Material = Material {
     ks: 1.0,
     exponent: 10.0,
@@ -72,7 +79,7 @@ const GLOW: Vec3 = vec3(5.0, 4.0, 2.4);
 const RADIUS: f32 = 0.52;
 const BALL_RADIUS: f32 = 0.62;
 /// The height of a hop above the line between two pipes.
-const HOP: f32 = 1.5;
+const HOP: f32 = 1.1;
 /// The depth to which a struck pipe sinks.
 const SINK: f32 = 0.25;
 
@@ -95,6 +102,8 @@ fn add(now: Now, scene: &mut Scene) {
         if note == struck {
             end.y -= SINK * 4.0 * u * (1.0 - u) * glow;
             bore.colour += GLOW * glow;
+            scene.lights[1].position = end + Vec3::Y * 0.05;
+            scene.lights[1].colour = vec3(1.6, 1.0, 0.4) * glow;
         }
         let half = vec3(RADIUS, 0.5 * end.y, RADIUS);
         add_block(Shape::Cylinder, end - Vec3::Y * half.y, half, Mat3::IDENTITY, &BRASS, scene);

@@ -12,18 +12,17 @@ pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS)
 const SUN: [f32; 3] = [-10.0, 26.0, -170.0];
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.64, 0.35, 0.17),
-    sky: vec3(-0.44, -0.21, 0.08),
+    background: vec3(0.42, 0.21, 0.09),
+    sky: vec3(-0.30, -0.11, 0.09),
     ambient: vec3(0.035, 0.042, 0.065),
     ambience: Ambience::UNIFORM,
-    haze: 0.0165,
+    haze: 0.05,
+    haze_fall: 0.3,
+    scatter: 0.1,
     vignette: 0.1,
     floor: Some(&WATER),
     swell: Waves { slope: 0.008, length: 8.0, phase: 0.08 },
-    lights: &[
-        Light { drawn_radius: 28.0, glow: 11.0, ..point(SUN, [4.0, 3.3, 2.3]) },
-        Light { diameter: 2.0, ..point([30.0, 30.0, 30.0], [0.03, 0.045, 0.08]) },
-    ],
+    lights: &[Light { drawn_radius: 25.0, glow: 11.0, ..point(SUN, [4.0, 3.3, 2.3]) }],
     softboxes: &[],
     field_of_view: 0.88,
     add,
@@ -33,21 +32,21 @@ static SHOTS: &[Shot] = &[
     shot(
         5,
         &[
-            view([1.2, 1.6, 8.0], SUN),
-            view([-1.5, 1.2, 2.0], SUN),
-            view([-6.0, 0.9, -4.0], SUN),
-            view([-8.9, 0.7, -8.5], SUN),
+            view([1.2, 2.2, 8.0], SUN),
+            view([-1.5, 1.9, 2.0], SUN),
+            view([-6.0, 1.6, -4.0], SUN),
+            view([-8.9, 1.4, -8.5], SUN),
         ],
     ),
     shot(
         3,
-        &[view([7.1, 5.4, -17.0], SUN), view([6.7, 4.0, -19.0], SUN), view([6.4, 2.0, -20.5], SUN)],
+        &[view([-8.0, 2.2, 12.0], SUN), view([-3.0, 1.6, 7.0], SUN), view([1.4, 1.2, 2.0], SUN)],
     ),
 ];
 
-static TOWER: Material = Material::matt(vec3(0.12, 0.09, 0.09), 0.9);
+static TOWER: Material = Material::matt(vec3(0.06, 0.045, 0.05), 0.9);
 static WATER: Material =
-    Material { kr: 0.3, fresnel: 0.85, ..Material::matt(vec3(0.035, 0.048, 0.084), 0.05) };
+    Material { kr: 0.15, fresnel: 0.7, ..Material::matt(vec3(0.035, 0.048, 0.084), 0.05) };
 static RED: Material =
     Material { ks: 0.4, exponent: 40.0, ..Material::matt(vec3(11.5, 0.57, 0.14), 0.85) };
 
@@ -62,7 +61,7 @@ fn add(now: Now, scene: &mut Scene) {
     let ball = if drift < 1.0 {
         vec3(1.4 - 9.9 * drift, 0.3, -6.0 - 8.0 * drift)
     } else {
-        vec3(6.6 - drift, 0.3, -28.0)
+        vec3(-4.0 + 4.0 * (drift - 1.0), 0.3, -9.0)
     };
     add_sphere(ball, 0.36, &RED, scene);
 }

@@ -3,7 +3,7 @@
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::{Size, add_letter, add_sphere};
+use crate::show::solids::{Size, add_letter, add_sphere, add_stars};
 use eightfold_tracer::maths::{cos, sin, smooth_step};
 use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
 use glam::{Mat3, Vec3, vec3};
@@ -16,6 +16,8 @@ static ENVIRONMENT: Environment = Environment {
     ambient: vec3(0.0010, 0.0016, 0.0050),
     ambience: Ambience::UNIFORM,
     haze: 0.0,
+    haze_fall: 0.0,
+    scatter: 0.0,
     vignette: 0.3,
     floor: None,
     swell: Waves::CALM,
@@ -23,8 +25,8 @@ static ENVIRONMENT: Environment = Environment {
         // The sun.
         Light {
             drawn_radius: 7.4,
-            core: 7.2,
-            glow: 0.4,
+            core: 7.25,
+            glow: 0.25,
             ..point([0.0, 0.0, -60.0], [22.0, 19.0, 16.0])
         },
         // Its halo.
@@ -70,8 +72,9 @@ fn add(now: Now, scene: &mut Scene) {
     // Totality is on beat 8, and the ring on beat 16.
     let moon = 2.3 * (1.0 - smooth_step(beat / 8.0)) - 0.055 * smooth_step((beat - 14.0) * 0.5);
     add_sphere(vec3(moon, 0.6 * moon, 0.0), 1.0, &MOON, scene);
-    let flash = if beat < 16.0 { 0.0 } else { 1.0 + 1.5 / (1.0 + 2.0 * (beat - 16.0)) };
-    scene.lights[3].colour = vec3(3.0, 2.7, 2.2) * flash;
+    let flash = if beat < 16.0 { 0.0 } else { 1.0 + 4.0 / (1.0 + 4.0 * (beat - 16.0)) };
+    scene.lights[3].colour = vec3(1.1, 0.95, 0.75) * flash;
+    add_stars(scene);
     add_sphere(CENTRE, WORLD, &LIMB, scene);
     for (number, &letter) in (0..).zip(NAME) {
         let number = number as f32;

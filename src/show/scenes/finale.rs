@@ -18,16 +18,17 @@ const SUN: [f32; 3] = [0.0, 36.0, -140.0];
 static ENVIRONMENT: Environment = Environment {
     background: vec3(0.87, 0.207, 0.042),
     sky: vec3(-0.82, -0.191, 0.057),
-    ambient: vec3(0.05, 0.04, 0.09),
+    ambient: vec3(0.07, 0.055, 0.12),
     ambience: Ambience::UNIFORM,
     haze: 0.007,
+    haze_fall: 0.0,
+    scatter: 0.0,
     vignette: 0.25,
     floor: Some(&WATER),
-    swell: Waves { slope: 0.013, length: 6.0, phase: 0.1 },
+    swell: Waves { slope: 0.008, length: 9.0, phase: 0.1 },
     lights: &[
         Light { drawn_radius: 21.0, glow: 11.0, ..point(SUN, [5.0, 2.9, 1.3]) },
         point([0.0, 16.0, -30.0], [7.0, 3.6, 1.5]),
-        Light { diameter: 2.0, ..point([-12.0, 14.0, 16.0], [0.1, 0.075, 0.14]) },
     ],
     softboxes: &[],
     field_of_view: 0.75,
@@ -37,18 +38,18 @@ static ENVIRONMENT: Environment = Environment {
 static SHOTS: &[Shot] = &[shot(
     6,
     &[
-        view([0.0, 1.7, 17.0], SUN),
-        view([-0.9, 1.6, 14.0], [0.0, 33.0, -140.0]),
-        view([-0.9, 1.5, 11.0], [0.0, 4.8, -10.0]),
-        view([0.0, 1.4, 9.4], [0.0, 1.9, 0.8]),
-        view([0.0, 1.4, 9.4], [0.0, 1.9, 0.8]),
+        view([0.0, 1.2, 19.0], SUN),
+        view([-0.9, 1.1, 15.5], [0.0, 33.0, -140.0]),
+        view([-0.9, 1.0, 12.5], [0.0, 5.4, -10.0]),
+        view([0.0, 0.9, 10.8], [0.0, 2.2, 0.8]),
+        view([0.0, 0.9, 10.8], [0.0, 2.2, 0.8]),
     ],
 )];
 
 #[rustfmt::skip]
 static CAPTIONS: &[Cue] = &[
-    Cue { first: 3.0, beats: 6.0, middle: 0.93, size: 0.022, text: "GREETINGS TO HEAVEN SEVEN" },
-    Cue { first: 8.0, beats: 6.0, middle: 0.93, size: 0.022, text: "REALSTORM AND THE 2008 THESIS" },
+    Cue { first: 2.0, beats: 6.0, middle: 0.1, size: 0.03, text: "GREETINGS TO HEAVEN SEVEN" },
+    Cue { first: 9.0, beats: 6.0, middle: 0.1, size: 0.03, text: "REALSTORM AND THE 2008 THESIS" },
 ];
 
 static WATER: Material =
@@ -74,7 +75,7 @@ static PLUM: Material = Material {
 /// The light of the gold square at the end, relative to the ambient light.
 const GOLD: Vec3 = vec3(30.0, 17.0, 1.0);
 
-const BALL: Vec3 = vec3(0.0, 1.9, 0.8);
+const BALL: Vec3 = vec3(0.0, 2.2, 0.8);
 
 fn add(now: Now, scene: &mut Scene) {
     let last = now.cue(Track::Marimba);
@@ -86,7 +87,7 @@ fn add(now: Now, scene: &mut Scene) {
     scene.method = Method { coarse: side, squares: side / 64.0, ..Method::default() };
     // The sun sinks behind the ball until bar 4.
     scene.lights[0].position.y -= 14.0 * smooth_step(now.beat / 16.0);
-    add_sphere(BALL, 1.9, &GLASS, scene);
+    add_sphere(BALL, 2.2, &GLASS, scene);
     for row in 0..4 {
         let row = row as f32;
         let float = 0.06 * sin(now.beat * 0.8 + row);

@@ -1,32 +1,34 @@
 //! The kaleidoscope: a wedge of balls and rods around the only light, folded into eight.
 
-use crate::show::environment::{Environment, Now, point};
+use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Shape, Waves};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.9, 0.85, 0.75),
+    background: vec3(0.05, 0.03, 0.05),
     sky: Vec3::ZERO,
     ambient: vec3(0.06, 0.066, 0.11),
     ambience: Ambience { occlusion: 1.0, reach: 1.5, ground: vec3(0.11, 0.08, 0.055), bounce: 1.0 },
     haze: 0.0,
+    haze_fall: 0.0,
+    scatter: 0.0,
     vignette: 0.1,
     floor: Some(&PAPER),
     swell: Waves::CALM,
     lights: &[Light {
-        drawn_radius: 2.0,
+        drawn_radius: 1.5,
         diameter: 3.6,
         glow: 1.2,
-        ..point([0.0, 6.5, 0.0], [1.9, 1.6, 1.25])
+        ..point([0.0, 6.5, 0.0], [2.6, 2.2, 1.7])
     }],
-    softboxes: &[],
+    softboxes: &[softbox([1.0, 2.0, 0.0], [1.5, 1.5, 1.5], [2.0, 1.6, 1.4])],
     field_of_view: 0.5,
     add,
 };
@@ -39,29 +41,47 @@ static SHOTS: &[Shot] = &[shot(
     ],
 )];
 
-static PAPER: Material = Material::matt(vec3(0.9156, 0.8493, 0.7511), 0.9);
+static PAPER: Material = Material {
+    pattern: Pattern {
+        waves: vec3(0.16, 0.0, 0.0),
+        depth: 1.0,
+        edge: 2.0,
+        grain: 0.16,
+        swirl: 0.3,
+        tint: vec3(0.07, 0.02, 0.06),
+        ..Pattern::NONE
+    },
+    ..Material::matt(vec3(0.42, 0.17, 0.05), 0.9)
+};
 static RED: Material =
     Material { ks: 0.25, exponent: 14.0, ..Material::matt(vec3(0.615, 0.038, 0.014), 0.95) };
-static INK: Material = Material::matt(vec3(0.0157, 0.063, 0.173), 1.0);
+static PEARL: Material =
+    Material { ks: 0.3, exponent: 40.0, ..Material::matt(vec3(1.0, 0.95, 0.86), 1.0) };
 static BRASS: Material = Material {
     ks: 0.5,
     exponent: 14.0,
     metallic: 1.0,
+    kr: 0.35,
+    film_thickness: 330.0,
     ..Material::matt(vec3(0.724, 0.394, 0.084), 0.8)
 };
+
+static BALLS: [&Material; 8] = [&RED, &BRASS, &RED, &PEARL, &RED, &BRASS, &PEARL, &RED];
 
 fn add(now: Now, scene: &mut Scene) {
     // Each boom doubles the sectors: 1, 2, 4, 8.
     scene.sectors = (1 << now.cue(Track::Boom).count >> 1) as f32;
     let kick = now.cue(Track::Kick);
-    let turns = (kick.count as f32 - 1.0 + smooth_step(kick.since * 2.0)) * 0.125;
+    // A sixteenth of a turn per kick: balls stand beside a mirror, or on it.
+    let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
     let half = vec3(4.2, 0.9, 4.2);
     add_block(Shape::Cylinder, Vec3::Y * 0.4, half, Mat3::IDENTITY, &BRASS, scene);
-    for number in 0..7 {
-        let part = number as f32 / 7.0;
-        add_sphere(around(part + turns) * 7.9 + Vec3::Y * 0.6, 2.6, &RED, scene);
-        add_sphere(around(part - turns) * 13.5 + Vec3::Y * 1.2, 1.9, &INK, scene);
-        let out = around(part + 0.5 * turns + 0.07);
+    for (number, material) in BALLS.iter().enumerate() {
+        let part = number as f32 / 8.0;
+        add_sphere(around(part + turns) * 7.9 + Vec3::Y * 0.6, 2.3, material, scene);
+        let further = BALLS[7 - number];
+        add_sphere(around(part - turns + 0.0625) * 13.5 + Vec3::Y * 1.2, 1.9, further, scene);
+        let out = around(part + turns);
         let axes = Mat3::from_cols(Vec3::Y.cross(out), out, Vec3::NEG_Y);
         let half = vec3(0.95, 7.3, 0.95);
         add_block(Shape::Capsule, out * 20.5 + Vec3::Y * 1.5, half, axes, &BRASS, scene);

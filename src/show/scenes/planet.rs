@@ -3,7 +3,7 @@
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::{add_sphere, around};
+use crate::show::solids::{add_sphere, add_stars, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Spot, Waves};
@@ -17,6 +17,8 @@ static ENVIRONMENT: Environment = Environment {
     ambient: vec3(0.004, 0.006, 0.012),
     ambience: Ambience::UNIFORM,
     haze: 0.0,
+    haze_fall: 0.0,
+    scatter: 0.0,
     vignette: 0.3,
     floor: None,
     swell: Waves::CALM,
@@ -38,14 +40,14 @@ static SHOTS: &[Shot] = &[
         3,
         &[
             view([0.0, 0.0, 9.0], [0.0; 3]),
-            view([0.6, 0.1, 7.2], [0.1, 0.0, 0.0]),
-            view([1.4, 0.1, 5.4], [0.2, 0.0, 0.0]),
+            view([0.5, 0.1, 5.6], [0.1, 0.0, 0.0]),
+            view([1.2, 0.1, 4.2], [0.3, 0.0, 0.0]),
         ],
     ),
     shot(
         3,
         &[
-            view([1.6, 0.0, 4.6], [0.5, 0.1, 0.4]),
+            view([1.6, -0.4, 3.4], [0.6, 0.1, 0.4]),
             view([0.6, 0.1, 4.0], [-0.3, 0.2, 0.8]),
             view([-1.05, 0.3, 1.76], MOON),
         ],
@@ -72,16 +74,17 @@ static RUST: Material = Material::matt(vec3(0.424, 0.125, 0.038), 1.0);
 fn add(now: Now, scene: &mut Scene) {
     add_sphere(Vec3::ZERO, 1.0, &GIANT, scene);
     add_sphere(Vec3::from_array(MOON), 0.065, &STONE, scene);
-    for number in 0..7_u8 {
+    for number in 0..5_u8 {
         let moon = f32::from(number);
-        let out = around(0.13 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
+        let out = around(0.19 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
         let centre = out + Vec3::Y * (0.25 * out.x - 0.2 * out.z);
         let material = if number % 3 == 1 { &RUST } else { &STONE };
-        add_sphere(centre, 0.03 + 0.04 * (moon * 0.37).fract(), material, scene);
+        add_sphere(centre, 0.04 + 0.05 * (moon * 0.37).fract(), material, scene);
     }
+    add_stars(scene);
     let kick = now.cue(Track::Kick);
     let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
-    let sun = around(0.70 + 0.0235 * steps) * 400.0 + Vec3::Y * 140.0;
+    let sun = around(0.68 + 0.018 * steps) * 400.0 + Vec3::Y * 140.0;
     scene.lights[0].position = sun;
     scene.lights[1].spot = Some(Spot { aim: sun, inner_angle: 0.9, outer_angle: 2.0 });
 }

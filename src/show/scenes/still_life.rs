@@ -11,15 +11,17 @@ use glam::{Vec3, vec3};
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 pub(super) static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.79, 0.68, 0.55),
-    sky: vec3(-0.36, -0.34, -0.30),
-    ambient: vec3(0.45, 0.46, 0.51),
-    ambience: Ambience { occlusion: 1.0, reach: 1.0, ground: vec3(0.40, 0.34, 0.28), bounce: 0.9 },
+    background: vec3(0.34, 0.285, 0.225),
+    sky: vec3(-0.30, -0.255, -0.20),
+    ambient: vec3(0.36, 0.37, 0.42),
+    ambience: Ambience { occlusion: 1.0, reach: 1.0, ground: vec3(0.18, 0.15, 0.12), bounce: 0.9 },
     haze: 0.022,
-    vignette: 0.1,
+    haze_fall: 0.0,
+    scatter: 0.0,
+    vignette: 0.2,
     floor: Some(&PAPER),
     swell: Waves::CALM,
-    lights: &[Light { diameter: 20.0, ..point([-30.0, 48.0, 27.0], [1.21, 1.12, 0.97]) }],
+    lights: &[Light { diameter: 20.0, ..point([-30.0, 48.0, 27.0], [1.75, 1.6, 1.35]) }],
     softboxes: &[],
     field_of_view: 0.62,
     add,
@@ -48,7 +50,7 @@ static SHOTS: &[Shot] = &[
     ),
 ];
 
-static PAPER: Material = Material::matt(vec3(0.72, 0.64, 0.54), 0.74);
+static PAPER: Material = Material::matt(vec3(0.30, 0.26, 0.22), 0.74);
 static RED: Material =
     Material { ks: 0.3, exponent: 22.0, ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85) };
 static PEARL: Material = Material {
@@ -59,7 +61,7 @@ static PEARL: Material = Material {
     ..Material::matt(vec3(1.0, 0.946, 0.857), 0.95)
 };
 static INK: Material =
-    Material { ks: 0.3, exponent: 30.0, colour: vec3(0.014, 0.055, 0.16), kd: 0.85, ..PEARL };
+    Material { ks: 0.3, exponent: 30.0, colour: vec3(0.006, 0.016, 0.05), kd: 0.85, ..PEARL };
 static GLASS: Material = Material {
     ks: 0.9,
     exponent: 120.0,
