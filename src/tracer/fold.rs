@@ -1,75 +1,82 @@
-//! Kaleidoscopes, see [`Scene::sectors`](crate::scene::Scene::sectors): a wedge of the picture is drawn, and the rest copies it.
+//! Kaleidoscopes, see [`Scene::sectors`](crate::scene::Scene::sectors): a part of the picture is drawn, and the rest copies it.
 
 use crate::picture::{Band, CELL};
-use core::ops::Range;
+use crate::scene::camera::pixels;
+use core::mem::swap;
+use glam::{Vec2, vec2};
 
+#[derive(Clone, Copy)]
 pub(crate) struct Fold {
-    /// The corner of the wedge, in cells.
+    /// The upper left corner of the part that is drawn, in cells.
     centre: [usize; 2],
     has_diagonal: bool,
-    /// Whether the wedge with a diagonal is to the right of the centre. Otherwise it is below.
+    /// Whether the wedge of eight sectors is to the right of its diagonal. Otherwise the cells to the right are drawn in vain.
     is_wide: bool,
+    /// The distance from the centre to the exact one, in pixels.
+    pub offset: Vec2,
 }
+
+/// More cells than a picture is wide.
+const NONE: usize = 1 << 16;
 
 impl Fold {
     pub fn new(sectors: f32, [width, height]: [usize; 2]) -> Self {
-        let cells = |at: usize, is_folded: bool| at / CELL * usize::from(is_folded);
-        let centre = [cells(width / 2, sectors >= 2.0), cells(height * 23 / 50, sectors >= 4.0)];
-        let [right, below] = [width - CELL * centre[0], height - CELL * centre[1]];
-        Self { centre, has_diagonal: sectors >= 8.0, is_wide: right >= below }
+        let exact = |share: f32, is_folded: bool| if is_folded { share } else { 0.0 };
+        let x = exact(0.5 * pixels(width), sectors >= 2.0);
+        let y = exact(0.46 * pixels(height), sectors >= 4.0);
+        let centre = [x, y].map(|at| at as usize / CELL);
+        let [left, top] = centre.map(|cells| cells * CELL);
+        Self {
+            centre,
+            has_diagonal: sectors >= 8.0,
+            is_wide: width - left >= height - top,
+            offset: vec2(x - pixels(left), y - pixels(top)),
+        }
     }
 
-    /// Returns the columns of the wedge's cells in a row of cells, with `margin` cells around it, 0 or 1.
-    pub fn cells(&self, row: usize, margin: usize) -> Range<usize> {
+    /// Returns the first cell in a row that is drawn; with a margin of 1, of those around it, too.
+    #[inline(never)]
+    pub fn start(&self, row: usize, margin: usize) -> usize {
         let [left, top] = self.centre;
         let Some(down) = (row + margin).checked_sub(top) else {
-            return 0..0;
+            return NONE;
         };
-        let edge = left.saturating_sub(margin);
-        match (self.has_diagonal, self.is_wide) {
-            (false, _) => edge..usize::MAX,
-            (true, true) => edge.max((left + down).saturating_sub(3 * margin))..usize::MAX,
-            (true, false) => edge..left + down + 1 + margin,
-        }
+        let is_cut = self.has_diagonal && self.is_wide;
+        let cut = if is_cut { down.saturating_sub(2 * margin) } else { 0 };
+        (left + cut).saturating_sub(margin)
     }
 
     /// Returns the pixel that the pixel (x, y) copies.
     #[inline(always)]
-    pub fn source(&self, [x, y]: [usize; 2]) -> [usize; 2] {
-        let [left, top] = self.centre.map(|cells| CELL * cells);
-        let off =
-            |at: usize, middle: usize| if at < middle { middle - 1 - at } else { at - middle };
-        let mut off = [off(x, left), off(y, top)];
-        if self.has_diagonal && (off[0] < off[1]) == self.is_wide {
-            off.reverse();
+    fn source(&self, at: [usize; 2]) -> [usize; 2] {
+        let centre = self.centre.map(|cells| CELL * cells);
+        let [mut x, mut y] = [0, 1].map(|i| at[i].wrapping_sub(centre[i]) as isize);
+        (x, y) = (x.max(!x), y.max(!y));
+        if self.has_diagonal && (x < y) == self.is_wide {
+            swap(&mut x, &mut y);
         }
-        [left + off[0], top + off[1]]
+        [centre[0] + x as usize, centre[1] + y as usize]
     }
 
-    /// Copies the wedge to the rest of a picture.
+    /// Copies the part that is drawn to the rest of a picture.
     pub fn copy(&self, picture: &mut Band<'_>) {
         let [left, top] = self.centre.map(|cells| CELL * cells);
-        if left + top == 0 && !self.has_diagonal {
+        if left == 0 && !self.has_diagonal {
             return;
         }
-        let (width, height, stride) = (picture.width, picture.height(), picture.stride);
-        for y in top..height {
-            // The other columns are in the wedge.
-            let end = if !self.has_diagonal {
-                left
-            } else if self.is_wide {
-                width.min(left + y - top)
-            } else {
-                width
-            };
-            for x in 0..end {
-                let [from, row] = self.source([x, y]);
-                picture.pixels[y * stride + x] = picture.pixels[row * stride + from];
+        let (width, stride) = (picture.width, picture.stride);
+        for y in top..picture.height() {
+            // The columns further right are in the wedge.
+            let end = if self.is_wide { left + y - top } else { width };
+            for x in 0..width.min(end) {
+                let [column, row] = self.source([x, y]);
+                let pixel = picture.pixels.get(row * stride + column);
+                picture.put(x, y, pixel.copied().unwrap_or(0));
             }
         }
-        for y in 0..top {
-            let row = (2 * top - 1 - y) * stride;
-            picture.pixels.copy_within(row..row + width, y * stride);
+        let (above, below) = picture.pixels.split_at_mut(top * stride);
+        for (row, mirrored) in above.rchunks_mut(stride).zip(below.chunks(stride)) {
+            row[..width].copy_from_slice(&mirrored[..width]);
         }
     }
 }

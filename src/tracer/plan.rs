@@ -36,6 +36,7 @@ impl FramePlan {
             ((method.front * pixels(size[0])) as usize).min(size[0])
         };
         let coarse = method.coarse as usize;
+        let fold = Fold::new(scene.sectors, size);
         let is_coarse = coarse >= 2;
         let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
         let square = if glitters { quality.square.min(CROWD_SQUARE) } else { quality.square };
@@ -57,9 +58,9 @@ impl FramePlan {
             size,
             finished,
             coarse,
-            fold: Fold::new(scene.sectors, size),
+            fold,
             glitters,
-            offset: frame.offset,
+            offset: frame.offset + fold.offset,
             probing: frame.probing,
         }
     }

@@ -69,8 +69,13 @@ fn folded_picture_equals_its_reflections() {
     let jagged = Quality { antialias: false, ..Quality::EXHAUSTIVE };
     for size in SIZES {
         for quality in [Quality::DEFAULT, Quality::THESIS, Quality::EXHAUSTIVE, jagged] {
-            let whole = draw(&mut renderers, &scene(1.0), &quality, size);
             for sectors in SECTORS {
+                let [x, y] = [0, 1].map(|i| size[i] as f32 * [0.5, 0.46][i]).map(|at| at % 8.0);
+                let (x, y) =
+                    (if sectors < 2.0 { 0.0 } else { x }, if sectors < 4.0 { 0.0 } else { y });
+                renderers.iter_mut().for_each(|it| it.set_offset(x, y));
+                let whole = draw(&mut renderers, &scene(1.0), &quality, size);
+                renderers.iter_mut().for_each(|it| it.set_offset(0.0, 0.0));
                 let what = format!("{size:?}, {sectors} sectors, {quality:?}");
                 let folded = draw(&mut renderers, &scene(sectors), &quality, size);
                 let from = (0..folded.len()).map(|i| {

@@ -74,13 +74,13 @@ fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
     // A sixteenth of a turn per kick: balls stand beside a mirror, or on it.
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
-    let half = vec3(4.2, 0.9, 4.2);
+    let half = vec3(3.5, 0.9, 3.5);
     add_block(Shape::Cylinder, Vec3::Y * 0.4, half, Mat3::IDENTITY, &BRASS, scene);
     for (number, material) in BALLS.iter().enumerate() {
         let part = number as f32 / 8.0;
-        add_sphere(around(part + turns) * 7.9 + Vec3::Y * 0.6, 2.3, material, scene);
+        add_sphere(around(part + turns) * 7.4 + Vec3::Y * 0.6, 2.3, material, scene);
         let further = BALLS[7 - number];
-        add_sphere(around(part - turns + 0.0625) * 13.5 + Vec3::Y * 1.2, 1.9, further, scene);
+        add_sphere(around(part - turns + 0.0625) * 13.0 + Vec3::Y * 1.2, 1.9, further, scene);
         let out = around(part + turns);
         let axes = Mat3::from_cols(Vec3::Y.cross(out), out, Vec3::NEG_Y);
         let half = vec3(0.95, 7.3, 0.95);

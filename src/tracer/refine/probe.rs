@@ -7,7 +7,7 @@ use super::Context;
 use super::Worker;
 use super::antialias::{add_middle, bisect, is_edge, mix_pixel};
 use crate::counts::Counts;
-use crate::picture::{Band, Probing};
+use crate::picture::{Band, CELL, Probing};
 use crate::plan::FramePlan;
 use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
@@ -66,8 +66,10 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     let (top, stride) = (band.top, band.stride);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();
-    let places = plan.probing.places(size).map(|place| plan.fold.source(place));
-    let mut places = places.filter(|&place| place[0] < size[0] && index(place) < count);
+    // A fold copies other pixels later.
+    let is_drawn = |[x, y]: [usize; 2]| x / CELL >= plan.fold.start(y / CELL, 0);
+    let places = plan.probing.places(size);
+    let mut places = places.filter(|&place| index(place) < count && is_drawn(place));
     worker.batch.begin();
     worker.pyramid.scratch().fill(0);
     loop {

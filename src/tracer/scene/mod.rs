@@ -87,9 +87,9 @@ pub struct Scene {
     /// The number of sectors of a kaleidoscope, 1, 2, 4 or 8, rounded down: 1 for none, 2 for a picture that is mirrored left and right, 4
     /// for one that is also mirrored up and down, 8 for one that is also mirrored along diagonals.
     ///
-    /// The centre is in the middle and at 46 % of the height, rounded up and left to whole cells of 8 pixels. Only a wedge is traced: with 8
-    /// sectors, from the line to the right to the diagonal to the lower right, or in narrow pictures from there to the line downwards. The
-    /// rest copies its pixels. Captions are not mirrored.
+    /// The centre is in the middle, at 46 % of the height; the picture moves up and left by up to 8 pixels, so that it is the corner of a
+    /// square. Only a part is traced: with 8 sectors, the wedge from the line to the right to the diagonal to the lower right, or in narrow
+    /// pictures the wedge from there to the line downwards. The rest copies its pixels. Captions are not mirrored.
     pub sectors: f32,
     /// The overlay that explains the rendering method.
     pub method: Method,

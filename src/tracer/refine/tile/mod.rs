@@ -56,11 +56,10 @@ pub(crate) fn draw<O: Observer>(
     }
     // Around the wedge of a fold, pixels are stale.
     for (row, rough) in band.rough.iter_mut().enumerate() {
-        let cells = plan.fold.cells(band.top / CELL + row, 0);
-        for (first, word) in (0..).step_by(u64::BITS as usize).zip(rough) {
-            let from =
-                |cell: usize| u64::MAX.checked_shl(cell.saturating_sub(first).min(64) as u32);
-            *word &= from(cells.start).unwrap_or(0) & !from(cells.end).unwrap_or(0);
+        let mut start = plan.fold.start(band.top / CELL + row, 0);
+        for word in rough {
+            *word &= u64::MAX.checked_shl(start as u32).unwrap_or(0);
+            start = start.saturating_sub(TILE_WIDTH / CELL);
         }
     }
 }
@@ -82,9 +81,15 @@ impl<O: Observer> Tile<'_, '_, O> {
     pub fn draw(&mut self) {
         let Context { plan, world, coverage, .. } = self.context;
         let top = plan.quality.top_level();
-        let rows = self.area.rows(top);
-        self.mark_drawn(top);
+        let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         let marks = &mut self.worker.marks;
+        for (y, row) in marks.squares[top][..rows].iter_mut().enumerate() {
+            let start = plan.fold.start((self.area.top + (y << top)) / CELL, 1) * CELL;
+            // Coarse squares have several rows of cells.
+            let start = if 1 << top > CELL { 0 } else { start };
+            let hidden = start.saturating_sub(self.area.left) >> top;
+            *row = Bits::first(columns).without(Bits::first(hidden));
+        }
         if marks.squares[top][..rows].iter().all(Bits::is_empty) {
             return;
         }
@@ -124,29 +129,14 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Marks the largest squares in the wedge of a fold and around it.
-    fn mark_drawn(&mut self, top: usize) {
-        let (columns, rows) = (self.area.columns(top), self.area.rows(top));
-        let squares = &mut self.worker.marks.squares[top];
-        squares[..rows].fill(Bits::NONE);
-        for y in (0..self.area.bottom - self.area.top).step_by(CELL) {
-            let cells = self.context.plan.fold.cells((self.area.top + y) / CELL, 1);
-            let at = |cell: usize| cell.saturating_mul(CELL).saturating_sub(self.area.left);
-            let end = columns.min(at(cells.end).div_ceil(1 << top));
-            let drawn = Bits::first(end).without(Bits::first(at(cells.start) >> top));
-            for row in &mut squares[y >> top..rows.min((y + CELL).div_ceil(1 << top))] {
-                *row |= drawn;
-            }
-        }
-    }
-
     fn crowding(&self, top: usize) -> f32 {
         let rows = self.area.rows(top);
-        let count = |rows: &[Bits]| rows.iter().flat_map(|row| row.0).map(u64::count_ones).sum();
-        let marks = &self.worker.marks;
-        let [filled, all]: [u32; 2] =
-            [&marks.filled[top][..rows], &marks.squares[top][..rows]].map(count);
-        let split = 1.0 - pixels(filled as usize) / pixels(all as usize);
+        let [mut filled, mut all] = [0; 2];
+        for y in 0..rows {
+            self.worker.marks.filled[top][y].for_each(|_| filled += 1);
+            self.worker.marks.squares[top][y].for_each(|_| all += 1);
+        }
+        let split = 1.0 - pixels(filled) / pixels(all);
         let square = split * split;
         square * square
     }
