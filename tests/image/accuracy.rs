@@ -115,6 +115,16 @@ fn narrow_title_matches_the_oracle() {
     assert_traced(&scene, [90, 160], "the title");
 }
 
+#[test]
+fn narrow_spotlights_match_the_oracle() {
+    for far in [1e2, 1e3, 1e4] {
+        let mut scene = show::model_scene(0.0);
+        let position = vec3(0.3, 1.0, 0.2) * far;
+        scene.lights = List::of(&[Light::spotlight(position, -position, 3.0 / far, Vec3::ONE)]);
+        assert_traced(&scene, [160, 120], &format!("a spotlight at {far}"));
+    }
+}
+
 /// Instruction sets differ by at most 1/255, except on silhouettes.
 #[test]
 fn show_matches_the_oracle() {

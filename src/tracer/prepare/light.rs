@@ -3,7 +3,7 @@
 use super::object::ObjectId;
 use super::surface::bounded;
 use super::tree::{BvhNode, MAX_NODES};
-use crate::maths::{cos, smooth_step, sqrt, unit};
+use crate::maths::{sin, smooth_step, sqrt, unit};
 use crate::rounding::{BOUND, COSINE, hit_error};
 use crate::scene::{Block, Light, Spot};
 use glam::{Mat3A, Vec3, Vec3A};
@@ -30,28 +30,30 @@ pub(crate) struct PreparedLight {
 
 pub(crate) struct SpotCone {
     pub aim: Vec3,
-    pub cos_inner: f32,
-    pub cos_outer: f32,
+    /// The squared chords of the angles on the unit sphere: their difference is exact for narrow cones, too.
+    pub inner2: f32,
+    pub outer2: f32,
 }
 
 impl SpotCone {
-    const ZERO: Self = Self { aim: Vec3::ZERO, cos_inner: 0.0, cos_outer: 0.0 };
+    const ZERO: Self = Self { aim: Vec3::ZERO, inner2: 0.0, outer2: 0.0 };
 
     /// All directions, with a margin.
-    const ALL_BRIGHT: Self = Self { aim: Vec3::ZERO, cos_inner: -1.0, cos_outer: -2.0 };
+    const ALL_BRIGHT: Self = Self { aim: Vec3::ZERO, inner2: 2.0, outer2: 3.0 };
 
     fn new(spot: Spot) -> Self {
+        let chord2 = |angle: f32| 4.0 * sin(0.5 * angle) * sin(0.5 * angle);
         Self {
             aim: unit(spot.aim.into()).into(),
-            cos_inner: cos(spot.inner_angle),
-            cos_outer: cos(spot.outer_angle),
+            inner2: chord2(spot.inner_angle),
+            outer2: chord2(spot.outer_angle),
         }
     }
 
     /// Returns the share of the light in a direction of length 1.
     pub fn share(&self, d: Vec3A) -> f32 {
-        let inward = d.dot(self.aim.into()) - self.cos_outer;
-        smooth_step(inward / (self.cos_inner - self.cos_outer))
+        let off2 = d.distance_squared(self.aim.into());
+        smooth_step((self.outer2 - off2) / (self.outer2 - self.inner2))
     }
 }
 

@@ -36,8 +36,8 @@ impl<S: Isa> ShadingPoint<S> {
         let nl = self.n.dot(l);
         let mut facing = self.shaded & nl.simd_gt(distance * self.horizon);
         if !light.is_point {
-            let inward: F<S> = -l.dot(Vec3x::splat(simd, light.cone.aim));
-            facing &= inward.simd_gt(splat(simd, light.cone.cos_outer));
+            let off = l + Vec3x::splat(simd, light.cone.aim);
+            facing &= off.dot(off).simd_lt(splat(simd, light.cone.outer2));
         }
         if !facing.any_true() {
             return None;
@@ -66,9 +66,9 @@ fn transmittance<S: Isa>(
     solids: &Candidates,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
-    let SpotCone { cos_outer, .. } = light.cone;
-    let aim = Vec3x::splat(simd, light.cone.aim);
-    let inward = (-rays.d.dot(aim) - cos_outer) / (light.cone.cos_inner - cos_outer);
+    let SpotCone { aim, inner2, outer2 } = light.cone;
+    let off = rays.d + Vec3x::splat(simd, aim);
+    let inward = (splat(simd, outer2) - off.dot(off)) / (outer2 - inner2);
     let is_asked = rays.distance.simd_gt(zero);
     let in_cone = is_asked.select(soft_edge(simd, inward), zero);
     let mut passing = Vec3x { x: in_cone, y: in_cone, z: in_cone };
