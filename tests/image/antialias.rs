@@ -1,8 +1,7 @@
 //! Antialiasing changes pixels at edges only, in proportion to coverage.
 
-use crate::drawn::{draw_best, with_antialias};
+use crate::drawn::{TILE, draw_best, with_antialias};
 use crate::error::worst_channel;
-use eightfold_oracle::squares::TILE;
 use eightfold_scenes::{Kinds, cases};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Mat3, Vec3, vec3};

@@ -13,6 +13,9 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::Mutex;
 
+/// The width and the height of a tile in pixels.
+pub const TILE: [usize; 2] = [512, 32];
+
 pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];
 
 pub const RULES: [Quality; 2] = [Quality::THESIS, Quality::DEFAULT];

@@ -1,9 +1,8 @@
 use crate::cpu;
-use crate::drawn::{Record, draw, draw_best, draw_by_all, jagged, of_the_show};
+use crate::drawn::{Record, TILE, draw, draw_best, draw_by_all, jagged, of_the_show};
 use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
-use eightfold_oracle::squares::TILE;
 use eightfold_scenes::{Random, cases, crowd, lights};
 use eightfold_tracer::Quality;
 use eightfold_tracer::observe::{Fill, Split};

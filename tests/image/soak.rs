@@ -10,7 +10,6 @@ use crate::refinement::most_points;
 use crate::sameness::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
-use eightfold_oracle::squares::largest;
 use eightfold_scenes::artists::artists;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Kinds, Random, Seen, cases};
@@ -101,12 +100,13 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     assert!(pixels == others, "{what}: another picture by two threads");
     assert_eq!(work(counts), work(again), "{what}");
 
-    let square = largest(&scene, &quality);
+    // Crowds of mirrors have squares of 4 pixels at most.
+    let square = quality.square;
     // Antialiasing traces a point to the right of a pixel and one below, twice between parts of a picture, and up to two more on
     // each side, three below an edge of 20.
     let of_pixel = if quality.edge < 20 { 15 } else { 11 };
     let middles = usize::from(quality.antialias) * of_pixel * width * height;
-    let most = (most_points(square, width, height) + middles) as u64;
+    let most = (most_points(square.min(4), width, height) + middles) as u64;
     assert!(counts.points <= most, "{what}: {counts:?}");
     let tree = (2 << quality.depth) - 1;
     assert!(counts.rays <= counts.points * tree, "{what}: {counts:?}");

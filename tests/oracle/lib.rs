@@ -11,7 +11,6 @@ mod grooves;
 pub mod light;
 mod pattern;
 mod shade;
-pub mod squares;
 mod waves;
 
 pub use shade::Hit;

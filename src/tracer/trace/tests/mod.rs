@@ -1,10 +1,8 @@
 //! Properties of the kernels, checked with many rays on every instruction set. [`crate::limits`] has their figures.
 
 mod leaving;
-mod neighbours;
 mod precision;
 mod refraction;
-mod scenes;
 mod shadows;
 
 extern crate std;
@@ -12,7 +10,6 @@ extern crate std;
 use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
 use super::rays::Rays;
-use super::sample::Sum;
 use super::shade::shade;
 use super::surface::{SurfaceLanes, SurfaceRows};
 use super::{Batch, Tracer, candidates};
@@ -158,7 +155,6 @@ struct Shaded {
     t: f32,
     object: u32,
     colour: Vec3,
-    sum: Sum,
     /// Reflected and transmitted.
     secondary: [Option<Ray>; 2],
 }
@@ -259,13 +255,10 @@ impl<S: Isa> Kernels for By<S> {
             }
             contribution
         });
-        let mut sums = [[0; 4]; MAX_LANES];
-        contribution.store(simd, 1.0, &mut sums.as_flattened_mut()[..4 * lanes::<S>()]);
         each::<S, _>(|i| Shaded {
             t: hit.t.as_slice()[i],
             object: hit.object.as_slice()[i],
             colour: lane(contribution.colour, i),
-            sum: sums[i],
             secondary: secondary[i],
         })
     }
