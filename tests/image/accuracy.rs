@@ -77,7 +77,7 @@ fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2],
             let agree = corners.iter().all(|corner| corner.key == corners[0].key);
             let tolerance =
                 if agree { quality.tolerance_agreeing } else { quality.tolerance_differing };
-            let excess = spread - f64::from(tolerance * scene.film.tolerance);
+            let excess = spread - f64::from(tolerance);
             let is_flat = colours.iter().all(|colour| colour.round() == colours[0].round());
             let is_filled = !split.contains_key(&[x, y, side]);
             // A tie of rounding, or not.

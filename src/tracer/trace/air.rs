@@ -110,9 +110,9 @@ pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -
                 let along = at_most::<S>(at_least::<S>(-x, splat(simd, 0.0)), t);
                 let nearest = rays.d.scaled_minus(along, to_light);
                 let h: F<S> = nearest.dot(nearest).sqrt();
-                let SpotCone { aim, cos_inner, cos_outer } = light.cone;
-                let cosine: F<S> = nearest.dot(Vec3x::splat(simd, aim)) / h;
-                in_cone = soft_edge(simd, (cosine - cos_outer) / (cos_inner - cos_outer));
+                let SpotCone { aim, inner2, outer2 } = light.cone;
+                let off = nearest.scaled_minus(splat(simd, 1.0) / h, Vec3x::splat(simd, aim));
+                in_cone = soft_edge(simd, (splat(simd, outer2) - off.dot(off)) / (outer2 - inner2));
                 h2 = at_least::<S>(h - light.core, splat(simd, 0.0));
                 h2 *= h2;
             }
