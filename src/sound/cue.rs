@@ -2,7 +2,6 @@
 
 use super::song::{self, Track};
 use super::{STEPS_PER_BAR, STEPS_PER_BEAT};
-use crate::grid;
 
 /// The notes of a track before and after a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,26 +48,4 @@ pub fn cue(track: Track, bar: u32, beats: f32) -> Cue {
         }
     }
     cue
-}
-
-/// A position in the song, and the loudness of its kick drum.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pulse {
-    /// The bar, counted from 0.
-    pub bar: u32,
-    /// Beats since the start of the bar, 0 to below 4.
-    pub beat: f32,
-    /// The latest kick's loudness, 0 to 1, halved every twelfth of a second; 0 before the first kick of a bar.
-    pub kick: f32,
-}
-
-/// Returns the pulse at `time` seconds, from 0 up. After the end of the song there is no kick.
-#[must_use]
-pub fn pulse(time: f32) -> Pulse {
-    /// Halvings of a kick in a beat, so that 1.6 % remain at the next.
-    const HALVINGS: f32 = 6.0;
-    let bar = (time / grid::BAR) as u32;
-    let beat = time / grid::BEAT - (bar * grid::BEATS_PER_BAR) as f32;
-    let kick = cue(Track::Kick, bar, beat);
-    Pulse { bar, beat, kick: f32::from(kick.digit) / 15.0 * libm::exp2f(-HALVINGS * kick.since) }
 }

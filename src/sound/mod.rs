@@ -9,7 +9,7 @@ mod space;
 mod synthesizer;
 mod voice;
 
-pub use cue::{Cue, Pulse, cue, pulse};
+pub use cue::{Cue, cue};
 pub use song::{THEME, Track};
 pub use synthesizer::Synthesizer;
 

@@ -321,8 +321,8 @@ pub(super) fn digit(track: usize, step: u32) -> u8 {
     }
 }
 /// Returns a bar's brightness, 0 to 1, and its amplification in dB.
-pub(super) fn mood(bar: u32) -> (f32, f32) {
-    (f32::from(LIGHT[bar as usize]) / 15.0, f32::from(GAIN[bar as usize]))
+pub(super) fn mood(bar: u32) -> (f32, u8) {
+    (f32::from(LIGHT[bar as usize]) / 15.0, GAIN[bar as usize])
 }
 
 /// Returns the notes of a bar's chord.

@@ -14,6 +14,9 @@ const BRIGHTENING: f32 = 0.001;
 /// The fraction of the difference to the bar's amplification that each chunk adds: 63 % in 25 ms.
 const SWELLING: f32 = 0.04;
 
+/// The ratio of amplitudes for each step of a bar's amplification, the sixth root of 2: 1 dB.
+const DECIBEL: f32 = 1.122_462;
+
 /// The end of the last note, in samples: 60 ms after its start, a beat before the end.
 const END: u32 = SONG_LENGTH - 4 * STEP + 60 * CHUNK as u32;
 
@@ -117,7 +120,7 @@ impl Synthesizer {
         let (light, gain) = song::mood(bar);
         mood.light += (light - mood.light) * BRIGHTENING;
         let is_over = self.position >= END;
-        let gain = if is_over { 0.0 } else { libm::exp2f((gain - 12.0) / 6.0) };
+        let gain = if is_over { 0.0 } else { (0..gain).fold(0.25, |gain, _| gain * DECIBEL) };
         self.gain += (gain - self.gain) * SWELLING;
         mood.rest = song::is_last(bar) && self.position % BAR >= BAR - 2 * STEP;
         mood.kick = mood.next_kick;

@@ -5,6 +5,12 @@ use super::{CHUNK, song};
 use eightfold_tracer::maths::ROUND_TO_INTEGER;
 use glam::{Vec4, Vec4Swizzles, vec4};
 
+/// The frequency of MIDI note 0 in Hz, 69 semitones below 440.
+const LOWEST: f32 = 8.175_799;
+
+/// The twelfth root of 2.
+const SEMITONE: f32 = 1.059_463_1;
+
 /// The sum of all voices for one sample. Lanes 0 and 2 are left, 1 and 3 right.
 #[derive(Clone, Copy)]
 pub(super) struct Mix {
@@ -89,9 +95,9 @@ impl Voice {
             Notes::Tone(up) => [tone(first) + up; 4],
             Notes::Chord(up) => [0, 1, 2, 3].map(|i| tone(first + i) + up),
         };
-        let pitch = notes.map(|note| {
-            libm::exp2f((f32::from(note) - 69.0) / 12.0) * (440.0 / super::RATE as f32)
-        });
+        // A4 is MIDI note 69. A loop is smaller than a power.
+        let pitch = notes
+            .map(|note| (0..note).fold(LOWEST / super::RATE as f32, |pitch, _| pitch * SEMITONE));
         let pitch = Vec4::from_array(pitch) * instrument.partials;
         self.target = pitch + pitch * DETUNES * instrument.detune;
         if instrument.attack >= STROKE {

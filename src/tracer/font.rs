@@ -56,7 +56,7 @@ static DIGITS: [&str; 12] = [
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     points(letter)
         .windows(2)
-        .filter(|ends| !ends.contains(&b' '))
+        .filter(|ends| ends[0] != b' ' && ends[1] != b' ')
         .map(|ends| (position(ends[0]), position(ends[1])))
 }
 

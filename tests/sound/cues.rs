@@ -1,7 +1,7 @@
 //! The notes that the picture follows.
 
 use eightfold::show::{self, grid};
-use eightfold::sound::{Cue, Track, cue, pulse};
+use eightfold::sound::{Cue, Track, cue};
 
 /// Returns the beats since the start of a bar at which a track's notes start, and their digits, in some bars.
 fn notes(track: Track, bar: u32, bars: u32) -> Vec<(f32, u8)> {
@@ -71,23 +71,4 @@ fn kick_rests_before_every_cut() {
         let last = notes(Track::Kick, end - 1, 1);
         assert!(last.iter().all(|&(beat, _)| beat < 3.0), "bar {end}: {last:?}");
     }
-}
-
-#[test]
-fn pulse_counts_bars_and_beats() {
-    for (time, bar, beat) in [(0.0, 0, 0.0), (1.75, 0, 3.5), (95.5, 47, 3.0)] {
-        let pulse = pulse(time);
-        assert_eq!((pulse.bar, pulse.beat), (bar, beat), "{time} s");
-    }
-}
-
-#[test]
-fn pulse_of_a_kick_fades_until_the_next() {
-    let start = grid::BAR * 28.0;
-    let kicks = (0..30).map(|i| pulse(start + grid::BEAT * i as f32 / 30.0).kick);
-    let kicks: Vec<f32> = kicks.collect();
-    assert_eq!(kicks[0], 1.0);
-    assert!(kicks.is_sorted_by(|now, next| next < now), "{kicks:?}");
-    assert!(kicks[29] < 0.03, "{kicks:?}");
-    assert_eq!(pulse(grid::BAR * 12.0).kick, 0.0);
 }

@@ -1,6 +1,6 @@
 use super::song;
 use eightfold::show::{self, grid};
-use eightfold::sound::{RATE, pulse};
+use eightfold::sound::{RATE, Track, cue};
 
 const FRAME: usize = RATE as usize / 1000;
 
@@ -26,12 +26,12 @@ fn kicks_are_heard_within_10_ms_of_their_beats() {
     };
     let mut kicks = 0;
     for beat in 0..show::BARS * grid::BEATS_PER_BAR {
-        let time = grid::BEAT * beat as f32;
-        if pulse(time).kick < 0.9 {
+        let kick = cue(Track::Kick, beat / 4, (beat % 4) as f32);
+        if kick.since > 0.0 || kick.digit < 15 {
             continue;
         }
         kicks += 1;
-        let at = (time * 1000.0) as usize;
+        let at = (grid::BEAT * beat as f32 * 1000.0) as usize;
         let steepest = (at - 60..at + 60).max_by(|&a, &b| rise(a).total_cmp(&rise(b)));
         let onset = steepest.expect("some milliseconds");
         assert!(onset.abs_diff(at) <= 10, "beat {beat}: {onset} ms, not {at}");
