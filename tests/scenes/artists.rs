@@ -4,7 +4,7 @@ use crate::{Random, lights, materials, solids};
 use eightfold_tracer::scene::{
     Block, Camera, Light, MAX_BLOCKS, Material, Pattern, Plane, Scene, Shape, Sphere, Waves,
 };
-use glam::{Mat3, Quat, Vec2, Vec3, vec2, vec3};
+use glam::{Mat3, Quat, Vec2, Vec3, vec3};
 use std::f32::consts::{PI, TAU};
 
 type Add = fn(&mut Scene, &mut Random);
@@ -32,9 +32,9 @@ pub const KINDS: [Kind; 21] = [
     Kind("rods in water", &[water, some_bars]),
     Kind("mirror wall", &[some_bars, mirror_wall]),
     Kind("behind glass", &[some_bars, glass]),
-    Kind("mirror balls", &[some_bars, mirror_balls]),
-    Kind("nets in balls", &[nets, mirror_balls]),
-    Kind("shadows on balls", &[some_bars, matt_balls]),
+    Kind("mirror balls", &[some_bars, |scene, random| add_balls(scene, random, mirror)]),
+    Kind("nets in balls", &[nets, |scene, random| add_balls(scene, random, mirror)]),
+    Kind("shadows on balls", &[some_bars, |scene, random| add_balls(scene, random, matt)]),
     Kind("shadows on boxes", &[some_bars, boxes]),
     Kind("shadows on a patterned wall", &[some_bars, wall]),
     Kind("strips of light on shelves", &[shelves, strips]),
@@ -123,6 +123,29 @@ impl Bars {
         }
     }
 
+    /// Adds a bar from each point to the next.
+    fn stroke(&self, scene: &mut Scene, points: impl IntoIterator<Item = Vec3>) {
+        let mut points = points.into_iter();
+        let mut from = points.next().unwrap_or_default();
+        for to in points {
+            self.add(scene, from, to);
+            from = to;
+        }
+    }
+
+    /// Adds vertical bars at `columns`, as high as `rows` from 0 up, and horizontal ones at `rows`, as wide as the columns.
+    fn grid(
+        &self,
+        scene: &mut Scene,
+        at: impl Fn(f32, f32) -> Vec3,
+        columns: &[f32],
+        rows: &[f32],
+        [wide, high]: [f32; 2],
+    ) {
+        columns.iter().for_each(|&x| self.add(scene, at(x, 0.0), at(x, high)));
+        rows.iter().for_each(|&y| self.add(scene, at(-wide, y), at(wide, y)));
+    }
+
     fn add(&self, scene: &mut Scene, from: Vec3, to: Vec3) {
         let along = to - from;
         // A letter's stroke, or a net's last bar, may be a point.
@@ -155,13 +178,24 @@ fn upright(random: &mut Random) -> impl Fn(f32, f32) -> Vec3 + use<> {
     move |x, y| at + across * x + Vec3::Y * y
 }
 
-fn rods(scene: &mut Scene, random: &mut Random) {
-    let bars = Bars::any(random);
-    for _ in 0..random.one_of([1, 2, 5, 12]) {
-        let foot = random.vector(vec3(-2.5, 0.0, -1.5), vec3(2.5, 0.0, 1.5));
-        let lean = random.vector(vec3(-0.4, 1.8, -0.4), vec3(0.4, 2.4, 0.4));
-        bars.add(scene, foot, foot + lean);
+/// Adds bars from the floor, up to `deep` in front, that lean by up to `lean` and have heights from `low` to `high`.
+fn upright_bars(
+    scene: &mut Scene,
+    random: &mut Random,
+    bars: &Bars,
+    count: usize,
+    [deep, lean, low, high]: [f32; 4],
+) {
+    for _ in 0..count {
+        let foot = random.vector(vec3(-2.5, 0.0, -1.5), vec3(2.5, 0.0, deep));
+        let up = random.vector(vec3(-lean, low, -lean), vec3(lean, high, lean));
+        bars.add(scene, foot, foot + up);
     }
+}
+
+fn rods(scene: &mut Scene, random: &mut Random) {
+    let (bars, count) = (Bars::any(random), random.one_of([1, 2, 5, 12]));
+    upright_bars(scene, random, &bars, count, [1.5, 0.4, 1.8, 2.4]);
 }
 
 /// Letters of strokes between nine points.
@@ -170,14 +204,9 @@ fn words(scene: &mut Scene, random: &mut Random) {
     let (letters, low) = (3 + random.below(4), random.between(0.1, 1.0));
     for letter in 0..letters {
         let left = 0.7 * (letter as f32 - 0.5 * letters as f32);
-        let mut node = || vec2(0.25 * random.below(3) as f32, 0.5 * random.below(3) as f32);
-        let mut from = node();
-        for _ in 0..4 {
-            let to = node();
-            let [start, end] = [from, to].map(|node| at(left + node.x, low + node.y));
-            bars.add(scene, start, end);
-            from = to;
-        }
+        let mut share = || random.below(3) as f32;
+        let nodes = (0..5).map(|_| at(left + 0.25 * share(), low + 0.5 * share()));
+        bars.stroke(scene, nodes);
     }
 }
 
@@ -209,13 +238,9 @@ fn trusses(scene: &mut Scene, random: &mut Random) {
         let (low, high) = (random.between(0.1, 1.2), random.between(0.2, 0.5));
         let step = high * random.between(0.5, 1.0);
         let ends = [low, low + high];
-        for y in ends {
-            bars.add(scene, at(-2.0, y), at(2.0, y));
-        }
-        for i in 0..(4.0 / step) as usize {
-            let x = -2.0 + step * i as f32;
-            bars.add(scene, at(x, ends[i % 2]), at(x + step, ends[(i + 1) % 2]));
-        }
+        bars.grid(scene, &at, &[], &ends, [2.0, 0.0]);
+        let count = (4.0 / step) as usize;
+        bars.stroke(scene, (0..=count).map(|i| at(step * i as f32 - 2.0, ends[i % 2])));
     }
 }
 
@@ -230,8 +255,7 @@ fn spokes(scene: &mut Scene, random: &mut Random) {
             at(x + end.x, radius + end.y)
         };
         for i in 0..count {
-            bars.add(scene, at(x, radius), rim(i));
-            bars.add(scene, rim(i), rim(i + 1));
+            bars.stroke(scene, [at(x, radius), rim(i), rim(i + 1)]);
         }
     }
 }
@@ -242,16 +266,9 @@ fn ropes(scene: &mut Scene, random: &mut Random) {
         let (bars, at) = (Bars::any(random), upright(random));
         let (high, sag) = (random.between(0.6, 2.0), random.between(0.1, 0.5));
         let (wide, count) = (random.between(0.5, 2.5), 6 + random.below(18));
-        let place = |i: usize| {
-            let x = 2.0 * i as f32 / count as f32 - 1.0;
-            at(wide * x, high - sag * (1.0 - x * x))
-        };
-        for i in 0..count {
-            bars.add(scene, place(i), place(i + 1));
-        }
-        for x in [-wide, wide] {
-            bars.add(scene, at(x, 0.0), at(x, high));
-        }
+        let shares = (0..=count).map(|i| 2.0 * i as f32 / count as f32 - 1.0);
+        bars.stroke(scene, shares.map(|x| at(wide * x, high - sag * (1.0 - x * x))));
+        bars.grid(scene, &at, &[-wide, wide], &[], [wide, high]);
     }
 }
 
@@ -259,13 +276,9 @@ fn pickets(scene: &mut Scene, random: &mut Random) {
     let (bars, at) = (Bars::any(random), upright(random));
     let (high, step) = (random.between(0.5, 1.6), random.between(0.08, 0.3));
     let wide = (20.0 * step).min(2.5);
-    for i in 0..(2.0 * wide / step) as usize {
-        let x = step * i as f32 - wide;
-        bars.add(scene, at(x, 0.0), at(x, high));
-    }
-    for y in [0.3 * high, 0.8 * high] {
-        bars.add(scene, at(-wide, y), at(wide, y));
-    }
+    let columns = (0..(2.0 * wide / step) as usize).map(|i| step * i as f32 - wide);
+    let columns: Vec<f32> = columns.collect();
+    bars.grid(scene, at, &columns, &[0.3 * high, 0.8 * high], [wide, high]);
 }
 
 /// Tilted slats.
@@ -286,11 +299,8 @@ fn blinds(scene: &mut Scene, random: &mut Random) {
 fn grass(scene: &mut Scene, random: &mut Random) {
     let mut bars = Bars::any(random);
     bars.radius = random.one_of([0.004, 0.008, 0.015]);
-    for _ in 0..random.one_of([20, 60, 120]) {
-        let foot = random.vector(vec3(-2.5, 0.0, -1.5), vec3(2.5, 0.0, 2.0));
-        let lean = random.vector(vec3(-0.3, 0.3, -0.3), vec3(0.3, 1.0, 0.3));
-        bars.add(scene, foot, foot + lean);
-    }
+    let count = random.one_of([20, 60, 120]);
+    upright_bars(scene, random, &bars, count, [2.0, 0.3, 0.3, 1.0]);
 }
 
 /// A wall of window frames.
@@ -299,12 +309,9 @@ fn windows(scene: &mut Scene, random: &mut Random) {
     let [columns, rows] = [0; 2].map(|_| 2 + random.below(6));
     let (wide, high) = (random.between(0.2, 0.6), random.between(0.2, 0.5));
     let [right, top] = [wide * columns as f32, high * rows as f32];
-    for x in (0..=columns).map(|i| wide * i as f32 - 0.5 * right) {
-        bars.add(scene, at(x, 0.0), at(x, top));
-    }
-    for y in (0..=rows).map(|i| high * i as f32) {
-        bars.add(scene, at(-0.5 * right, y), at(0.5 * right, y));
-    }
+    let columns: Vec<f32> = (0..=columns).map(|i| wide * i as f32 - 0.5 * right).collect();
+    let rows: Vec<f32> = (0..=rows).map(|i| high * i as f32).collect();
+    bars.grid(scene, at, &columns, &rows, [0.5 * right, top]);
 }
 
 /// Stairs with a railing.
@@ -320,8 +327,7 @@ fn stairs(scene: &mut Scene, random: &mut Random) {
         let rail = Vec3::Y * 0.7;
         let next = at + vec3(0.0, high, -deep) + rail;
         for foot in [-wide, wide].map(|x| Vec3::X * x) {
-            bars.add(scene, foot + at, foot + at + rail);
-            bars.add(scene, foot + at + rail, foot + next);
+            bars.stroke(scene, [foot + at, foot + at + rail, foot + next]);
         }
     }
 }
@@ -391,23 +397,14 @@ fn glass(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-fn add_balls(scene: &mut Scene, random: &mut Random, material: Material) {
+fn add_balls(scene: &mut Scene, random: &mut Random, material: Draw<Material>) {
+    let material = material(random);
     for _ in 0..1 + random.below(4) {
         let radius = random.between(0.25, 0.8);
         let at = random.vector(vec3(-2.0, 0.0, -2.5), vec3(2.0, 0.3, -0.2));
         let ball = Sphere::new(at + Vec3::Y * radius, radius, material);
         scene.spheres.push(ball);
     }
-}
-
-fn mirror_balls(scene: &mut Scene, random: &mut Random) {
-    let material = mirror(random);
-    add_balls(scene, random, material);
-}
-
-fn matt_balls(scene: &mut Scene, random: &mut Random) {
-    let material = matt(random);
-    add_balls(scene, random, material);
 }
 
 fn boxes(scene: &mut Scene, random: &mut Random) {
