@@ -1,19 +1,12 @@
-//! `--loop` repeats the same pictures and sound. Sound device and clock are simulated.
-
-#[path = "../../src/window/tests/simulated/mod.rs"]
-mod simulated;
+//! `--loop` repeats the same pictures.
 
 use eightfold::show::{self, grid};
-use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
-use eightfold_stage::intro;
-use std::process::{Command, Stdio};
+use eightfold_stage::{intro, needs, tool};
 
 const FPS: usize = 10;
 const SHOW: usize = show::LENGTH as usize * FPS;
 
 const SECONDS: usize = 14;
-
-const SECOND: u64 = 1_000_000_000;
 
 /// Parses a frame of a terminal into the colours of each cell: upper half, lower half.
 fn colours(frame: &str) -> Vec<[u8; 6]> {
@@ -41,42 +34,23 @@ fn difference(a: &[[u8; 6]], b: &[[u8; 6]]) -> f64 {
     f64::from(sum) / (40 * 12 * 6) as f64
 }
 
+/// The sound repeats, too: `seeking_gives_the_same_samples_as_playing`.
 #[test]
-fn second_round_repeats_sound_and_picture() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let library = simulated::build(folder.path());
-    let length = (SHOW / FPS + SECONDS).to_string();
-    let mut intro = Command::new(intro());
-    intro
-        .args(["--loop", "--threads", "1", "--quality", "fastest"])
-        .args(["--seconds", &length, "--fps", &FPS.to_string()])
-        .env_remove("DISPLAY")
-        .env_remove("STY")
-        .env("TERM", "xterm")
-        .env("LC_ALL", "C.UTF-8")
-        .stdin(Stdio::null());
-    let (output, played) = simulated::run(&library, &mut intro);
-    let errors = String::from_utf8_lossy(&output.stderr);
-    let line = "eightfold: X display is missing; playing in the terminal\n";
-    assert!(output.status.success() && errors == line, "{errors}");
-
-    let mut song = vec![[0.0; 2]; SONG_LENGTH as usize];
-    Box::<Synthesizer>::default().play(&mut song);
-    let wanted = song.iter().cycle();
-    let heard = played.iter().flat_map(|(_, block)| block);
-    assert!(played.len() * 48 >= (SHOW / FPS + SECONDS) * RATE as usize);
-    for (number, (heard, wanted)) in heard.zip(wanted).enumerate() {
-        assert_eq!(heard, wanted, "sample {number}");
-    }
-    let (start, _) = played[SONG_LENGTH as usize / 48];
-    let drift = start.abs_diff(show::LENGTH as u64 * SECOND);
-    assert!(drift <= SECOND / FPS as u64, "{start} ns");
-
+#[ignore = "two minutes"]
+fn second_round_repeats_the_picture() {
+    needs!(&["script"]);
+    let length = SHOW / FPS + SECONDS;
+    let options = "--loop --silent --threads 1 --quality fastest";
+    let play = format!("{} {options} --seconds {length} --fps {FPS}", intro().display());
+    let script =
+        format!("stty cols 40 rows 12; unset DISPLAY STY; LC_ALL=C.UTF-8 TERM=xterm exec {play}");
+    let output = tool("script").args(["-qec", &script, "/dev/null"]).output().expect("it starts");
     let text = String::from_utf8(output.stdout).expect("text");
+    assert!(output.status.success(), "{text}");
     let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
-    assert!(frames.len() >= SHOW + SECONDS * FPS);
+    assert!(frames.len() + FPS >= SHOW + SECONDS * FPS, "{} frames", frames.len());
     assert!(grid::BAR * show::cut("model") as f32 + 1.0 < SECONDS as f32);
-    for at in (FPS..SECONDS * FPS).step_by(3) {
+    for at in (FPS..(SECONDS - 1) * FPS).step_by(3) {
         let [first, second, before] =
             [at, SHOW + at, SHOW + at - FPS].map(|frame| colours(frames[frame]));
         let (same, other) = (difference(&first, &second), difference(&first, &before));

@@ -9,6 +9,7 @@
 #[cfg_attr(not(any(target_os = "linux", target_os = "macos")), path = "none.rs")]
 mod device;
 mod heard;
+mod lead;
 
 use core::{
     ffi::{CStr, c_void},
@@ -18,31 +19,16 @@ use core::{
 
 use device::Device;
 use heard::Heard;
+use lead::Lead;
 
 use crate::{
     backend::threads::spawn,
-    clock::{self, Clock, SECOND},
+    clock::{self, Clock},
     line, system,
 };
 
 /// Samples per second and channel.
 pub const RATE: u32 = 48_000;
-
-/// The buffer's length in microseconds, for threads that wake up late. Below 320 ms PulseAudio drops out without reporting it,
-/// because its devices take more at once: 4 s of sound take 6 s.
-const LATENCY: u32 = 400_000;
-
-/// The least average interval between written samples, in nanoseconds, half a percent below the nominal one since devices may be
-/// fast. A null device would take samples at any speed.
-const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
-
-/// The maximum lead over [`PACE`] in nanoseconds: the buffer, and half of it to catch up. Beyond it the thread sleeps until half
-/// the lead is left: waking up for each chunk would take four times as long as the synthesis.
-const SLACK: u64 = LATENCY as u64 * 1500;
-
-/// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz, rounded to a power of two. A null device reports
-/// everything as played, and cannot serve as a clock.
-const FASTEST: u64 = 1024;
 
 pub trait Source: Send {
     /// Returns the next few milliseconds of samples: left and right, full scale 1.
@@ -126,10 +112,6 @@ impl Player {
     }
 }
 
-fn nanoseconds(samples: i64) -> i64 {
-    samples * (SECOND as i64 / 1000) / i64::from(RATE / 1000)
-}
-
 fn say_silent(why: &str) {
     line::complain(why, "; playing silently");
 }
@@ -150,7 +132,7 @@ fn wait_for_device() -> u64 {
 extern "C" fn play(work: *mut c_void) -> *mut c_void {
     // SAFETY: `Player::start` passes it, never frees it, and does not use it.
     let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
-    let opened = Device::open(device, RATE, LATENCY);
+    let opened = Device::open(device, RATE, lead::LATENCY);
     let clock = Clock::start();
     let begin = |opened| OPENED.compare_exchange(OPENING, opened, Relaxed, Relaxed).is_ok();
     let mut device = match opened {
@@ -163,8 +145,7 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
         // The player has given up waiting.
         _ => return null_mut(),
     };
-    let mut written = 0;
-    let mut due = 0;
+    let mut lead = Lead::default();
     loop {
         let chunk = source.chunk();
         if !device.write(chunk) {
@@ -172,18 +153,14 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
             say_silent("sound device is lost");
             return null_mut();
         }
-        let count = chunk.len() as u64;
-        written += count;
-        WRITTEN.store(nanoseconds(written as i64), Relaxed);
+        lead.count(chunk.len() as u64);
+        WRITTEN.store(lead.written(), Relaxed);
         let now = clock.time();
         if let Some(delay) = device.delay() {
-            let heard = nanoseconds(written as i64 - delay);
-            let most = now / FASTEST;
-            AHEAD.store((heard - now as i64).min(most as i64), Relaxed);
+            AHEAD.store(lead.ahead(now, delay), Relaxed);
         }
-        due = u64::max(due + count * PACE, now);
-        if due > now + SLACK {
-            clock.sleep_until(due - SLACK / 2);
+        if let Some(due) = lead.due(now) {
+            clock.sleep_until(due);
         }
     }
 }

@@ -1,15 +1,12 @@
-//! Sound through ALSA: with its plug-ins `file` and `null`, and with a simulated device and clock.
+//! Sound through ALSA: with its plug-ins `file` and `null`.
 //!
 //! A process reads ALSA's configuration once, so each case starts this program again.
-
-mod simulated;
 
 use eightfold_stage::{allocations::Counting, lacks};
 use eightfold_window::{
     clock::{Clock, SECOND},
     sound::{Player, RATE, Source},
 };
-use simulated::Played;
 use std::{
     env, fs,
     path::Path,
@@ -22,12 +19,6 @@ static ALLOCATOR: Counting = Counting::new();
 const CHUNK: usize = 48;
 
 const FPS: u64 = 60;
-
-/// Seconds played on a simulated device.
-const LENGTH: u64 = 96;
-
-/// The maximum distance between picture and sound, in nanoseconds.
-const DRIFT: u64 = SECOND / 50;
 
 const SCENE: &str = "EIGHTFOLD_SOUND_SCENE";
 
@@ -191,89 +182,15 @@ fn time_continues_without_sound(folder: &Path) {
     hold(folder, "", &command, Some(&why));
 }
 
-/// Plays on a simulated device that deviates by `fast` parts per million, with an event. Returns the times and the sound.
-fn simulate(
-    library: &Path,
-    fast: i64,
-    (event, time): (&str, u64),
-    why_silent: Option<&str>,
-) -> (Vec<(u64, u64)>, Played) {
-    let mut program = Command::new(env::current_exe().expect("this program"));
-    program
-        .env(SCENE, LENGTH.to_string())
-        .env("SIMULATED_FAST", fast.to_string())
-        .env(event, time.to_string());
-    let (output, played) = simulated::run(library, &mut program);
-    (times(output, why_silent), played)
-}
-
-fn heard(played: &Played, time: u64) -> u64 {
-    let next = played.partition_point(|&(start, _)| start <= time);
-    let (start, chunk) = &played[next - 1];
-    let first = chunk[0][0] as u64 * SECOND / u64::from(RATE);
-    first + (time - start).min(CHUNK as u64 * SECOND / u64::from(RATE))
-}
-
-fn assert_together(times: &[(u64, u64)], played: &Played, counts: impl Fn(u64) -> bool) {
-    for &(clock, player) in times.iter().filter(|&&(clock, _)| counts(clock)) {
-        let drift = player.abs_diff(heard(played, clock));
-        assert!(drift <= DRIFT, "{drift} ns at {clock} ns");
-    }
-}
-
-fn picture_follows_fast_and_slow_devices(library: &Path) {
-    for fast in [-500, 20, 500] {
-        let (times, played) = simulate(library, fast, ("SIMULATED_STOP", 0), None);
-        assert_eq!(times.len() as u64, LENGTH * FPS);
-        for pair in times.windows(2) {
-            assert!(pair[0].1 < pair[1].1, "{pair:?}: time stands still");
-        }
-        assert_together(&times, &played, |_| true);
-    }
-}
-
-fn underrun_drops_one_chunk(library: &Path) {
-    const LATE: u64 = 7 * SECOND / 10;
-    let late = 30 * SECOND;
-    let (times, played) = simulate(library, 20, ("SIMULATED_LATE", late), None);
-    let gap = |pair: &[(u64, Vec<[f32; 2]>)]| pair[1].0 - pair[0].0;
-    let pairs = played.windows(2);
-    let holes: Vec<_> = pairs.filter(|pair| gap(pair) > SECOND / 500).collect();
-    assert_eq!(holes.len(), 1, "silent once");
-    assert!(holes[0][0].0.abs_diff(late) < SECOND / 2);
-    assert!(gap(holes[0]) < LATE, "no longer than it was late");
-    // The late chunk is dropped.
-    let missing = holes[0][1].1[0][0] - holes[0][0].1[0][0];
-    assert_eq!(missing as usize, 2 * CHUNK, "one chunk is missing");
-    // The picture has continued meanwhile, and waits for the sound for the same time.
-    assert_together(&times, &played, |clock| !(late..late + 2 * LATE).contains(&clock));
-}
-
-fn stop_pauses_the_show(library: &Path) {
-    const STOP: u64 = 3 * SECOND / 2;
-    let stop = 30 * SECOND;
-    let (times, played) = simulate(library, 20, ("SIMULATED_STOP", stop), None);
-    let mut pairs = times.windows(2);
-    let stopped = pairs.find(|pair| pair[1].0 - pair[0].0 >= STOP);
-    assert!(stopped.expect("it was stopped")[0].0.abs_diff(stop) < SECOND / 20);
-    assert_together(&times, &played, |_| true);
-}
-
-fn time_starts_with_the_device(library: &Path) {
-    let slow = ("SIMULATED_SLOW", 2 * SECOND);
-    let (times, played) = simulate(library, 20, slow, None);
-    assert!(times[0].0 >= 2 * SECOND && times[0].1 <= DRIFT);
-    assert_together(&times, &played, |_| true);
-}
-
-fn unresponsive_device_is_skipped(library: &Path) {
-    let never = ("SIMULATED_SLOW", 1000 * SECOND);
-    let why = Some("sound device does not answer");
-    let (times, played) = simulate(library, 20, never, why);
-    assert!(played.is_empty());
-    let (start, _) = times[0];
-    assert!((3 * SECOND..4 * SECOND).contains(&start), "{start} ns");
-    assert!(times.iter().all(|(clock, player)| *player == clock - start));
+/// A named pipe opens when somebody reads it.
+fn time_starts_with_the_device(folder: &Path) {
+    let pipe = folder.join("pipe");
+    let name = pipe.display();
+    let command = format!("mkfifo '{name}'; (sleep 1; exec cat '{name}') >/dev/null & {PLAIN}");
+    let times = play_on(folder, &to_file(&pipe), &command, None);
+    assert!(times[0].0 >= SECOND * 9 / 10 && times[0].1 < times[0].0 / 2, "{:?}", times[0]);
+    let times = play_on(folder, &to_file(&pipe), PLAIN, Some("sound device does not answer"));
+    assert!(times[0].0 >= 3 * SECOND && times[0].1 < SECOND, "{:?}", times[0]);
 }
 
 fn main() {
@@ -282,18 +199,6 @@ fn main() {
     }
     let folder = env::temp_dir().join(format!("eightfold-sound-{}", std::process::id()));
     fs::create_dir(&folder).expect("a folder");
-    let simulation = folder.join("simulation");
-    fs::create_dir(&simulation).expect("a folder");
-    let library = simulated::build(&simulation);
-    for test in [
-        picture_follows_fast_and_slow_devices,
-        underrun_drops_one_chunk,
-        stop_pauses_the_show,
-        time_starts_with_the_device,
-        unresponsive_device_is_skipped,
-    ] {
-        test(&library);
-    }
     if !lacks(&["libasound.so.2"]) {
         for test in [
             device_plays_samples_in_order,
@@ -301,6 +206,7 @@ fn main() {
             device_of_another_format_is_converted,
             null_device_keeps_time,
             time_continues_without_sound,
+            time_starts_with_the_device,
         ] {
             test(&folder);
         }
