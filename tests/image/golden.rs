@@ -4,7 +4,7 @@
 
 use crate::cpu;
 use crate::drawn::{draw_best, draw_by_all};
-use crate::error::Difference;
+use crate::error::{Difference, worst_channel};
 use crate::picture::png;
 use crate::shipped::Still;
 use eightfold::show;
@@ -53,10 +53,17 @@ fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
     for (by, pixels) in drawn {
         let difference = Difference::between(&golden, pixels);
         if difference.mean > MEAN || difference.over_8 > pixels.len() / 1000 * OVER_8 {
-            let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-            let drawn = folder.join(format!("{name}-{by}.png"));
-            fs::write(&drawn, png(width, pixels).unwrap()).unwrap();
-            panic!("{difference:?}: {} is not {}", drawn.display(), file.display());
+            let write = |kind: &str, pixels: &[u32]| {
+                let name = format!("{name}-{by}{kind}.png");
+                let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+                fs::write(&file, png(width, pixels).unwrap()).unwrap();
+                file.display().to_string()
+            };
+            // White from a difference of 16 of 255 on.
+            let off = golden.iter().zip(pixels).map(|(&a, &b)| worst_channel(a, b));
+            let off: Vec<u32> = off.map(|off| (16 * off).min(255) * 0x01_0101).collect();
+            let (drawn, off) = (write("", pixels), write("-difference", &off));
+            panic!("{difference:?}: {drawn} is not {}, see {off}", file.display());
         }
     }
 }

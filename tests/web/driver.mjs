@@ -45,9 +45,10 @@ export async function run(tests, word, by = "", replace) {
   for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(word))) {
     const start = Date.now();
     const attempt = () => test().then(() => null, (error) => error);
-    let error = await attempt();
+    let [error, again] = [await attempt(), ""];
     if (error && replace) {
       console.log(`AGAIN   ${name}${by}: ${error.message}`);
+      again = `, only when run again after: ${error.message.split("\n")[0]}`;
       await replace();
       error = await attempt();
     }
@@ -55,7 +56,7 @@ export async function run(tests, word, by = "", replace) {
       code = 1;
       console.log(`FAILED  ${name}${by}\n${error.stack}`);
     } else {
-      console.log(`ok      ${name}${by} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
+      console.log(`ok      ${name}${by} (${((Date.now() - start) / 1000).toFixed(1)} s)${again}`);
     }
   }
   return code;
