@@ -17,7 +17,7 @@ use std::time::Instant;
 pub struct ShotArguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::names())]
     pub scene: SceneName,
-    /// Evenly spaced views for FLIP, missed objects and dB to 64 samples; pops are counted in the next ten frames, 60 per second
+    /// Evenly spaced views for FLIP and dB to 64 samples; pops are counted in the next ten frames, 60 per second
     #[arg(long, value_name = "N", default_value = "9", value_parser = within(arguments::FRAMES))]
     pub views: usize,
     /// Instruction set [default: the best of this machine]

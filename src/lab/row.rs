@@ -38,7 +38,6 @@ pub struct Row {
     pub pixels_over_8: f64,
     pub pops: Option<f64>,
     pub flip_mean: Option<f64>,
-    pub missed_objects: Option<f64>,
     pub psnr_to_64_db: f64,
     pub flip_to_64: Option<f64>,
     pub on_front: bool,
@@ -79,7 +78,6 @@ impl Row {
                 pixels_over_8: per_frame(over_8 as u64),
                 pops: mean(&run.seen.pops),
                 flip_mean: mean(&run.seen.flips),
-                missed_objects: mean(&run.seen.missed),
                 psnr_to_64_db: Difference::pooled_psnr(&run.seen.differences_to_64),
                 flip_to_64: mean(&run.seen.flips_to_64),
                 on_front: false,
@@ -109,7 +107,7 @@ fn worst_second(shot: &Shot, times: &[f64]) -> f64 {
     means.fold(0.0, f64::max)
 }
 
-const COLUMNS: [Column<Row>; 20] = [
+const COLUMNS: [Column<Row>; 19] = [
     ("size", |row| format!("{}x{}", row.width, row.height)),
     ("threads", |row| row.threads.to_string()),
     ("scene", |row| row.scene.clone()),
@@ -127,7 +125,6 @@ const COLUMNS: [Column<Row>; 20] = [
     ("over 8/255", |row| format!("{:.1}", row.pixels_over_8)),
     ("pops", |row| known(row.pops, 1)),
     ("FLIP", |row| known(row.flip_mean, 4)),
-    ("missed", |row| known(row.missed_objects, 2)),
     ("dB to 64 samples", |row| known(row.psnr_to_64_db, 1)),
     ("FLIP to 64", |row| known(row.flip_to_64, 4)),
 ];

@@ -1,19 +1,15 @@
 use crate::arguments::{Size, processors};
-use crate::error::{Difference, pops, worst_channel};
+use crate::error::{Difference, pops};
 use crate::flip::Flip;
 use crate::interrupt;
 use crate::picture::Mean;
 use crate::technique::Technique;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold_oracle::{Object, Oracle};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 
 const GRID: usize = 8;
-/// A pixel is wrong if a channel differs by more than this, in 255ths.
-const MAX_ERROR: u32 = 8;
 
 #[derive(Clone, Default)]
 pub struct Seen {
@@ -21,8 +17,6 @@ pub struct Seen {
     pub flips: Vec<f64>,
     /// Per pair of frames.
     pub pops: Vec<f64>,
-    /// Objects per view.
-    pub missed: Vec<f64>,
     pub differences_to_64: Vec<Difference>,
     pub flips_to_64: Vec<f64>,
 }
@@ -46,7 +40,6 @@ pub fn look(
     let references = references.map(|scene| draw(&techniques[0], scene, &mut renderer));
     let references: Vec<Vec<u32>> = references.collect();
     let samples = sampled(&mut renderer, level, size, &scenes[0]);
-    let visible = Visible::new(&scenes[0], width, size.height);
     let each = techniques.par_iter().zip(seen);
     each.for_each_init(
         || ThreadedRenderer::new(1),
@@ -71,8 +64,6 @@ pub fn look(
                     let pops = pops(references, [&before, &now]);
                     seen.pops.push(pops as f64);
                 } else {
-                    let missed = visible.missed(&references[0], &now);
-                    seen.missed.push(missed as f64);
                     let flip = |picture: &[u32]| Flip::between(width, picture, &now).mean();
                     seen.flips.push(flip(&references[0]));
                     seen.flips_to_64.push(flip(&samples));
@@ -96,31 +87,4 @@ fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Sc
     renderer.set_offset(0.0, 0.0);
     mean.write(&mut pixels);
     pixels
-}
-
-/// Pixels by object, without the background.
-struct Visible(BTreeMap<Object, Vec<u32>>);
-
-impl Visible {
-    fn new(scene: &Scene, width: usize, height: usize) -> Self {
-        let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, width, height);
-        let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
-        let objects: Vec<Object> = (0..width * height).into_par_iter().map(at).collect();
-        let mut pixels: BTreeMap<Object, Vec<u32>> = BTreeMap::new();
-        for (i, object) in objects.into_iter().enumerate() {
-            if object != Object::Background {
-                pixels.entry(object).or_default().push(i as u32);
-            }
-        }
-        Self(pixels)
-    }
-
-    /// Counts objects with over three quarters of their pixels wrong: wrong lighting or reflections should not count.
-    fn missed(&self, exhaustive: &[u32], picture: &[u32]) -> usize {
-        let is_wrong =
-            |&&i: &&u32| worst_channel(exhaustive[i as usize], picture[i as usize]) > MAX_ERROR;
-        let is_missed =
-            |pixels: &&Vec<u32>| 4 * pixels.iter().filter(is_wrong).count() > 3 * pixels.len();
-        self.0.values().filter(is_missed).count()
-    }
 }
