@@ -109,7 +109,7 @@ const SILENT: Instrument = Instrument {
 
 const PAD: Instrument = Instrument {
     notes: Notes::Chord(24),
-    saw: 0.08,
+    saw: 0.088,
     noise: 0.032,
     detune: 0.006,
     attack: s(0.6),
@@ -134,11 +134,11 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Kick.
     Instrument {
         notes: Notes::Root,
-        sine: 0.35,
-        noise: 0.08,
-        bend: 9.0,
+        sine: 0.34,
+        noise: 0.1,
+        bend: 7.0,
         attack: STROKE,
-        decay: s(0.14),
+        decay: s(0.17),
         release: s(0.04),
         gate: 0.5,
         sweep: s(0.016),
@@ -223,8 +223,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Bass.
     Instrument {
         notes: Notes::Tone(0),
-        saw: 0.09,
-        sine: 0.08,
+        saw: 0.1,
+        sine: 0.065,
         index: 0.1,
         ratio: 1.0,
         attack: s(0.003),
@@ -339,7 +339,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Chime: the partials of a pipe.
     Instrument {
         notes: Notes::Theme(0),
-        sine: 0.42,
+        sine: 0.35,
         partials: vec4(1.0, 2.0, 2.99, 4.17),
         attack: STROKE,
         decay: s(0.5),
@@ -359,7 +359,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Marimba: a bar, tuned to double octaves.
     Instrument {
         notes: Notes::Theme(12),
-        sine: 0.3,
+        sine: 0.29,
         noise: 0.05,
         partials: vec4(1.0, 1.0, 4.0, 4.0),
         attack: STROKE,
@@ -374,15 +374,15 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         room: 0.12,
         detune: 0.003,
         centre: 0.0,
-        index: 0.5,
+        index: 0.35,
         ratio: 4.0,
         ..SILENT
     },
     // Square: a modulator an octave up gives odd harmonics.
     Instrument {
         notes: Notes::Theme(12),
-        sine: 0.28,
-        index: 0.5,
+        sine: 0.26,
+        index: 0.35,
         ratio: 2.0,
         attack: STROKE,
         decay: s(0.3),
@@ -396,12 +396,13 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         room: 0.05,
         detune: 0.001,
         echo: 0.15,
+        noise: 0.02,
         ..SILENT
     },
     // Pop: it rises to its note, as a bubble does.
     Instrument {
         notes: Notes::Theme(0),
-        sine: 0.28,
+        sine: 0.33,
         noise: 0.1,
         bend: -0.6,
         attack: STROKE,
@@ -425,14 +426,14 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         attack: s(2.0),
         decay: s(10.0),
         release: s(0.02),
-        gate: 8.0,
+        gate: 7.5,
         sweep: s(2.0),
         cutoff_start: hz(150.0),
         cutoff_end: hz(6000.0),
         damping: 0.5,
         high: 0.3,
-        echo: 0.05,
-        room: 0.2,
+        echo: 0.02,
+        room: 0.12,
         duck: 0.5,
         ..SILENT
     },

@@ -7,6 +7,8 @@ mod instruments;
 mod song;
 mod space;
 mod synthesizer;
+#[cfg(test)]
+mod tests;
 mod voice;
 
 pub use cue::{Cue, cue};

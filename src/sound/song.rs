@@ -96,7 +96,7 @@ static LIGHT: [u8; BARS] = indices_of(
 /// The loudness of each bar, 0 to 15, in dB.
 #[rustfmt::skip]
 static GAIN: [u8; BARS] = indices_of(
-    b"aaaaaa cccccc bbcccccc cccccccc cccccc bbbbcc cccccd ddddde cccccc", DIGITS);
+    b"aaaaaa cccccc bbcccccc cccccccc cccccc bbbbbb cccccd ddddde cccccc", DIGITS);
 
 /// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
 /// [`Notes`](super::instruments::Notes) defines; 0 starts none.
@@ -113,10 +113,10 @@ const STEPS: usize = STEPS_PER_BAR as usize;
 static PARTS: [Part; TRACKS] = [
     // Kick.
     Part {
-        bars: bars(b"...... ababdc ........ ........ defefc hihijk lllllm efefgc ......"),
+        bars: bars(b"...... ababdc ........ ........ defefc hihijk lllllk efefgc ......"),
         patterns: &[
-            pattern(b"f... .... f... ...."),
-            pattern(b"f... .... f... f..."),
+            pattern(b"b... .... b... ...."),
+            pattern(b"b... .... b... b..."),
             pattern(b"f... f... f... ...."),
             pattern(b"f... f... f... f..."),
             pattern(b"f... f... f... f.c."),
@@ -124,31 +124,30 @@ static PARTS: [Part; TRACKS] = [
             pattern(b"f.c. f.c. f.c. f.c."),
             pattern(b"f... .... ..d. ...."),
             pattern(b"f... ..d. ..d. ...."),
-            pattern(b"f..d .... ..f. ..d."),
-            pattern(b"f..d ..f. .... ...."),
-            pattern(b"f... ..f. .... f..."),
+            pattern(b"f... ..d. ..f. ...."),
             pattern(b"f... ..f. .... ...."),
+            pattern(b"f... ..f. .... f..."),
         ],
     },
     // Clap.
     Part {
-        bars: bars(b"...... .c.ccc ........ ........ .aabac cdcdbe .....b aabadb ......"),
+        bars: bars(b"...... .c.ccc ..ffffff ........ .aabac cdcdbe .....b aabadb ......"),
         patterns: &[
             pattern(b"..9. e... ..9. e..."),
             pattern(b".... d... .... d.9b"),
             pattern(b".... .... d... ...."),
             pattern(b".... ..7. d... .5.."),
             pattern(b"4.4. 5.5. 6.7. ...."),
+            pattern(b".... 7... .... 7..."),
         ],
     },
     // Hat.
     Part {
-        bars: bars(b"...... aababc eeffgghh ........ .iiiii abaccc jjiijk iikikk ......"),
+        bars: bars(b"...... aababc ddeeffgg ........ .hhhhh abaccc iihhij hhjhjj ......"),
         patterns: &[
             pattern(b"..7. ..7. ..7. ..7."),
             pattern(b"..7. ..74 ..7. .47."),
             pattern(b"4.7. 4.7. 4.74 ...."),
-            pattern(b"7494 7494 7494 7496"),
             pattern(b".... d... .... d..."),
             pattern(b".... e..a .... e..a"),
             pattern(b"..a. e..a ..a. e..."),
@@ -300,7 +299,7 @@ static PARTS: [Part; TRACKS] = [
     Part {
         bars: bars(b"....b. ....a. ......b. ......a. ....a. ....a. ....a. ....a. c.c..."),
         patterns: &[
- pattern(b"f... .... .... ...."), pattern(b"9... .... .... ...."), pattern(b"5... .... .... ....")],
+ pattern(b"f... .... .... ...."), pattern(b"9... .... .... ...."), pattern(b"d... .... .... ....")],
     },
     // Boom.
     Part {

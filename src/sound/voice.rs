@@ -114,12 +114,12 @@ impl Voice {
         /// The attack lasts for two time constants: the level rises to 1 - 1/e^2 of its peak.
         const ATTACK: f32 = 2.0 / CHUNK as f32;
         self.age += 1.0;
-        let (peak, rate) = if self.age * instrument.attack < ATTACK {
-            (self.peak, instrument.attack)
-        } else if self.age < instrument.gate * BEAT && !mood.rest {
-            (Vec4::ZERO, instrument.decay)
-        } else {
+        let (peak, rate) = if mood.rest || self.age >= instrument.gate * BEAT {
             (Vec4::ZERO, instrument.release)
+        } else if self.age * instrument.attack < ATTACK {
+            (self.peak, instrument.attack)
+        } else {
+            (Vec4::ZERO, instrument.decay)
         };
         let rate = instrument.partials * rate;
         if self.level.x + peak.x < SILENCE {

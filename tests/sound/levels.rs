@@ -1,53 +1,87 @@
-use super::{BAR, decibels, peak, song};
+//! Loudness by EBU R128, and silence.
+
+use super::{BAR, SCENES, amplitude, high_pass, peak, scene, scenes, song, spectrum};
 use ebur128::{EbuR128, Mode};
 use eightfold::show;
 use eightfold::sound::RATE;
 
-/// Returns the loudness by EBU R128 in LUFS, and the true peak.
-fn meter(samples: &[[f32; 2]]) -> (f64, f64) {
-    let mut meter = EbuR128::new(2, RATE, Mode::I | Mode::TRUE_PEAK).unwrap();
+fn meter(samples: &[[f32; 2]], mode: Mode) -> EbuR128 {
+    let mut meter = EbuR128::new(2, RATE, mode).unwrap();
     meter.add_frames_f32(samples.as_flattened()).unwrap();
+    meter
+}
+
+/// Returns the loudness in LUFS.
+fn loudness(samples: &[[f32; 2]]) -> f64 {
+    meter(samples, Mode::I).loudness_global().unwrap()
+}
+
+#[test]
+fn song_loudness_and_its_range_are_of_a_master() {
+    let meter = meter(song(), Mode::I | Mode::LRA | Mode::TRUE_PEAK);
+    let (loudness, range) = (meter.loudness_global().unwrap(), meter.loudness_range().unwrap());
+    assert!((-14.0..=-12.0).contains(&loudness), "{loudness} LUFS");
+    assert!((8.0..=12.0).contains(&range), "{range} LU");
     let peak = f64::max(meter.true_peak(0).unwrap(), meter.true_peak(1).unwrap());
-    (meter.loudness_global().unwrap(), peak)
+    assert!(peak <= amplitude(-1.0).into(), "true peak {peak}");
 }
 
 #[test]
-fn song_loudness_is_near_minus_14_lufs() {
-    let (loudness, true_peak) = meter(song());
-    assert!((-16.0..=-12.0).contains(&loudness), "{loudness} LUFS");
-    assert!(true_peak <= decibels(-1.0).into(), "{true_peak}");
+fn scenes_differ_and_the_climax_is_loudest() {
+    let all: Vec<f64> = scenes().map(loudness).collect();
+    assert!(all[0] <= -18.0, "{all:?}");
+    assert!(all.windows(2).all(|pair| (pair[0] - pair[1]).abs() >= 1.0), "{all:?}");
+    let climax = SCENES - 2;
+    for (scene, &other) in all.iter().enumerate().filter(|&(scene, _)| scene != climax) {
+        assert!(other + 1.5 <= all[climax], "scene {scene}: {all:?}");
+    }
 }
 
 #[test]
-fn song_has_a_build_a_break_and_a_climax() {
-    let cut = |name: &str| show::cut(name) as usize * BAR;
-    let loudness = |from: &str, to: &str| meter(&song()[cut(from)..cut(to)]).0;
-    let title = loudness("title", "model");
-    let model = loudness("model", "method");
-    let method = loudness("method", "colonnade");
-    let colonnade = loudness("colonnade", "machine");
-    let swarm = loudness("swarm", "finale");
-    let finale = meter(&song()[cut("finale")..]).0;
-    let all = [title, model, method, colonnade, swarm, finale];
-    assert!(title + 2.0 < model && model + 1.0 < method, "{all:?}");
-    assert!(colonnade + 3.0 < method, "{all:?}");
-    assert!(swarm + 0.2 > method && finale + 3.0 < swarm, "{all:?}");
-}
-
-#[test]
-fn bars_before_the_last_two_are_audible() {
-    let bars = song().chunks_exact(BAR).take(show::BARS as usize - 2);
-    for (bar, samples) in bars.enumerate() {
-        let (loudness, _) = meter(samples);
+fn every_bar_is_audible() {
+    for (bar, samples) in song().chunks_exact(BAR).enumerate() {
+        let loudness = loudness(samples);
         assert!(loudness > -24.0, "bar {bar}: {loudness} LUFS");
+    }
+}
+
+/// A laptop plays little below 200 Hz.
+#[test]
+fn laptop_loses_little_of_the_chimes() {
+    let chimes = scene(4);
+    let lost = loudness(chimes) - loudness(&high_pass(chimes, 200.0));
+    assert!(lost <= 2.5, "{lost} LU");
+}
+
+#[test]
+fn mono_loses_little() {
+    for (scene, samples) in scenes().chain([song()]).enumerate() {
+        let mono: Vec<_> = samples.iter().map(|[left, right]| [(left + right) / 2.0; 2]).collect();
+        let lost = loudness(samples) - loudness(&mono);
+        assert!(lost <= 2.0, "scene {scene}: {lost} LU");
+    }
+}
+
+/// Returns the samples from one time to another, in milliseconds.
+fn between(from: usize, to: usize) -> &'static [[f32; 2]] {
+    let sample = |time: usize| time * RATE as usize / 1000;
+    &song()[sample(from)..sample(to)]
+}
+
+#[test]
+fn song_is_never_silent_before_its_end() {
+    for start in (0..=115_600).step_by(100) {
+        let samples = between(start, start + 100).as_flattened();
+        let square = samples.iter().map(|sample| sample * sample).sum::<f32>();
+        let level = (square / samples.len() as f32).sqrt();
+        assert!(level > amplitude(-50.0), "{start} ms: {level}");
     }
 }
 
 #[test]
 fn song_begins_and_ends_in_silence() {
-    assert!(peak(&song()[..1]) < decibels(-50.0));
-    let (_, end) = song().split_at(song().len() - RATE as usize / 4);
-    assert!(peak(end) < decibels(-60.0), "{}", peak(end));
+    assert!(peak(&song()[..1]) < amplitude(-50.0));
+    assert!(peak(between(115_750, 116_000)) < amplitude(-60.0));
 }
 
 #[test]
@@ -60,6 +94,18 @@ fn both_sides_are_centred_and_equally_loud() {
     });
     let ratio = energies[0] / energies[1];
     assert!((0.8..1.25).contains(&ratio), "left to right: {ratio}");
+}
+
+/// The last quaver before a cut is for echoes: it has at least 3 dB less than the bar.
+#[test]
+fn instruments_rest_before_every_cut() {
+    for &cut in &show::CUTS[1..] {
+        let end = cut as usize * BAR;
+        let quaver = BAR / 8;
+        let level = |samples| spectrum::Spectrum::new(samples).power(20.0..20_000.0);
+        let rest = level(&song()[end - quaver + 2400..end]) / level(&song()[end - BAR..end]);
+        assert!(rest < 0.5, "bar {cut}: {rest}");
+    }
 }
 
 /// A click is a step much larger than its neighbours.

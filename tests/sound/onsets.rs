@@ -1,6 +1,8 @@
-use super::song;
+//! What the picture follows is heard at its time.
+
+use super::{cues, song};
 use eightfold::show::{self, grid};
-use eightfold::sound::{RATE, Track, cue};
+use eightfold::sound::{RATE, Track};
 
 const FRAME: usize = RATE as usize / 1000;
 
@@ -17,24 +19,42 @@ fn energies() -> Vec<f32> {
     steps.chunks(FRAME).map(|frame| frame.iter().sum()).collect()
 }
 
-#[test]
-fn kicks_are_heard_within_10_ms_of_their_beats() {
+/// Checks the notes of a track that start from one bar to another and are not quieter than `digit`. Returns their number.
+fn check(track: Track, bars: [u32; 2], digit: u8) -> usize {
     let energies = energies();
     let rise = |at: usize| {
         let sum = |from: usize| energies[from..from + SPAN].iter().sum::<f32>();
         sum(at) - sum(at - SPAN)
     };
-    let mut kicks = 0;
-    for beat in 0..show::BARS * grid::BEATS_PER_BAR {
-        let kick = cue(Track::Kick, beat / 4, (beat % 4) as f32);
-        if kick.since > 0.0 || kick.digit < 15 {
-            continue;
-        }
-        kicks += 1;
-        let at = (grid::BEAT * beat as f32 * 1000.0) as usize;
+    let notes = cues::notes(track, bars[0], bars[1] - bars[0]);
+    let notes: Vec<_> = notes.into_iter().filter(|note| note.1 >= digit).collect();
+    for (beat, _) in &notes {
+        let time = grid::BAR * bars[0] as f32 + grid::BEAT * beat;
+        let at = (time * 1000.0) as usize;
         let steepest = (at - 60..at + 60).max_by(|&a, &b| rise(a).total_cmp(&rise(b)));
         let onset = steepest.expect("some milliseconds");
-        assert!(onset.abs_diff(at) <= 10, "beat {beat}: {onset} ms, not {at}");
+        assert!(onset.abs_diff(at) <= 10, "{track:?}, beat {beat}: {onset} ms, not {at}");
     }
-    assert!(kicks > 100, "{kicks} kicks");
+    notes.len()
+}
+
+#[test]
+fn kicks_are_heard_within_10_ms_of_their_beats() {
+    let kicks = check(Track::Kick, [0, show::BARS], 11);
+    assert!(kicks > 80, "{kicks} kicks");
+}
+
+#[test]
+fn landings_are_heard_within_10_ms() {
+    assert_eq!(check(Track::Chime, [28, 34], 1), 24);
+}
+
+#[test]
+fn bubbles_are_heard_within_10_ms() {
+    assert_eq!(check(Track::Pop, [34, 40], 1), 23);
+}
+
+#[test]
+fn steps_of_the_method_are_heard_within_10_ms() {
+    assert_eq!(check(Track::Square, [12, 20], 1), 36);
 }

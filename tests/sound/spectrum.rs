@@ -57,9 +57,7 @@ pub fn windows(samples: &[[f32; 2]], window: usize, hop: usize) -> Vec<Vec<[f64;
         // Left and right are the real and the imaginary part: their spectra are the even and the odd half of its spectrum.
         let samples = samples[start..start + window].iter().enumerate();
         let mut bins: Vec<_> = samples
-            .map(|(i, &[left, right])| {
-                Complex::new(f64::from(left), f64::from(right)) * hann(i)
-            })
+            .map(|(i, &[left, right])| Complex::new(f64::from(left), f64::from(right)) * hann(i))
             .collect();
         fft.process(&mut bins);
         let pairs = (1..window / 2).map(|i| (bins[i], bins[window - i].conj()));
