@@ -109,7 +109,7 @@ const SILENT: Instrument = Instrument {
 
 const PAD: Instrument = Instrument {
     notes: Notes::Chord(24),
-    saw: 0.088,
+    saw: 0.09,
     noise: 0.032,
     detune: 0.006,
     attack: s(0.6),
@@ -135,7 +135,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     Instrument {
         notes: Notes::Root,
         sine: 0.34,
-        noise: 0.1,
+        noise: 0.13,
         bend: 7.0,
         attack: STROKE,
         decay: s(0.17),
@@ -245,7 +245,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     Instrument {
         notes: Notes::Theme(36),
         sine: 0.05,
-        saw: 0.065,
+        saw: 0.077,
         attack: s(0.05),
         decay: s(3.0),
         release: s(0.1),
@@ -261,14 +261,14 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     },
     // Vowel: the formants of a dark O.
     Instrument {
-        noise: 0.22,
+        noise: 0.24,
         cutoff_start: hz(300.0),
         cutoff_end: hz(300.0),
         formants: vec4(1.0, 2.6, 2.6, 1.0),
         light: 0.35,
         damping: 0.35,
         high: 0.22,
-        saw: 0.145,
+        saw: 0.185,
         ..PAD
     },
     PAD,
@@ -296,7 +296,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Strings, in unison.
     Instrument {
         notes: Notes::Theme(0),
-        saw: 0.36,
+        saw: 0.345,
         detune: 0.004,
         attack: s(0.12),
         decay: s(8.0),
@@ -316,7 +316,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     Instrument {
         notes: Notes::Theme(0),
         saw: 0.33,
-        sine: 0.27,
+        sine: 0.26,
         partials: vec4(1.0, 1.0, 2.0, 2.0),
         detune: 0.005,
         attack: s(0.006),
@@ -333,13 +333,13 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         echo: 0.3,
         room: 0.12,
         duck: 0.1,
-        high: 0.5,
+        high: 0.6,
         ..SILENT
     },
     // Chime: the partials of a pipe.
     Instrument {
         notes: Notes::Theme(0),
-        sine: 0.35,
+        sine: 0.345,
         partials: vec4(1.0, 2.0, 2.99, 4.17),
         attack: STROKE,
         decay: s(0.5),
@@ -402,7 +402,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Pop: it rises to its note, as a bubble does.
     Instrument {
         notes: Notes::Theme(0),
-        sine: 0.33,
+        sine: 0.34,
         noise: 0.1,
         bend: -0.6,
         attack: STROKE,

@@ -91,12 +91,12 @@ static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 /// The brightness of each bar, 0 to 15, which opens the filters.
 #[rustfmt::skip]
 static LIGHT: [u8; BARS] = indices_of(
-    b"445677 8899aa 45566789 45678987 89aabb 789abb bbccdd ddeeff ba9876", DIGITS);
+    b"445677 8899aa 45566789 45678987 89aabb 789abb bbccdd ddeeff 765432", DIGITS);
 
 /// The loudness of each bar, 0 to 15, in dB.
 #[rustfmt::skip]
 static GAIN: [u8; BARS] = indices_of(
-    b"aaaaaa cccccc bbcccccc cccccccc cccccc bbbbbb cccccd ddddde cccccc", DIGITS);
+    b"a99999 cccccc bbbbcccc cccccccc cccccc bbbbbb cccccd ddddde cccccc", DIGITS);
 
 /// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
 /// [`Notes`](super::instruments::Notes) defines; 0 starts none.
@@ -133,7 +133,7 @@ static PARTS: [Part; TRACKS] = [
     Part {
         bars: bars(b"...... .c.ccc ..ffffff ........ .aabac cdcdbe .....b aabadb ......"),
         patterns: &[
-            pattern(b"..9. e... ..9. e..."),
+            pattern(b".... d... .... d..."),
             pattern(b".... d... .... d.9b"),
             pattern(b".... .... d... ...."),
             pattern(b".... ..7. d... .5.."),
@@ -148,7 +148,7 @@ static PARTS: [Part; TRACKS] = [
             pattern(b"..7. ..7. ..7. ..7."),
             pattern(b"..7. ..74 ..7. .47."),
             pattern(b"4.7. 4.7. 4.74 ...."),
-            pattern(b".... d... .... d..."),
+            pattern(b"..9. e... ..9. e..."),
             pattern(b".... e..a .... e..a"),
             pattern(b"..a. e..a ..a. e..."),
             pattern(b"..a. e.aa .aa. e.aa"),
@@ -297,9 +297,9 @@ static PARTS: [Part; TRACKS] = [
     },
     // Riser.
     Part {
-        bars: bars(b"....b. ....a. ......b. ......a. ....a. ....a. ....a. ....a. c.c..."),
+        bars: bars(b"....b. ....b. ......b. ......a. ....a. ....a. ....a. ....a. c.c..."),
         patterns: &[
- pattern(b"f... .... .... ...."), pattern(b"9... .... .... ...."), pattern(b"d... .... .... ....")],
+ pattern(b"f... .... .... ...."), pattern(b"9... .... .... ...."), pattern(b"e... .... .... ....")],
     },
     // Boom.
     Part {

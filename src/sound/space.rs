@@ -10,6 +10,15 @@ const DELAY: usize = 3 * STEP as usize;
 /// The amplitude of an echo relative to the previous one.
 const FEEDBACK: f32 = 0.5;
 
+/// The delays in samples of allpass filters before the reverberation, 2 to 14 ms, which multiply its echoes.
+const DIFFUSERS: [usize; 3] = [113, 307, 677];
+
+/// The allpass filters' ring buffers in samples, above the longest of [`DIFFUSERS`].
+const DIFFUSION: usize = 1 << 10;
+
+/// The allpass filters' feedback.
+const DENSITY: f32 = 0.6;
+
 /// The reverberation's ring buffers in samples, above the longest of [`LENGTHS`].
 const ROOM: usize = 1 << 12;
 
@@ -29,6 +38,7 @@ const RIGHT: Vec4 = vec4(0.0, 0.5, 0.0, 0.5);
 /// Echo, and reverberation from a feedback delay network. Silence is all zeros. [`Mix`] explains the lanes.
 pub(super) struct Space {
     echo: [Vec4; ECHO],
+    diffusion: [[Vec4; DIFFUSERS.len()]; DIFFUSION],
     room: [[Vec4; LENGTHS.len()]; ROOM],
     walls: [Vec4; LENGTHS.len()],
 }
@@ -36,6 +46,7 @@ pub(super) struct Space {
 impl Space {
     pub const ZERO: Space = Space {
         echo: [Vec4::ZERO; ECHO],
+        diffusion: [[Vec4::ZERO; DIFFUSERS.len()]; DIFFUSION],
         room: [[Vec4::ZERO; LENGTHS.len()]; ROOM],
         walls: [Vec4::ZERO; LENGTHS.len()],
     };
@@ -54,7 +65,13 @@ impl Space {
         // A Householder reflection mixes all delays and preserves the energy. Rotating the lanes spreads the sound between left and
         // right.
         let reflected = taps * (-2.0 / LENGTHS.len() as f32);
-        let sent = mix.room + echo * 0.5;
+        let mut sent = mix.room + echo * 0.5;
+        for (line, &length) in DIFFUSERS.iter().enumerate() {
+            let tap = self.diffusion[(position + DIFFUSION - length) % DIFFUSION][line];
+            let fed = sent + tap * DENSITY;
+            self.diffusion[position % DIFFUSION][line] = fed;
+            sent = tap - fed * DENSITY;
+        }
         for (line, &length) in LENGTHS.iter().enumerate() {
             let tap = self.room[(position + ROOM - length) % ROOM][line];
             let wall = &mut self.walls[line];

@@ -16,6 +16,8 @@ const SWELLING: f32 = 0.04;
 
 /// The ratio of amplitudes for each step of a bar's amplification, the sixth root of 2: 1 dB.
 const DECIBEL: f32 = 1.122_462;
+/// The deviation of the notes' amplitudes, as players have it: up to 1 dB.
+const DYNAMICS: f32 = 0.12;
 
 /// The end of the last note, in samples: 60 ms after its start, a beat before the end.
 const END: u32 = SONG_LENGTH - 4 * STEP + 60 * CHUNK as u32;
@@ -129,7 +131,8 @@ impl Synthesizer {
             for (track, voice) in self.voices.iter_mut().enumerate() {
                 let digit = song::digit(track, self.step);
                 if digit > 0 {
-                    voice.start(&INSTRUMENTS[track], digit, bar);
+                    let amplitude = 1.0 + DYNAMICS * random(&mut self.seed);
+                    voice.start(&INSTRUMENTS[track], digit, bar, amplitude);
                     if track == Track::Kick as usize {
                         mood.next_kick = Vec4::ONE;
                     }

@@ -16,7 +16,7 @@ fn play(track: Track, digit: u8, bar: u32) -> Vec<[f32; 2]> {
     let instrument = &INSTRUMENTS[track as usize];
     let mood = Mood { kick: Vec4::ZERO, next_kick: Vec4::ZERO, light: Vec4::ONE, rest: false };
     let mut voice = Voice::ZERO;
-    voice.start(instrument, digit, bar);
+    voice.start(instrument, digit, bar, 1.0);
     let mut seed: u32 = 1;
     let mut samples = Vec::new();
     while samples.len() < RATE as usize {
@@ -45,18 +45,34 @@ fn kick_has_60_percent_of_its_energy_below_120_hz() {
     }
 }
 
-#[test]
-fn reverberation_of_the_centre_is_wide() {
+/// Returns the reverberation of a click in the centre, from 100 ms to 2 s.
+fn reverberation() -> Vec<[f32; 2]> {
     let mut space = Box::new(Space::ZERO);
     let struck = Mix { room: Vec4::ONE, ..Mix::SILENCE };
-    let (mut left, mut right, mut both) = (0.0_f32, 0.0_f32, 0.0_f32);
-    for position in 0..2 * RATE as usize {
+    let play = |position| {
         let heard = space.play(position, if position == 0 { &struck } else { &Mix::SILENCE });
-        if position > RATE as usize / 10 {
-            let [l, r] = [heard.x + heard.z, heard.y + heard.w];
-            (left, right, both) = (left + l * l, right + r * r, both + l * r);
-        }
-    }
-    let correlation = both / (left * right).sqrt();
+        [heard.x + heard.z, heard.y + heard.w]
+    };
+    (0..2 * RATE as usize).map(play).skip(RATE as usize / 10).collect()
+}
+
+#[test]
+fn reverberation_of_the_centre_is_wide() {
+    let reverberation = reverberation();
+    let product = |a: usize, b: usize| reverberation.iter().map(|s| s[a] * s[b]).sum::<f32>();
+    let correlation = product(0, 1) / (product(0, 0) * product(1, 1)).sqrt();
     assert!(correlation.abs() < 0.3, "{correlation}");
+}
+
+/// The share of samples beyond the standard deviation, relative to 31.7 % of Gaussian noise (Abel and Huang 2006).
+#[test]
+fn reverberation_is_dense_after_100_ms() {
+    let samples = &reverberation()[..RATE as usize / 25];
+    for side in [0, 1] {
+        let squares = samples.iter().map(|sample| sample[side] * sample[side]);
+        let variance = squares.clone().sum::<f32>() / samples.len() as f32;
+        let beyond = squares.filter(|&square| square > variance).count() as f32;
+        let density = beyond / samples.len() as f32 / 0.317;
+        assert!(density > 0.7, "{density}");
+    }
 }

@@ -78,14 +78,14 @@ impl Voice {
         age: 0.0,
     };
 
-    /// Starts the note of a pattern's digit, 1 to 15, in a bar.
-    pub fn start(&mut self, instrument: &Instrument, digit: u8, bar: u32) {
+    /// Starts the note of a pattern's digit, 1 to 15, in a bar, with an amplitude.
+    pub fn start(&mut self, instrument: &Instrument, digit: u8, bar: u32, amplitude: f32) {
         let chord = song::chord(bar);
         let tone = |number: u8| chord[usize::from(number % 4)] + number / 4 * 12;
         let first = digit - 1;
-        let mut peak = 1.0;
+        let mut peak = amplitude;
         let mut drum = |note| {
-            peak = f32::from(digit) / 15.0;
+            peak *= f32::from(digit) / 15.0;
             [note; 4]
         };
         let notes = match instrument.notes {
