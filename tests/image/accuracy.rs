@@ -132,6 +132,8 @@ fn show_matches_the_oracle() {
         let mut scene = of_the_show(time as f32 / 1000.0);
         scene.captions.clear();
         scene.method = Method::default();
+        // The oracle does not fold.
+        scene.sectors = 1.0;
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);
         let silhouettes = frame.silhouettes();
         let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180);
