@@ -65,18 +65,14 @@ impl Fold {
             return;
         }
         let (width, stride) = (picture.width, picture.stride);
-        for y in top..picture.height() {
+        for y in 0..picture.height() {
             // The columns further right are in the wedge.
-            let end = if self.is_wide { left + y - top } else { width };
+            let end = if self.is_wide && y >= top { left + y - top } else { width };
             for x in 0..width.min(end) {
                 let [column, row] = self.source([x, y]);
                 let pixel = picture.pixels.get(row * stride + column);
                 picture.put(x, y, pixel.copied().unwrap_or(0));
             }
-        }
-        let (above, below) = picture.pixels.split_at_mut(top * stride);
-        for (row, mirrored) in above.rchunks_mut(stride).zip(below.chunks(stride)) {
-            row[..width].copy_from_slice(&mirrored[..width]);
         }
     }
 }

@@ -86,11 +86,13 @@ fn bubbles_have_50_decibels() {
     assert!(psnr > 50.0, "{psnr} dB");
 }
 
+type Row = (&'static str, fn() -> Scene, Quality, [usize; 2]);
+
 #[test]
 fn scenes_match_golden_pictures() {
     // Thin rods, which were once dashed.
     let fence = || scene_of(include_str!("../../examples/scenes/fence.ron"));
-    let scenes: [(&str, fn() -> Scene, Quality, [usize; 2]); 6] = [
+    let scenes: [Row; 6] = [
         ("model", || show::model_scene(2.0), Quality::EXHAUSTIVE, [640, 360]),
         ("squares", || show::model_scene(1.0), Quality::THESIS, [320, 240]),
         ("field", || show::field(64, 1.0), Quality::THESIS, [320, 240]),

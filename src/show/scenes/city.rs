@@ -32,15 +32,15 @@ static SHOTS: &[Shot] = &[
     shot(
         5,
         &[
-            view([1.2, 2.2, 8.0], SUN),
-            view([-1.5, 1.9, 2.0], SUN),
-            view([-6.0, 1.6, -4.0], SUN),
+            view([-25.0, 2.2, 10.0], SUN),
+            view([-15.0, 1.9, 5.0], SUN),
+            view([-10.0, 1.6, -3.0], SUN),
             view([-8.9, 1.4, -8.5], SUN),
         ],
     ),
     shot(
         3,
-        &[view([-8.0, 2.2, 12.0], SUN), view([-3.0, 1.6, 7.0], SUN), view([1.4, 1.2, 2.0], SUN)],
+        &[view([2.4, 2.0, 9.0], SUN), view([-6.0, 2.2, 11.0], SUN), view([-25.0, 2.6, 12.0], SUN)],
     ),
 ];
 
@@ -57,11 +57,12 @@ fn add(now: Now, scene: &mut Scene) {
         let foot = vec3(-15.3, LETTER.half_width, -20.0) + vec3(8.6, 0.0, -9.0) * number as f32;
         add_letter(letter, foot, Mat3::IDENTITY, &LETTER, &TOWER, scene);
     }
+    // The ball drifts ahead of the camera.
     let drift = now.beat / 20.0;
     let ball = if drift < 1.0 {
-        vec3(1.4 - 9.9 * drift, 0.3, -6.0 - 8.0 * drift)
+        vec3(-19.0, 0.3, -2.0).lerp(vec3(-8.5, 0.3, -14.0), drift)
     } else {
-        vec3(-4.0 + 4.0 * (drift - 1.0), 0.3, -9.0)
+        vec3(0.5, 0.3, -2.0).lerp(vec3(-18.0, 0.3, 0.0), 1.6 * (drift - 1.0))
     };
     add_sphere(ball, 0.36, &RED, scene);
 }
