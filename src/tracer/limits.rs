@@ -12,12 +12,11 @@
 //! | error | figure |
 //! | --- | --- |
 //! | rays that leave a sphere and hit it again; radii 1e-4 to 1e4, centres up to 1e4 from the origin, rays from up to 1e8 away | 0 of 500,000 |
-//! | rays that leave a plane, or run along it, and hit it again | 0 of 500,000 |
 //! | pixels of single mirrors in which a box, a cylinder or a capsule shows itself | 0 of 20,000,000 |
 //! | rays that leave a box, a cylinder or a capsule and hit it again, or leak out of one; sides 1e-4 to 1e4 | 0 of 100,000 |
 //! | the same from up to 1e8 away; for each of aligned boxes, rotated boxes, cylinders and capsules | 0 of 60,000 |
 //! | rays into a sphere that miss its far side, except chords shorter than 0.003 radii (at the origin) | 0 |
-//! | points of a sphere in their own shadow, where n.l is above 0.003 | 0 |
+//! | points of a sphere in their own shadow, where n.l is above 0.01 | 0 |
 //! | lights outside a sphere that light its inside, and lights wholly inside that do not | 0 |
 //! | darkest channel of a furnace with white background and ambient light: surfaces that lose no light, any depth and least contribution | 250 |
 //! | black pixels in facing mirrors, unless background and ambient light are black | 0 |

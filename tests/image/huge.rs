@@ -1,11 +1,13 @@
 //! Objects whose size is many times the eye's height above them: the ground, and planets.
 
-use crate::drawn::draw_by_all;
+use crate::drawn::{draw, draw_by_all, isa_of};
 use crate::error::Difference;
 use eightfold_oracle::frame::Frame as Traced;
+use eightfold_oracle::geometry::{PicturePlane, Shape as Solid};
 use eightfold_scenes::solids::SHAPES;
+use eightfold_scenes::{Random, cases};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Sphere};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape, Sphere};
 use glam::{Vec3, vec3};
 
 /// The eye at a height above a sphere, and a ball and a mirror before it.
@@ -68,4 +70,57 @@ fn eye_near_a_huge_block_sees_it_lit() {
             }
         }
     }
+}
+
+/// Returns a white ball of any size and place, and a light and the eye at distances in radii. A box beyond the ball, and the diameter of a
+/// light wholly inside, make no difference.
+fn ball(random: &mut Random, [eye_at, light_at]: [f32; 2], has_more: bool) -> Scene {
+    let radius = random.power(-4.0, 4.0);
+    let centre = random.vector(Vec3::NEG_ONE, Vec3::ONE) * random.power(0.0, 3.0) * radius;
+    let mut from = |distance: f32| centre + random.turn() * Vec3::X * (distance * radius);
+    let white = Material::matt(Vec3::ONE, 1.0);
+    let mut scene = Scene {
+        camera: Camera::new(from(eye_at), centre, (2.0 / eye_at).min(1.5)),
+        spheres: List::of(&[Sphere::new(centre, radius, white)]),
+        lights: List::of(&[Light::new(from(light_at), Vec3::ONE)]),
+        ..Scene::default()
+    };
+    if has_more {
+        let half = Vec3::splat(radius);
+        scene.blocks.push(Block::new(Shape::Box, from(3.0), half, white));
+        scene.lights[0].diameter = 1.9 * (1.0 - light_at).max(0.0) * radius;
+    }
+    scene
+}
+
+/// A light wholly inside a sphere illuminates its inside, others its outside. Rounding makes no point shadow itself.
+#[test]
+fn sphere_is_lit_on_the_side_of_its_light_only() {
+    let mut counts = [0; 2];
+    for mut random in cases(2000) {
+        let (is_inside, has_more) = random.one_of([(false, false), (true, false), (true, true)]);
+        let eye_at = if is_inside { 0.5 } else { random.power(0.1, 3.0) };
+        let lights = [random.between(0.1, 0.95), random.power(0.03, 2.0)];
+        let light_at = random.one_of(lights);
+        let scene = ball(&mut random, [eye_at, light_at], has_more);
+        let drawn = draw(isa_of(random.seed), 1, &scene, &Quality::EXHAUSTIVE, 16, 16).pixels;
+        let plane = PicturePlane::new(&scene.camera, 16, 16);
+        let light = scene.lights[0].position.as_dvec3();
+        for (i, pixel) in drawn.into_iter().enumerate() {
+            let ray = plane.ray((i % 16) as f64, (i / 16) as f64);
+            let Some(met) = Solid::from(&scene.spheres[0]).meet(ray, f64::INFINITY) else {
+                continue;
+            };
+            let n = if is_inside { -met.normal } else { met.normal };
+            let cosine = n.dot((light - ray.at(met.t)).normalize());
+            // Rounding moves grazing hits, and hides faint light.
+            if cosine.abs() < 0.01 || ray.d.dot(n).abs() < 0.1 {
+                continue;
+            }
+            let is_lit = cosine > 0.0 && is_inside == (light_at < 1.0);
+            assert_eq!(pixel != 0, is_lit, "case {}: {cosine}, {scene:?}", random.seed);
+            counts[usize::from(is_lit)] += 1;
+        }
+    }
+    assert!(counts.into_iter().all(|count| count > 50_000), "{counts:?}");
 }

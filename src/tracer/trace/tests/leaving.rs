@@ -1,7 +1,7 @@
 //! Rays that leave a surface of any size and position do not hit it again (after `TestReintersectConvex` of pbrt).
 
 use super::*;
-use crate::scene::{Block, Plane, Shape};
+use crate::scene::{Block, Shape};
 use crate::trace::rays::INWARD;
 use glam::{Mat3, Quat, Vec3};
 
@@ -87,39 +87,6 @@ fn sphere_is_not_hit_by_leaving_rays() {
     for most in [None, Some(4.0)] {
         on_every_instruction_set(|by, isa| assert_spheres_are_left(by, isa, most));
     }
-}
-
-fn assert_planes_are_left(by: &dyn Kernels, isa: &str) {
-    let mut random = Random::new(2019);
-    let mut left = 0;
-    for _ in 0..SHAPES {
-        let [half_x, half_z] = [0; 2].map(|_| 10_f64.powf(random.between(-4.0, 4.0)));
-        let centre = random.vector(-4.0, 4.0);
-        let aim = centre + DVec3::new(half_x, 0.0, half_z) * share(&mut random);
-        let o = random.vector(-8.0, 8.0);
-        let (half_x, half_z) = (half_x as f32, half_z as f32);
-        let plane = Plane::new(centre.as_vec3(), half_x, half_z, Material::BLACK);
-        let scene = prepared(&Scene { planes: List::of(&[plane]), ..Scene::default() });
-        let world = scene.world();
-        let Some(Met { p, .. }) = met(by, world, o.as_vec3(), unit(aim - o)) else {
-            continue;
-        };
-        let direction = || {
-            let d = random.direction().as_vec3();
-            // Also along the plane, with both signs of zero.
-            [d, d, d, d.with_y(0.0), d.with_y(-0.0)][random.bits() as usize % 5]
-        };
-        each_ray(by, world, (p, 0), RAYS, direction, |d, t| {
-            assert!(t.is_none(), "{isa}: {p} is hit again along {d}");
-            left += 1;
-        });
-    }
-    assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
-}
-
-#[test]
-fn plane_is_not_hit_by_leaving_rays() {
-    on_every_instruction_set(assert_planes_are_left);
 }
 
 fn fitting(shape: Shape, half: DVec3) -> Vec3 {

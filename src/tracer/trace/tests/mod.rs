@@ -3,7 +3,6 @@
 mod leaving;
 mod precision;
 mod refraction;
-mod shadows;
 
 extern crate std;
 
@@ -34,13 +33,13 @@ trait Kernels {
 
     fn meets(&self, world: World<'_>, packet: &Packet) -> [Met; MAX_LANES];
 
-    fn shaded(
+    /// Returns the reflected and the transmitted ray of each.
+    fn secondary(
         &self,
         world: World<'_>,
-        quality: &Quality,
         packet: &Packet,
         batch: &mut Batch,
-    ) -> [Shaded; MAX_LANES];
+    ) -> [[Option<Ray>; 2]; MAX_LANES];
 }
 
 /// Calls a property with each instruction set and its name.
@@ -151,14 +150,6 @@ struct Met {
     is_inside: bool,
 }
 
-struct Shaded {
-    t: f32,
-    object: u32,
-    colour: Vec3,
-    /// Reflected and transmitted.
-    secondary: [Option<Ray>; 2],
-}
-
 struct By<S>(S);
 
 impl<S: Isa> By<S> {
@@ -225,25 +216,20 @@ impl<S: Isa> Kernels for By<S> {
         })
     }
 
-    fn shaded(
+    fn secondary(
         &self,
         world: World<'_>,
-        quality: &Quality,
         packet: &Packet,
         batch: &mut Batch,
-    ) -> [Shaded; MAX_LANES] {
+    ) -> [[Option<Ray>; 2]; MAX_LANES] {
         let simd = self.0;
         let rays = self.rays(packet, 0);
         let hit = self.nearest(world, &rays);
         let mut secondary = [[None; 2]; MAX_LANES];
-        let contribution = by_isa!(simd: {
-            let tracer = Tracer {
-                isa: simd,
-                world,
-                quality,
-            };
+        by_isa!(simd: {
+            let tracer = Tracer { isa: simd, world, quality: &Quality::EXHAUSTIVE };
             batch.begin();
-            let contribution = shade(tracer, &rays, &hit, first(simd, lanes::<S>()), batch);
+            shade(tracer, &rays, &hit, first(simd, lanes::<S>()), batch);
             while batch.stack.len() > 0 {
                 let (rays, count) = batch.stack.pop(simd);
                 let (paths, slots) = (rays.paths(), rays.slots());
@@ -253,14 +239,8 @@ impl<S: Isa> Kernels for By<S> {
                     secondary[slot][path - 2] = Some((lane(rays.o, i), lane(rays.d, i), weight));
                 }
             }
-            contribution
         });
-        each::<S, _>(|i| Shaded {
-            t: hit.t.as_slice()[i],
-            object: hit.object.as_slice()[i],
-            colour: lane(contribution.colour, i),
-            secondary: secondary[i],
-        })
+        each::<S, _>(|i| secondary[i])
     }
 }
 

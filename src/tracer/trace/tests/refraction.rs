@@ -39,9 +39,8 @@ fn assert_lengths_are_one(by: &dyn Kernels, isa: &str) {
             _ => (o, directions),
         };
         let rays = packet(o, &directions);
-        let shaded = by.shaded(scene.world(), &Quality::EXHAUSTIVE, &rays, &mut batch);
-        let used = shaded.iter().take(by.lanes());
-        for (_, d, weight) in used.flat_map(|lane| lane.secondary).flatten() {
+        let secondary = by.secondary(scene.world(), &rays, &mut batch);
+        for &(_, d, weight) in secondary.iter().take(by.lanes()).flatten().flatten() {
             assert_unit(d, isa);
             assert!(weight > 0.0 && weight < 1.0, "{isa}: {weight}");
             count += 1;
