@@ -4,7 +4,7 @@ use crate::cpu;
 use crate::drawn::{bare, draw_best};
 use crate::error::worst_channel;
 use crate::shown::{pixels, sized};
-use eightfold_scenes::hidden::{Hidden, Things, slit};
+use eightfold_scenes::hidden::{Hidden, slit};
 use eightfold_scenes::{Kinds, View, cases, lights, materials_of};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Light, Spot};
@@ -151,7 +151,7 @@ fn few_pixels_of_small_reflections_are_wrong() {
     for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::THESIS] {
         let mut wrong = Wrong::default();
         for mut random in cases(20) {
-            let mut scene = Hidden { things: Things::Spheres, ..Hidden::MIRROR }.scene(&mut random);
+            let mut scene = Hidden { are_blocks: [false; 2], ..Hidden::MIRROR }.scene(&mut random);
             (scene.ambient, scene.background) = (Vec3::ONE, Vec3::ZERO);
             let view = sized(scene);
             let mut black = view.clone();

@@ -3,17 +3,11 @@ use crate::{Random, solids};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Things {
-    Spheres,
-    Blocks,
-    Both,
-}
-
 /// Forty small objects, the material of their floor, and the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hidden {
-    pub things: Things,
+    /// Whether even and odd ones are blocks instead of spheres.
+    pub are_blocks: [bool; 2],
     pub floor: Material,
     pub light: Option<Light>,
 }
@@ -24,10 +18,10 @@ const LIGHT: Light = Light::new(Vec3::ZERO, Vec3::ONE);
 const COUNT: usize = 40;
 
 impl Hidden {
-    pub const POINT: Self = Self { things: Things::Spheres, floor: GREY, light: Some(LIGHT) };
-    pub const BLOCKS: Self = Self { things: Things::Blocks, ..Self::POINT };
+    pub const POINT: Self = Self { are_blocks: [false, false], floor: GREY, light: Some(LIGHT) };
+    pub const BLOCKS: Self = Self { are_blocks: [true, true], ..Self::POINT };
     pub const MIRROR: Self =
-        Self { things: Things::Both, floor: Material::mirror(0.5), light: None };
+        Self { are_blocks: [false, true], floor: Material::mirror(0.5), light: None };
 
     pub fn scene(&self, random: &mut Random) -> Scene {
         let mut scene = floor(random, GREY);
@@ -45,15 +39,9 @@ impl Hidden {
 
     fn add_thing(&self, scene: &mut Scene, random: &mut Random, number: usize) {
         let centre = random.vector(vec3(-5.0, 0.5, -5.0), vec3(5.0, 3.0, 5.0));
-        let is_odd = number % 2 == 1;
         let small = random.power(-2.0, -0.3);
         let material = bright(number);
-        let is_block = match self.things {
-            Things::Spheres => false,
-            Things::Blocks => true,
-            Things::Both => is_odd,
-        };
-        if is_block {
+        if self.are_blocks[number % 2] {
             let thin = random.vector(Vec3::splat(0.03), Vec3::splat(0.3)).with_y(1.0);
             let half = 2.0 * small * thin;
             let block = solids::block(random, centre, half, material);
