@@ -10,9 +10,8 @@ use crate::refinement::most_points;
 use crate::sameness::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
-use eightfold_scenes::artists::artists;
 use eightfold_scenes::text::Text;
-use eightfold_scenes::{Kinds, Random, Seen, cases};
+use eightfold_scenes::{Random, any, cases};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Method, Scene};
 use std::env;
@@ -64,15 +63,10 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     let what = format!("case {}", random.seed);
     let isa = isa_of(random.seed);
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
-    let mut scene = match random.below(9) {
+    let mut scene = match random.below(6) {
         0 => show::model_scene(time),
         1 => show::field(random.below(321), time),
-        2 => {
-            let [bars, _] = random.one_of(Seen::ALL).view(random);
-            bars.scene
-        }
-        3 => artists(random),
-        _ => Kinds::EXTREME.scene(random),
+        _ => any(random),
     };
     assert_eq!(scene.validate(), Ok(()), "{what}");
     let is_corrupt = random.below(4) == 0;

@@ -3,7 +3,7 @@
 //!     cargo test -p eightfold-scenes --features glam-assert
 
 use eightfold_scenes::text::Text;
-use eightfold_scenes::{Hidden, Kinds, Random, Seen, cases, crowd, materials, shiny};
+use eightfold_scenes::{Random, any, cases};
 use eightfold_tracer::scene::{Camera, MAX_LENGTH, Scene};
 use eightfold_tracer::{Frame, Quality, Renderer, Worker};
 use glam::{Vec3, vec3};
@@ -17,21 +17,9 @@ fn draw(renderer: &mut Renderer, scene: &Scene) {
     }
 }
 
-fn scene(random: &mut Random) -> Scene {
-    let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
-    match random.below(7) {
-        0 => Hidden::BLOCKS.scene(random),
-        1 => random.one_of(Seen::ALL).view(random)[0].scene.clone(),
-        2 => crowd(random, [8, 8], [0.3, 0.3]),
-        3 => shiny(random, true),
-        4 => shiny_blocks.scene(random),
-        _ => Kinds::EXTREME.scene(random),
-    }
-}
-
 /// Returns scenes whose directions and normals have no length: the eye and lights straight above, at, or in the middle of objects.
 fn degenerate(random: &mut Random) -> [Scene; 4] {
-    let mut scene = scene(random);
+    let mut scene = any(random);
     let places = scene.spheres.iter().map(|sphere| sphere.centre);
     let places = places.chain(scene.blocks.iter().map(|block| block.centre));
     let places: Vec<Vec3> = places.chain([Vec3::ZERO]).collect();
@@ -59,7 +47,7 @@ fn glam_asserts_its_conditions() {
 fn valid_scenes_meet_all_conditions_of_glam() {
     let mut renderer = Renderer::detect();
     for mut random in cases(100) {
-        let valid = scene(&mut random);
+        let valid = any(&mut random);
         for scene in degenerate(&mut random).iter().chain([&valid]) {
             println!("case {}", random.seed);
             assert_eq!(scene.validate(), Ok(()));
@@ -73,7 +61,7 @@ fn invalid_scenes_never_fail_conditions_of_glam() {
     let mut renderer = Renderer::detect();
     let wrong = [f32::NAN, f32::INFINITY, -1.0, 0.0, 1e-40, 1e20];
     for mut random in cases(40) {
-        let text = Text::of(&scene(&mut random));
+        let text = Text::of(&any(&mut random));
         for _ in 0..8 {
             let number = random.below(text.numbers.len());
             let (scene, field) = text.scene_with(number, random.one_of(wrong));

@@ -55,6 +55,20 @@ impl View {
     }
 }
 
+/// Returns a scene of any kind.
+pub fn any(random: &mut Random) -> Scene {
+    let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
+    match random.below(8) {
+        0 => Hidden::BLOCKS.scene(random),
+        1 => random.one_of(Seen::ALL).view(random)[0].scene.clone(),
+        2 => crowd(random, [8, 8], [0.3, 0.3]),
+        3 => shiny(random, true),
+        4 => shiny_blocks.scene(random),
+        5 => artists::artists(random),
+        _ => Kinds::EXTREME.scene(random),
+    }
+}
+
 /// Returns the materials of all spheres, planes and blocks, in this order.
 pub fn materials_of(scene: &mut Scene) -> Vec<&mut Material> {
     let spheres = scene.spheres.iter_mut().map(|sphere| &mut sphere.material);
