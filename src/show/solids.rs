@@ -25,10 +25,10 @@ pub(super) fn add_block(
 pub(super) fn add_stars(scene: &mut Scene) {
     for number in 0..64 {
         let number = number as f32;
-        let up = 42.0 * (number * 0.618).fract() - 20.0;
-        let centre = vec3(76.0 * (number * 0.755).fract() - 38.0, up, -50.0);
+        let up = 42.0 * fraction(number * 0.618) - 20.0;
+        let centre = vec3(76.0 * fraction(number * 0.755) - 38.0, up, -50.0);
         let light = Material { colour: Vec3::splat(300.0), kd: 1.0, ..Material::BLACK };
-        add_sphere(centre, 0.05 + 0.05 * (number * 0.31).fract(), &light, scene);
+        add_sphere(centre, 0.05 + 0.05 * fraction(number * 0.31), &light, scene);
     }
 }
 
@@ -68,6 +68,11 @@ pub(super) fn add_letter(
         add_block(Shape::Box, centre, half, axes * turned, material, scene);
         half_depth *= THINNER;
     }
+}
+
+/// Returns a positive number's fraction, as `f32::fract`, which needs `std`.
+pub(super) fn fraction(number: f32) -> f32 {
+    number - number as i32 as f32
 }
 
 /// Returns the horizontal direction at an angle in turns, from z towards x.

@@ -16,6 +16,7 @@ const SWELLING: f32 = 0.04;
 
 /// The ratio of amplitudes for each step of a bar's amplification, the sixth root of 2: 1 dB.
 const DECIBEL: f32 = 1.122_462;
+
 /// The deviation of the notes' amplitudes, as players have it: up to 1 dB.
 const DYNAMICS: f32 = 0.12;
 

@@ -3,7 +3,7 @@
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::add_sphere;
+use crate::show::solids::{add_sphere, fraction};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
 use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
@@ -71,9 +71,9 @@ fn add(now: Now, scene: &mut Scene) {
     add_bubble(vec3(-2.3, -1.6, 3.2), 0.7, 3.0, now, scene);
     for number in 0..16 {
         let spread = number as f32 * 0.618;
-        let up = (now.beat * 0.02 + number as f32 * 0.755).fract();
-        let centre = vec3(14.0 * spread.fract() - 7.0, 8.0 * up - 3.4, -8.0);
-        add_bubble(centre, 0.06 + 0.12 * (spread * 3.0).fract(), spread, now, scene);
+        let up = fraction(now.beat * 0.02 + number as f32 * 0.755);
+        let centre = vec3(14.0 * fraction(spread) - 7.0, 8.0 * up - 3.4, -8.0);
+        add_bubble(centre, 0.06 + 0.12 * fraction(spread * 3.0), spread, now, scene);
     }
     let pop = now.cue(Track::Pop);
     for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {

@@ -3,7 +3,7 @@
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::{add_sphere, add_stars, around};
+use crate::show::solids::{add_sphere, add_stars, around, fraction};
 use crate::sound::Track;
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Spot, Waves};
@@ -79,7 +79,7 @@ fn add(now: Now, scene: &mut Scene) {
         let out = around(0.19 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
         let centre = out + Vec3::Y * (0.25 * out.x - 0.2 * out.z);
         let material = if number % 3 == 1 { &RUST } else { &STONE };
-        add_sphere(centre, 0.04 + 0.05 * (moon * 0.37).fract(), material, scene);
+        add_sphere(centre, 0.04 + 0.05 * fraction(moon * 0.37), material, scene);
     }
     add_stars(scene);
     let kick = now.cue(Track::Kick);
