@@ -1,5 +1,6 @@
 //! The bubbles: one divides into two, four and eight, a division a bar, until they burst.
 
+use super::planet::GIANT;
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
@@ -22,7 +23,10 @@ static ENVIRONMENT: Environment = Environment {
     vignette: 0.4,
     floor: None,
     swell: Waves::CALM,
-    lights: &[Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [0.6, 0.2, 0.11]) }],
+    lights: &[
+        Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [0.6, 0.2, 0.11]) },
+        point([-9.0, 5.0, 6.0], [1.8, 1.6, 1.4]),
+    ],
     softboxes: &[
         // A window behind the camera, a strip of evening sun, and a pale sky above.
         softbox([-7.0, 6.5, 9.0], [0.5, 0.4, 0.3], [26.0, 22.0, 18.0]),
@@ -74,6 +78,11 @@ fn add(now: Now, scene: &mut Scene) {
         let up = fraction(now.beat * 0.02 + number as f32 * 0.755);
         let centre = vec3(14.0 * fraction(spread) - 7.0, 8.0 * up - 3.4, -8.0);
         add_bubble(centre, 0.06 + 0.12 * fraction(spread * 3.0), spread, now, scene);
+    }
+    // A world grows in the first bubble, and is left when it bursts.
+    let world = smooth_step((now.beat - 14.0) / 7.0);
+    if world > 0.0 {
+        add_sphere(Vec3::ZERO, 0.75 * world, &GIANT, scene);
     }
     let pop = now.cue(Track::Pop);
     for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {

@@ -66,7 +66,7 @@ static BRASS: Material = Material {
     ..Material::matt(vec3(0.724, 0.394, 0.084), 0.8)
 };
 
-static BALLS: [&Material; 8] = [&RED, &BRASS, &RED, &PEARL, &RED, &BRASS, &PEARL, &RED];
+static BALLS: [&Material; 4] = [&RED, &BRASS, &RED, &PEARL];
 
 fn add(now: Now, scene: &mut Scene) {
     // Each boom doubles the sectors: 1, 2, 4, 8.
@@ -76,11 +76,11 @@ fn add(now: Now, scene: &mut Scene) {
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
     let half = vec3(3.5, 0.9, 3.5);
     add_block(Shape::Cylinder, Vec3::Y * 0.4, half, Mat3::IDENTITY, &BRASS, scene);
-    for (number, material) in BALLS.iter().enumerate() {
+    for number in 0..8 {
         let part = number as f32 / 8.0;
-        add_sphere(around(part + turns) * 7.4 + Vec3::Y * 0.6, 2.3, material, scene);
-        let further = BALLS[7 - number];
-        add_sphere(around(part - turns + 0.0625) * 13.0 + Vec3::Y * 1.2, 1.9, further, scene);
+        let [near, far] = [0, 2].map(|i| BALLS[(number + i) % 4]);
+        add_sphere(around(part + turns) * 7.4 + Vec3::Y * 0.6, 2.3, near, scene);
+        add_sphere(around(part - turns + 0.0625) * 13.0 + Vec3::Y * 1.2, 1.9, far, scene);
         let out = around(part + turns);
         let axes = Mat3::from_cols(Vec3::Y.cross(out), out, Vec3::NEG_Y);
         let half = vec3(0.95, 7.3, 0.95);

@@ -54,7 +54,7 @@ static SHOTS: &[Shot] = &[
     ),
 ];
 
-static GIANT: Material = Material {
+pub(super) static GIANT: Material = Material {
     pattern: Pattern {
         waves: vec3(0.0, 2.64, 0.0),
         depth: 1.0,
