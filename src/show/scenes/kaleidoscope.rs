@@ -1,6 +1,6 @@
 //! The kaleidoscope: a wedge of balls and rods around the only light, folded into eight.
 
-use crate::show::environment::{Environment, Now, point, softbox};
+use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
@@ -28,7 +28,7 @@ static ENVIRONMENT: Environment = Environment {
         glow: 1.2,
         ..point([0.0, 6.5, 0.0], [2.6, 2.2, 1.7])
     }],
-    softboxes: &[softbox([1.0, 2.0, 0.0], [1.5, 1.5, 1.5], [2.0, 1.6, 1.4])],
+    softboxes: &[],
     field_of_view: 0.5,
     add,
 };
@@ -61,8 +61,6 @@ static BRASS: Material = Material {
     ks: 0.5,
     exponent: 14.0,
     metallic: 1.0,
-    kr: 0.35,
-    film_thickness: 330.0,
     ..Material::matt(vec3(0.724, 0.394, 0.084), 0.8)
 };
 
