@@ -55,7 +55,7 @@ pub struct Probes {
     pub fourths: u64,
 }
 
-/// The addend to `fourths / squares` (5 to 10,000 in the show), for rare large errors that no probe met. Without it 65 of 100
+/// The addend to `fourths / squares` (5 to 10,000 in a show), for rare large errors that no probe met. Without it 65 of 100
 /// confidence intervals of 648 probes contain the truth; with it 93 to 97 do.
 const UNSEEN: f32 = 200.0;
 

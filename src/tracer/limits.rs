@@ -115,8 +115,7 @@
 //! - Shadows on spheres and blocks, and slits of light between these, except at `finest`: two of 1,000 crowds without mirrors have
 //!   41.0 dB, because of a bright slit on a block's face.
 //! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
-//!   both. Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 54 pixels in
-//!   the show.
+//!   both. Thin bright or dark strips in these images, in slits of light on blocks, and in waves: patches of up to 54 pixels.
 //! - dB to exhaustive of other scenes: 40.7 for eight glass spheres with others inside, 37.3 for two spheres and six blocks of
 //!   mirrors and glass, 35.5 for coincident faces; less for an eye inside glass, extreme scales and the fastest quality.
 //! - Highlights in mirrors, on waves, or seen from inside a sphere, a cylinder or a capsule; and highlights whose centre, the point

@@ -34,7 +34,7 @@ pub struct Probing {
 
 impl<'a> Frame<'a> {
     /// The number of probes that take less than 1 % of a default frame of 1024x768: with AVX2, callgrind counts 0.8 % more
-    /// instructions for the model scene, 0.6 and 0.3 % for the show at 20 and at 76 s.
+    /// instructions for the model scene.
     pub const PROBES: u16 = 80;
 
     /// Returns a frame without gaps between rows. [`Renderer::render`](crate::Renderer::render) checks the sizes.

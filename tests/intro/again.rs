@@ -49,7 +49,7 @@ fn second_round_repeats_the_picture() {
     assert!(output.status.success(), "{text}");
     let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
     assert!(frames.len() + FPS >= SHOW + SECONDS * FPS, "{} frames", frames.len());
-    assert!(grid::BAR * show::cut("model") as f32 + 1.0 < SECONDS as f32);
+    assert!(grid::BAR * show::cut("still-life") as f32 + 1.0 < SECONDS as f32);
     for at in (FPS..(SECONDS - 1) * FPS).step_by(3) {
         let [first, second, before] =
             [at, SHOW + at, SHOW + at - FPS].map(|frame| colours(frames[frame]));

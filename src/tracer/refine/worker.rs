@@ -64,7 +64,7 @@ impl Default for Worker {
 const _: () = assert!(Worker::BYTES <= 460_000);
 
 pub(super) const CLUSTER_WIDTH: usize = 4;
-/// A cluster's points are the bits of a word. (Clusters of 8x8 points make the show 6 % slower.)
+/// A cluster's points are the bits of a word. (Clusters of 8x8 points make a show 6 % slower.)
 pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 
 pub(super) struct Marks {

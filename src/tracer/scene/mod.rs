@@ -33,7 +33,7 @@ use core::f32::consts::PI;
 use glam::{Mat3, Vec3, Vec3A};
 use validate::{EXTENT, LENGTH, POINT, SHARE};
 
-/// The maximum number of spheres. The show uses up to 256.
+/// The maximum number of spheres. The show uses up to 71.
 pub const MAX_SPHERES: usize = 320;
 /// The maximum number of planes.
 pub const MAX_PLANES: usize = 8;
@@ -46,7 +46,7 @@ pub const MAX_LIGHTS: usize = 4;
 /// The maximum number of softboxes.
 pub const MAX_SOFTBOXES: usize = 3;
 
-/// The maximum number of captions. The show uses up to 3.
+/// The maximum number of captions. The show uses one at a time.
 pub const MAX_CAPTIONS: usize = 10;
 /// The maximum number of letters in a caption. The longest of the show has 32.
 pub const MAX_LETTERS: usize = 32;

@@ -131,7 +131,7 @@ fn hits<S: Isa>(
 /// The largest distance of a pixel from the nearest corner of a square of 8 pixels.
 const REACH: f32 = 5.7;
 
-/// The change of a pattern within [`REACH`], in halves of its range, that may be interpolated. 0.2 costs 1 % of the colonnade's time
+/// The change of a pattern within [`REACH`], in halves of its range, that may be interpolated. 0.2 costs 1 % of a colonnade's time
 /// for 2 dB in the worst of 2,000 random patterns.
 const SMOOTH: f32 = 0.5;
 

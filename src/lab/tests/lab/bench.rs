@@ -1,6 +1,7 @@
 //! No test depends on measured times.
 
 use super::{cells, lab, printed, render, stderr};
+use eightfold::show;
 use eightfold_lab::error::Difference;
 use eightfold_stage::reader::read_png;
 use serde_json::Value;
@@ -82,8 +83,8 @@ fn figures_are_consistent() {
 #[test]
 fn show_has_row_per_scene() {
     let (table, rows) = bench("--scene show --size 32x18 --quality default");
-    let scenes = "title model method colonnade machine flake mirrors swarm finale".split(' ');
-    let names = scenes.flat_map(|scene| ["exhaustive", "default"].map(|quality| (scene, quality)));
+    let names = show::NAMES.into_iter();
+    let names = names.flat_map(|scene| ["exhaustive", "default"].map(|quality| (scene, quality)));
     let lines = cells(&table);
     assert_eq!(lines.len(), 1 + rows.len());
     for ((line, row), (scene, quality)) in lines[1..].iter().zip(&rows).zip(names) {

@@ -167,9 +167,9 @@ fn sheet_shows_frames_at_even_intervals() {
 fn sound_matches_frames() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("part.wav");
-    // The machine begins at 56 s. A frame's sound begins at the next sample.
+    // The chimes begin at 56 s. A frame's sound begins at the next sample.
     for (more, from, to) in [
-        ("show:machine --fps 2 --from 1 --to 3", 2_712_000, 2_760_000),
+        ("show:chimes --fps 2 --from 1 --to 3", 2_712_000, 2_760_000),
         ("show --fps 7 --from 1 --to 2", 6858, 13_715),
     ] {
         captured("--audio", &file, &format!("--scene {more}"));

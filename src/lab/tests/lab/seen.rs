@@ -12,7 +12,7 @@ const SIZE: Size = Size::new(96, 72);
 
 #[test]
 fn view_is_consecutive_frames_of_its_scene() {
-    let scene: SceneName = "show:machine".parse().unwrap();
+    let scene: SceneName = "show:chimes".parse().unwrap();
     for (count, last) in [(3, 11), (720, 1)] {
         let Shot { times, views, .. } = Shot::new(scene, 5, count);
         assert!(times[0] == 0.0 && (times[4] - (12.0 - 1.0 / 60.0)).abs() < 1e-5);

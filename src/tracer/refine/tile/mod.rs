@@ -217,7 +217,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 
     /// Splits a row's filled squares between two that the verdict split: a thin line between equal corners would pop. This halves the
-    /// pops in the show's title. The bits are the squares that the verdict split in the row above, in this one and in the row below.
+    /// pops of letters on water. The bits are the squares that the verdict split in the row above, in this one and in the row below.
     fn open_gaps(&mut self, level: usize, y: usize, [above, here, below]: &[Bits; 3]) {
         let mut gaps = Bits::NONE;
         if self.context.plan.quality.guarded {
