@@ -68,7 +68,7 @@ const tests = {
   async "frames have the bits of --still, with any number of workers"() {
     const { qualities } = await page.value("eightfold.about");
     // The frames have antialiased edges, odd sizes, a caption with counts, squares of 32, and jagged edges.
-    const orders = [show(62.3, 4, 641, 363), show(34.5, 4, 640, 360), show(0, 4, 320, 200), show(100, 7, 640, 360), show(47, 0, 320, 240)];
+    const orders = [show(62.3, 4, 641, 363), show(37.5, 4, 640, 360), show(0, 4, 320, 200), show(100, 7, 640, 360), show(47, 0, 320, 240)];
     const expected = orders.map((order) => still(order, qualities[order.quality]));
     for (const workers of [1, 2, 5]) {
       await page.value(`import("./frames.js").then(({ Frames }) => { globalThis.others = new Frames(eightfold.frames.compiled, ${workers}, (why) => { throw why; }) })`);
