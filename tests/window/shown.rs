@@ -69,7 +69,7 @@ fn environment_variables_do_not_block_the_window() {
     }
 }
 
-/// Compares a small window with the frames after the fade-in, in which frames differ most, up to the present.
+/// Compares a small window with the frames from the first second to the present.
 /// `tolerance` limits the mean difference, of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let start = Instant::now();
