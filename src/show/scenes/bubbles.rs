@@ -58,6 +58,8 @@ static SHOTS: &[Shot] = &[
 
 const FILM: Material = Material { kr: 0.22, fresnel: 0.9, kt: 0.97, ..Material::BLACK };
 
+static SPECK: Material = Material::matt(vec3(4.0, 2.4, 1.6), 0.9);
+
 /// The bubbles' centres, at rest, and radii.
 static BUBBLES: [(Vec3, f32); 8] = [
     (vec3(0.0, 0.0, 0.0), 0.78),
@@ -71,13 +73,13 @@ static BUBBLES: [(Vec3, f32); 8] = [
 ];
 
 fn add(now: Now, scene: &mut Scene) {
-    // One near the camera, and many that rise far behind.
+    // One near the camera, and specks that rise far behind.
     add_bubble(vec3(-2.3, -1.6, 3.2), 0.7, 3.0, now, scene);
     for number in 0..16 {
         let spread = number as f32 * 0.618;
         let up = fraction(now.beat * 0.02 + number as f32 * 0.755);
         let centre = vec3(14.0 * fraction(spread) - 7.0, 8.0 * up - 3.4, -8.0);
-        add_bubble(centre, 0.06 + 0.12 * fraction(spread * 3.0), spread, now, scene);
+        add_sphere(centre, 0.03 + 0.05 * fraction(spread * 3.0), &SPECK, scene);
     }
     // A world grows in the first bubble, and is left when it bursts.
     let world = smooth_step((now.beat - 14.0) / 7.0);

@@ -11,9 +11,9 @@ use glam::{Mat3, Vec3, vec3};
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.06, 0.17, 0.17),
-    sky: vec3(-0.05, -0.12, -0.10),
-    ambient: vec3(0.22, 0.24, 0.26),
+    background: vec3(0.02, 0.06, 0.065),
+    sky: vec3(-0.018, -0.045, -0.04),
+    ambient: vec3(0.16, 0.17, 0.19),
     ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.12, 0.13, 0.12), bounce: 0.9 },
     haze: 0.02,
     haze_fall: 0.0,
@@ -22,9 +22,9 @@ static ENVIRONMENT: Environment = Environment {
     floor: Some(&PAPER),
     swell: Waves::CALM,
     lights: &[
-        Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.62, 0.55, 0.45]) },
+        Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.55, 0.48, 0.38]) },
         // The glow of the struck pipe's bore.
-        Light { glow: 0.5, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
+        Light { glow: 0.8, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
     ],
     softboxes: &[
         softbox([-4.0, 3.0, 8.0], [0.25, 1.5, 0.25], [6.0, 5.5, 5.0]),
@@ -48,14 +48,14 @@ static SHOTS: &[Shot] = &[
     shot(
         1,
         &[
-            view([0.0, 12.5, 2.0], [0.0, 2.5, 0.0]).tilted(0.0, -1.0),
-            view([-1.2, 10.5, 1.6], [-1.2, 3.0, 0.6]).tilted(0.0, -1.0),
+            view([0.0, 15.0, 2.0], [0.0, 2.0, -1.0]).tilted(0.0, -1.0),
+            view([-0.8, 12.5, 1.6], [-0.8, 2.8, 0.0]).tilted(0.0, -1.0),
             view([-2.406, 7.1, 1.226], [-2.406, 3.62, 1.226]).tilted(0.0, -1.0),
         ],
     ),
 ];
 
-static PAPER: Material = Material::matt(vec3(0.20, 0.42, 0.40), 0.8);
+static PAPER: Material = Material::matt(vec3(0.07, 0.16, 0.16), 0.8);
 static BRASS: Material = Material {
     ks: 1.0,
     exponent: 10.0,
@@ -74,7 +74,7 @@ static BALL: Material = Material {
     ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85)
 };
 /// The light of a struck pipe's bore.
-const GLOW: Vec3 = vec3(5.0, 4.0, 2.4);
+const GLOW: Vec3 = vec3(16.0, 11.0, 5.0);
 
 const RADIUS: f32 = 0.52;
 const BALL_RADIUS: f32 = 0.62;
@@ -95,15 +95,17 @@ fn add(now: Now, scene: &mut Scene) {
     // After the last landing the ball leaves, and the pipe glows on.
     let is_last = chime.count == 24;
     let u = chime.since;
-    let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 6.0 * u) };
+    let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 2.0 * u) };
     for note in 0..8 {
         let mut end = top(note);
+        // Struck bores glow on.
+        let age = u + ((struck + 8 - note) % 8) as f32;
         let mut bore = BORE;
+        bore.colour += GLOW * (glow / (1.0 + age * age));
         if note == struck {
             end.y -= SINK * 4.0 * u * (1.0 - u) * glow;
-            bore.colour += GLOW * glow;
             scene.lights[1].position = end + Vec3::Y * 0.05;
-            scene.lights[1].colour = vec3(1.6, 1.0, 0.4) * glow;
+            scene.lights[1].colour = vec3(2.4, 1.4, 0.5) * glow;
         }
         let half = vec3(RADIUS, 0.5 * end.y, RADIUS);
         add_block(Shape::Cylinder, end - Vec3::Y * half.y, half, Mat3::IDENTITY, &BRASS, scene);

@@ -31,7 +31,6 @@ static ENVIRONMENT: Environment = Environment {
         },
         // Its halo.
         Light { core: 7.2, glow: 6.0, ..point([0.0, 0.0, -60.0], [0.05, 0.10, 0.28]) },
-        point([-6.0, 7.0, -3.0], [1.6, 1.4, 1.2]),
         // The diamond of the ring.
         Light { glow: 0.05, ..point([0.36, 0.36, 4.8], [0.0, 0.0, 0.0]) },
     ],
@@ -73,7 +72,7 @@ fn add(now: Now, scene: &mut Scene) {
     let moon = 2.3 * (1.0 - smooth_step(beat / 8.0)) - 0.055 * smooth_step((beat - 14.0) * 0.5);
     add_sphere(vec3(moon, 0.6 * moon, 0.0), 1.0, &MOON, scene);
     let flash = if beat < 16.0 { 0.0 } else { 1.0 + 4.0 / (1.0 + 4.0 * (beat - 16.0)) };
-    scene.lights[3].colour = vec3(1.1, 0.95, 0.75) * flash;
+    scene.lights[2].colour = vec3(1.1, 0.95, 0.75) * flash;
     add_stars(scene);
     add_sphere(CENTRE, WORLD, &LIMB, scene);
     for (number, &letter) in (0..).zip(NAME) {

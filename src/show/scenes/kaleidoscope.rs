@@ -26,7 +26,7 @@ static ENVIRONMENT: Environment = Environment {
         drawn_radius: 1.5,
         diameter: 3.6,
         glow: 1.2,
-        ..point([0.0, 6.5, 0.0], [2.6, 2.2, 1.7])
+        ..point([0.0, 6.5, 0.0], [1.9, 1.55, 1.15])
     }],
     softboxes: &[],
     field_of_view: 0.5,
@@ -45,7 +45,7 @@ static PAPER: Material = Material {
     pattern: Pattern {
         waves: vec3(0.16, 0.0, 0.0),
         depth: 1.0,
-        edge: 2.0,
+        edge: 0.9,
         grain: 0.16,
         swirl: 0.3,
         tint: vec3(0.07, 0.02, 0.06),
@@ -72,6 +72,8 @@ fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
     // A sixteenth of a turn per kick: balls stand beside a mirror, or on it.
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
+    // The marble of the floor moves along.
+    scene.planes[0].centre = around(turns) * 9.0;
     let half = vec3(3.5, 0.9, 3.5);
     add_block(Shape::Cylinder, Vec3::Y * 0.4, half, Mat3::IDENTITY, &BRASS, scene);
     for number in 0..8 {

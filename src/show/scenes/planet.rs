@@ -69,17 +69,15 @@ pub(super) static GIANT: Material = Material {
     ..Material::matt(vec3(0.78, 0.60, 0.38), 1.0)
 };
 static STONE: Material = Material::matt(vec3(0.52, 0.476, 0.434), 1.0);
-static RUST: Material = Material::matt(vec3(0.424, 0.125, 0.038), 1.0);
 
 fn add(now: Now, scene: &mut Scene) {
     add_sphere(Vec3::ZERO, 1.0, &GIANT, scene);
     add_sphere(Vec3::from_array(MOON), 0.065, &STONE, scene);
-    for number in 0..5_u8 {
-        let moon = f32::from(number);
+    for number in 0..5 {
+        let moon = number as f32;
         let out = around(0.19 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
         let centre = out + Vec3::Y * (0.25 * out.x - 0.2 * out.z);
-        let material = if number % 3 == 1 { &RUST } else { &STONE };
-        add_sphere(centre, 0.04 + 0.05 * fraction(moon * 0.37), material, scene);
+        add_sphere(centre, 0.04 + 0.05 * fraction(moon * 0.37), &STONE, scene);
     }
     add_stars(scene);
     let kick = now.cue(Track::Kick);
