@@ -15,7 +15,7 @@ use eightfold_scene_file::SceneFile;
 use eightfold_tracer::scene::{Method, Scene};
 use eightfold_tracer::{Counts, Frame, Governor, Level, Memory, Probes, Quality, Renderer, Worker};
 use inspector::Inspector;
-use share::Share;
+use share::{Share, rows_of};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -181,7 +181,7 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) {
     state().quality = if is_reference { quality.reference() } else { *quality };
 }
 
-/// Draws the bands that begin in rows `from..to`, in one pass of the frame, see `share`. `before` is the number of points in the
+/// Draws the bands that begin in rows `from..to`, or none or all of a kaleidoscope, in one pass of the frame, see `share`. `before` is the number of points in the
 /// previous passes of all workers. The seed selects the probed pixels. Returns the frame's number of passes.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
@@ -195,7 +195,8 @@ pub extern "C" fn draw(
     let (space, state) = (&mut *workspace(), &mut *state());
     let mut done = Counts::NONE;
     done.points = before as u64;
-    let mut share = Share::new(&mut space.worker, from..to, pass, done);
+    let rows = rows_of(&space.scene, from..to, state.height);
+    let mut share = Share::new(&mut space.worker, rows, pass, done);
     let mut renderer = Renderer::narrow(Level::baseline(), &mut space.memory);
     let frame = Frame::new(state.width, state.height, &mut state.pixels);
     let frame = frame.with_probes(probes, seed);

@@ -1,5 +1,16 @@
+use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
+
+/// Returns the rows in which a worker's bands begin, of the rows that it got. Kaleidoscopes of four sectors or more copy pixels from
+/// other rows, so the first worker draws the picture.
+pub fn rows_of(scene: &Scene, rows: Range<usize>, height: usize) -> Range<usize> {
+    match (scene.sectors >= 4.0, rows.start) {
+        (false, _) => rows,
+        (true, 0) if !rows.is_empty() => 0..height,
+        (true, _) => 0..0,
+    }
+}
 
 /// Draws a worker's bands in one of a frame's passes.
 ///
@@ -51,7 +62,6 @@ impl Threads for Share<'_> {
 mod tests {
     use super::*;
     use eightfold::show;
-    use eightfold_tracer::scene::Scene;
     use eightfold_tracer::{Frame, Level, Memory, Quality, Renderer};
 
     const WIDTH: usize = 161;
@@ -82,6 +92,7 @@ mod tests {
             pass: usize,
             before: Counts,
         ) -> (usize, Range<usize>, u64) {
+            let rows = rows_of(scene, rows, HEIGHT);
             let mut share = Share::new(&mut self.worker, rows, pass, before);
             let frame = Frame::new(WIDTH, HEIGHT, &mut self.pixels);
             self.renderer.render_valid(scene, quality, frame, &mut share);
@@ -120,6 +131,20 @@ mod tests {
         let rows = parts.iter().zip(drawn);
         rows.flat_map(|(part, rows)| part.pixels[rows.start * WIDTH..rows.end * WIDTH].to_vec())
             .collect()
+    }
+
+    #[test]
+    fn first_worker_draws_kaleidoscopes() {
+        let mut scene = Box::<Scene>::default();
+        show::at(100.0, &mut scene);
+        let [mut first, mut second, mut whole] = [Part::new(), Part::new(), Part::new()];
+        // Without antialiasing a frame has one pass.
+        let quality = Quality::LADDER[6];
+        assert_eq!(first.draw(&scene, &quality, 0..64, 0, Counts::NONE).1, 0..HEIGHT);
+        assert_eq!(second.draw(&scene, &quality, 64..HEIGHT, 0, Counts::NONE).2, 0);
+        let frame = Frame::new(WIDTH, HEIGHT, &mut whole.pixels);
+        whole.renderer.render_valid(&scene, &quality, frame, &mut *whole.worker);
+        assert!(first.pixels == whole.pixels);
     }
 
     #[test]
