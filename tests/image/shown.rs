@@ -190,10 +190,10 @@ fn random_objects_are_shown() {
 }
 
 /// Limits the points relative to unguarded frames. The chimes have 1.34 times as many, since a disc's shadow is certain only inside a
-/// hexagon; the city's towers have 1.22 times.
+/// hexagon; the city's towers have 1.25 times.
 #[test]
 fn hidden_objects_open_few_squares() {
-    for (time, limit) in [(65.0, 1.35), (54.0, 1.23)] {
+    for (time, limit) in [(65.0, 1.35), (54.0, 1.27)] {
         let scene = of_the_show(time);
         let [guarded, unguarded] = [Quality::DEFAULT, bare(Quality::DEFAULT)].map(|quality| {
             let drawn = draw_best(&scene, &jagged(quality), 1280, 720);
