@@ -81,9 +81,5 @@ fn add(now: Now, scene: &mut Scene) {
         let [near, far] = [0, 2].map(|i| BALLS[(number + i) % 4]);
         add_sphere(around(part + turns) * 7.4 + Vec3::Y * 0.6, 2.3, near, scene);
         add_sphere(around(part - turns + 0.0625) * 13.0 + Vec3::Y * 1.2, 1.9, far, scene);
-        let out = around(part + turns);
-        let axes = Mat3::from_cols(Vec3::Y.cross(out), out, Vec3::NEG_Y);
-        let half = vec3(0.95, 7.3, 0.95);
-        add_block(Shape::Capsule, out * 20.5 + Vec3::Y * 1.5, half, axes, &BRASS, scene);
     }
 }
