@@ -26,7 +26,7 @@ static ENVIRONMENT: Environment = Environment {
         drawn_radius: 1.5,
         diameter: 3.6,
         glow: 1.2,
-        ..point([0.0, 6.5, 0.0], [1.9, 1.55, 1.15])
+        ..point([0.0, 8.5, 0.0], [1.9, 1.55, 1.15])
     }],
     softboxes: &[],
     field_of_view: 0.5,
@@ -75,11 +75,11 @@ fn add(now: Now, scene: &mut Scene) {
     // The marble of the floor moves along.
     scene.planes[0].centre = around(turns) * 9.0;
     let half = vec3(3.5, 0.9, 3.5);
-    add_block(Shape::Cylinder, Vec3::Y * 0.4, half, Mat3::IDENTITY, &BRASS, scene);
+    add_block(Shape::Cylinder, Vec3::Y * 0.9, half, Mat3::IDENTITY, &BRASS, scene);
     for number in 0..8 {
         let part = number as f32 / 8.0;
         let [near, far] = [0, 2].map(|i| BALLS[(number + i) % 4]);
-        add_sphere(around(part + turns) * 7.4 + Vec3::Y * 0.6, 2.3, near, scene);
-        add_sphere(around(part - turns + 0.0625) * 13.0 + Vec3::Y * 1.2, 1.9, far, scene);
+        add_sphere(around(part + turns) * 7.4 + Vec3::Y * 2.3, 2.3, near, scene);
+        add_sphere(around(part - turns + 0.0625) * 13.0 + Vec3::Y * 1.9, 1.9, far, scene);
     }
 }
