@@ -8,12 +8,7 @@ use std::{error::Error, f32::consts::TAU, time::Instant};
 
 /// Returns a turning ring of spheres over a mirror floor.
 fn scene(time: f32) -> Scene {
-    let material = Material {
-        colour: Vec3::splat(0.6),
-        kd: 0.8,
-        kr: 0.2,
-        ..Material::BLACK
-    };
+    let material = Material { colour: Vec3::splat(0.6), kd: 0.8, kr: 0.2, ..Material::BLACK };
     let mut scene = Scene::default();
     scene.camera.eye = vec3(0.0, 3.0, -9.0);
     scene.background = vec3(0.1, 0.12, 0.2);

@@ -88,14 +88,8 @@ impl Loaded {
             }
             let header = &*(memory as *const FileHeader);
             let loads = header.headers().iter().filter(|header| header.kind == LOAD);
-            let size = loads
-                .clone()
-                .map(|header| header.address + header.size)
-                .last()?;
-            let base = call(
-                MMAP,
-                [0, size, READ_WRITE, PRIVATE | ANONYMOUS, usize::MAX, 0],
-            );
+            let size = loads.clone().map(|header| header.address + header.size).last()?;
+            let base = call(MMAP, [0, size, READ_WRITE, PRIVATE | ANONYMOUS, usize::MAX, 0]);
             if is_error(base) {
                 return None;
             }
@@ -105,14 +99,7 @@ impl Loaded {
                 let size = header.file_size + lead;
                 let mapped = call(
                     MMAP,
-                    [
-                        start,
-                        size,
-                        protection(header),
-                        PRIVATE | FIXED,
-                        file,
-                        header.offset - lead,
-                    ],
+                    [start, size, protection(header), PRIVATE | FIXED, file, header.offset - lead],
                 );
                 if is_error(mapped) {
                     return None;

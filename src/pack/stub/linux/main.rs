@@ -104,10 +104,7 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     // Linux would end the process without a message if memory is limited.
     // SAFETY: this memory is unused.
     let [mapped, program] = unsafe {
-        let (program, size_of_it) = (
-            (&raw const PROGRAM).addr(),
-            (&raw const PROGRAM_SIZE).addr(),
-        );
+        let (program, size_of_it) = ((&raw const PROGRAM).addr(), (&raw const PROGRAM_SIZE).addr());
         [
             call(MMAP, [0, size, 3, 0x22, usize::MAX, 0]),
             call(MMAP, [program, size_of_it, 3, 0x32, usize::MAX, 0]),
@@ -155,15 +152,6 @@ unsafe fn execute(file: usize, length: usize, stack: *mut usize) {
         call(WRITE, [descriptor, file, length]);
         let arguments = stack.add(1);
         let environment = stack.add(*stack + 2);
-        call(
-            EXECVEAT,
-            [
-                descriptor,
-                name + 9,
-                arguments as usize,
-                environment as usize,
-                0x1000,
-            ],
-        );
+        call(EXECVEAT, [descriptor, name + 9, arguments as usize, environment as usize, 0x1000]);
     }
 }
