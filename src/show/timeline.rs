@@ -7,7 +7,7 @@ use eightfold_tracer::scene::Scene;
 
 const BEATS: f32 = BEATS_PER_BAR as f32;
 
-/// Sets the show's scene at `time` seconds, 0 to [`LENGTH`].
+/// Sets the show's scene at `time` seconds, 0 to [`LENGTH`](super::LENGTH).
 pub fn at(time: f32, scene: &mut Scene) {
     transition(without_transition(time, scene), scene);
 }
