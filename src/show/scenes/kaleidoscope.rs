@@ -25,8 +25,8 @@ static ENVIRONMENT: Environment = Environment {
     lights: &[Light {
         drawn_radius: 1.5,
         diameter: 3.6,
-        glow: 1.2,
-        ..point([0.0, 8.5, 0.0], [1.9, 1.55, 1.15])
+        glow: 0.7,
+        ..point([0.0, 15.0, 0.0], [1.7, 1.45, 1.15])
     }],
     softboxes: &[],
     field_of_view: 0.5,
@@ -48,10 +48,10 @@ static PAPER: Material = Material {
         edge: 0.9,
         grain: 0.16,
         swirl: 0.3,
-        tint: vec3(0.07, 0.02, 0.06),
+        tint: vec3(0.14, 0.05, 0.16),
         ..Pattern::NONE
     },
-    ..Material::matt(vec3(0.42, 0.17, 0.05), 0.9)
+    ..Material::matt(vec3(0.07, 0.12, 0.38), 0.9)
 };
 static RED: Material =
     Material { ks: 0.25, exponent: 14.0, ..Material::matt(vec3(0.615, 0.038, 0.014), 0.95) };
