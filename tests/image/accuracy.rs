@@ -109,10 +109,10 @@ fn bubbles_match_the_oracle() {
 }
 
 #[test]
-fn narrow_title_matches_the_oracle() {
+fn narrow_name_matches_the_oracle() {
     let mut scene = of_the_show(9.0);
     scene.captions.clear();
-    assert_traced(&scene, [90, 160], "the title");
+    assert_traced(&scene, [90, 160], "the name");
 }
 
 #[test]
