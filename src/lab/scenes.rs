@@ -21,8 +21,10 @@ pub fn text(path: &Path) -> Result<String, String> {
 }
 
 pub fn names() -> String {
-    let parts = show::NAMES.map(|part| format!("show:{part}")).join(", ");
-    format!("model, field:N (1 to {MAX_SPHERES} spheres), show, {parts}, or FILE{SUFFIX}")
+    let parts = show::NAMES.join(", ");
+    format!(
+        "model, field:N (1 to {MAX_SPHERES} spheres), show, show:NAME ({parts}), or FILE{SUFFIX}"
+    )
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -25,10 +25,10 @@ pub(super) fn add_block(
 pub(super) fn add_stars(scene: &mut Scene) {
     for number in 0..64 {
         let number = number as f32;
-        let up = 42.0 * fraction(number * 0.618) - 20.0;
-        let centre = vec3(76.0 * fraction(number * 0.755) - 38.0, up, -50.0);
+        let up = 66.0 * fraction(number * 0.618) - 31.0;
+        let centre = vec3(118.0 * fraction(number * 0.755) - 59.0, up, -85.0);
         let light = Material { colour: Vec3::splat(300.0), kd: 1.0, ..Material::BLACK };
-        add_sphere(centre, 0.05 + 0.05 * fraction(number * 0.31), &light, scene);
+        add_sphere(centre, 0.08 + 0.08 * fraction(number * 0.31), &light, scene);
     }
 }
 

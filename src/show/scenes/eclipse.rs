@@ -48,8 +48,9 @@ static SHOTS: &[Shot] = &[shot(
     ],
 )];
 
-static MOON: Material = Material::matt(vec3(0.0112, 0.0199, 0.063), 0.0);
-static LIMB: Material = Material::matt(vec3(0.03, 0.025, 0.022), 0.3);
+// Not black: the world reflects some light to it.
+static MOON: Material = Material::matt(Vec3::ONE, 0.0);
+static LIMB: Material = Material::matt(vec3(0.3, 0.25, 0.22), 0.03);
 static PEARL: Material = Material::matt(vec3(0.9, 0.85, 0.78), 0.95);
 
 const NAME: &[u8; 9] = b"EIGHTFOLD";

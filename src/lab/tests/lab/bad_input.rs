@@ -13,7 +13,7 @@ render --out - --size 3841x10 | --size is '3841x10'; must be WIDTHxHEIGHT
 render --out - --time nan | --time is 'nan'; must be -1000000 to
 render --out - --threads 0 | --threads is '0'; must be 1 to 256
 render --out - --scene field:99999 | --scene is 'field:99999'; must be model, field:N
-render --out - --scene show:end | show:finale
+render --out - --scene show:end | show:NAME (eclipse, 
 render --out - --isa mmx | --isa is 'mmx'; must be one of
 bench --frames 1.5 | --frames is '1.5'; must be 1 to 100000
 bench --json | --json has no value
