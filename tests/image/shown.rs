@@ -185,7 +185,7 @@ fn random_objects_are_shown() {
     assert_objects(placed, 100, [1000, 100]);
     assert_objects(placed_blocks, 100, [400, 50]);
     assert_objects(floor::contact, 60, [500, 100]);
-    assert_objects(of_the_show_at_any_time, 100, [1000, 100]);
+    assert_objects(of_the_show_at_any_time, 100, [900, 100]);
     assert_objects(sunk, 60, [900, 100]);
 }
 
