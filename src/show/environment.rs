@@ -21,10 +21,30 @@ pub(super) struct Environment {
     pub swell: Waves,
     pub lights: &'static [Light],
     pub softboxes: &'static [Softbox],
-    /// See [`Camera::field_of_view`](eightfold_tracer::scene::Camera::field_of_view).
+    /// In radians, see [`Camera::field_of_view`](eightfold_tracer::scene::Camera::field_of_view).
     pub field_of_view: f32,
     /// Adds objects and moves lights.
     pub add: fn(Now, &mut Scene),
+}
+
+impl Environment {
+    /// Black, in clear air, without a floor.
+    pub const EMPTY: Self = Self {
+        background: Vec3::ZERO,
+        sky: Vec3::ZERO,
+        ambient: Vec3::ZERO,
+        ambience: Ambience::UNIFORM,
+        haze: 0.0,
+        haze_fall: 0.0,
+        scatter: 0.0,
+        vignette: 0.0,
+        floor: None,
+        swell: Waves::CALM,
+        lights: &[],
+        softboxes: &[],
+        field_of_view: 0.6,
+        add: |_, _| {},
+    };
 }
 
 /// A time in an environment.

@@ -7,7 +7,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_sphere, fraction};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
+use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -16,13 +16,7 @@ static ENVIRONMENT: Environment = Environment {
     background: vec3(0.19, 0.042, 0.06),
     sky: vec3(-0.18, -0.038, -0.03),
     ambient: vec3(0.2, 0.17, 0.2),
-    ambience: Ambience::UNIFORM,
-    haze: 0.0,
-    haze_fall: 0.0,
-    scatter: 0.0,
     vignette: 0.4,
-    floor: None,
-    swell: Waves::CALM,
     lights: &[
         Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [0.6, 0.2, 0.11]) },
         point([-9.0, 5.0, 6.0], [1.8, 1.6, 1.4]),
@@ -33,8 +27,8 @@ static ENVIRONMENT: Environment = Environment {
         softbox([9.0, -1.0, 6.0], [0.2, 1.2, 0.2], [12.0, 5.0, 2.6]),
         softbox([0.0, 1.0, 0.2], [2.5, 2.5, 2.5], [1.2, 1.0, 1.1]),
     ],
-    field_of_view: 0.6,
     add,
+    ..Environment::EMPTY
 };
 
 static SHOTS: &[Shot] = &[

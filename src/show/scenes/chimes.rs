@@ -5,7 +5,7 @@ use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::{THEME, Track};
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Spot, Waves};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Spot};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -16,11 +16,8 @@ static ENVIRONMENT: Environment = Environment {
     ambient: vec3(0.16, 0.17, 0.19),
     ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.12, 0.13, 0.12), bounce: 0.9 },
     haze: 0.02,
-    haze_fall: 0.0,
-    scatter: 0.0,
     vignette: 0.25,
     floor: Some(&PAPER),
-    swell: Waves::CALM,
     lights: &[
         Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.55, 0.48, 0.38]) },
         // The glow of the struck pipe's bore.
@@ -30,8 +27,8 @@ static ENVIRONMENT: Environment = Environment {
         softbox([-4.0, 3.0, 8.0], [0.25, 1.5, 0.25], [6.0, 5.5, 5.0]),
         softbox([8.0, 2.0, 2.0], [0.4, 1.0, 0.4], [2.0, 2.2, 2.4]),
     ],
-    field_of_view: 0.6,
     add,
+    ..Environment::EMPTY
 };
 
 static SHOTS: &[Shot] = &[

@@ -4,7 +4,7 @@ use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{Size, add_letter, add_sphere};
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
+use eightfold_tracer::scene::{Light, Material, Scene, Waves};
 use glam::{Mat3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -15,7 +15,6 @@ static ENVIRONMENT: Environment = Environment {
     background: vec3(0.42, 0.21, 0.09),
     sky: vec3(-0.30, -0.11, 0.09),
     ambient: vec3(0.035, 0.042, 0.065),
-    ambience: Ambience::UNIFORM,
     haze: 0.05,
     haze_fall: 0.3,
     scatter: 0.1,
@@ -23,9 +22,9 @@ static ENVIRONMENT: Environment = Environment {
     floor: Some(&WATER),
     swell: Waves { slope: 0.008, length: 8.0, phase: 0.08 },
     lights: &[Light { drawn_radius: 25.0, glow: 11.0, ..point(SUN, [4.0, 3.3, 2.3]) }],
-    softboxes: &[],
     field_of_view: 0.88,
     add,
+    ..Environment::EMPTY
 };
 
 static SHOTS: &[Shot] = &[

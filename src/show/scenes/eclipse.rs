@@ -5,7 +5,7 @@ use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{Size, add_letter, add_sphere, add_stars};
 use eightfold_tracer::maths::{cos, sin, smooth_step};
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
+use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -14,13 +14,7 @@ static ENVIRONMENT: Environment = Environment {
     background: vec3(0.0012, 0.0022, 0.0080),
     sky: vec3(0.0, 0.0008, 0.0060),
     ambient: vec3(0.0010, 0.0016, 0.0050),
-    ambience: Ambience::UNIFORM,
-    haze: 0.0,
-    haze_fall: 0.0,
-    scatter: 0.0,
     vignette: 0.3,
-    floor: None,
-    swell: Waves::CALM,
     lights: &[
         // The sun.
         Light {
@@ -34,9 +28,8 @@ static ENVIRONMENT: Environment = Environment {
         // The diamond of the ring.
         Light { glow: 0.05, ..point([0.36, 0.36, 4.8], [0.0, 0.0, 0.0]) },
     ],
-    softboxes: &[],
-    field_of_view: 0.6,
     add,
+    ..Environment::EMPTY
 };
 
 static SHOTS: &[Shot] = &[shot(

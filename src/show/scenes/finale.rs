@@ -7,7 +7,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Ambience, Light, Material, Method, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Light, Material, Method, Scene, Shape, Waves};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
@@ -19,10 +19,7 @@ static ENVIRONMENT: Environment = Environment {
     background: vec3(0.87, 0.207, 0.042),
     sky: vec3(-0.82, -0.191, 0.057),
     ambient: vec3(0.07, 0.055, 0.12),
-    ambience: Ambience::UNIFORM,
     haze: 0.007,
-    haze_fall: 0.0,
-    scatter: 0.0,
     vignette: 0.25,
     floor: Some(&WATER),
     swell: Waves { slope: 0.008, length: 9.0, phase: 0.1 },
@@ -30,9 +27,9 @@ static ENVIRONMENT: Environment = Environment {
         Light { drawn_radius: 21.0, glow: 11.0, ..point(SUN, [5.0, 2.9, 1.3]) },
         point([0.0, 16.0, -30.0], [7.0, 3.6, 1.5]),
     ],
-    softboxes: &[],
     field_of_view: 0.75,
     add,
+    ..Environment::EMPTY
 };
 
 static SHOTS: &[Shot] = &[shot(

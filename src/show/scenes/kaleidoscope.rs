@@ -1,4 +1,4 @@
-//! The kaleidoscope: a wedge of balls and rods around the only light, folded into eight.
+//! The kaleidoscope: balls on marble around the only light, folded into eight.
 
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
@@ -6,31 +6,26 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Shape};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
     background: vec3(0.05, 0.03, 0.05),
-    sky: Vec3::ZERO,
     ambient: vec3(0.06, 0.066, 0.11),
     ambience: Ambience { occlusion: 1.0, reach: 1.5, ground: vec3(0.11, 0.08, 0.055), bounce: 1.0 },
-    haze: 0.0,
-    haze_fall: 0.0,
-    scatter: 0.0,
     vignette: 0.1,
     floor: Some(&PAPER),
-    swell: Waves::CALM,
     lights: &[Light {
         drawn_radius: 1.5,
         diameter: 3.6,
         glow: 0.7,
         ..point([0.0, 15.0, 0.0], [1.7, 1.45, 1.15])
     }],
-    softboxes: &[],
     field_of_view: 0.5,
     add,
+    ..Environment::EMPTY
 };
 
 static SHOTS: &[Shot] = &[shot(

@@ -6,7 +6,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_sphere, add_stars, around, fraction};
 use crate::sound::Track;
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Spot, Waves};
+use eightfold_tracer::scene::{Light, Material, Pattern, Scene, Spot};
 use glam::{Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -15,21 +15,14 @@ static ENVIRONMENT: Environment = Environment {
     background: vec3(0.001, 0.0012, 0.0025),
     sky: vec3(0.0, 0.0002, 0.002),
     ambient: vec3(0.004, 0.006, 0.012),
-    ambience: Ambience::UNIFORM,
-    haze: 0.0,
-    haze_fall: 0.0,
-    scatter: 0.0,
     vignette: 0.3,
-    floor: None,
-    swell: Waves::CALM,
     lights: &[
         Light { diameter: 8.5, ..point([-400.0, 140.0, 40.0], [3.2, 2.9, 2.5]) },
         // The air at the giant's rim.
         Light { core: 0.935, glow: 0.025, ..point([0.0; 3], [0.3, 0.65, 1.4]) },
     ],
-    softboxes: &[],
-    field_of_view: 0.6,
     add,
+    ..Environment::EMPTY
 };
 
 /// In units of the giant's radius.

@@ -5,7 +5,7 @@ use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::add_sphere;
 use crate::sound::Track;
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Waves};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene};
 use glam::{Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -16,19 +16,15 @@ pub(super) static ENVIRONMENT: Environment = Environment {
     ambient: vec3(0.36, 0.37, 0.42),
     ambience: Ambience { occlusion: 1.0, reach: 1.0, ground: vec3(0.18, 0.15, 0.12), bounce: 0.9 },
     haze: 0.022,
-    haze_fall: 0.0,
-    scatter: 0.0,
     vignette: 0.2,
     floor: Some(&PAPER),
-    swell: Waves::CALM,
     lights: &[Light { diameter: 20.0, ..point([-30.0, 48.0, 27.0], [1.75, 1.6, 1.35]) }],
-    softboxes: &[],
     field_of_view: 0.62,
     add,
+    ..Environment::EMPTY
 };
 
-/// The balls' centres and radii.
-pub(super) const RED_BALL: Vec3 = vec3(0.0, 1.0, 0.0);
+/// The white ball's centre.
 pub(super) const PEARL_BALL: [f32; 3] = [1.22, 0.4, 1.0];
 
 static SHOTS: &[Shot] = &[
@@ -79,7 +75,7 @@ const FALL: f32 = 0.6;
 const LONGEST: f32 = 2.0;
 
 pub(super) fn add(now: Now, scene: &mut Scene) {
-    add_sphere(RED_BALL, 1.0, &RED, scene);
+    add_sphere(Vec3::Y, 1.0, &RED, scene);
     add_sphere(Vec3::from_array(PEARL_BALL), 0.4, &PEARL, scene);
     add_sphere(vec3(2.45, 0.85, -0.95), 0.85, &INK, scene);
     let kick = now.cue(Track::Kick);
