@@ -83,6 +83,7 @@ impl Camera {
 
     /// Returns the rays through a picture of `width` by `height` pixels.
     #[must_use]
+    // Out of line it saves 29 packed bytes.
     #[inline(never)]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = unit(Vec3A::from(self.look_at) - Vec3A::from(self.eye), Vec3A::NEG_Z);
