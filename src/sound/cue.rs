@@ -1,4 +1,4 @@
-//! Functions of time by which the picture follows the song's own notes: kicks that push, landings on chimes, bubbles.
+//! Functions of time by which the picture follows the song's own notes: bounces, landings on chimes, bubbles.
 
 use super::song::{self, Track};
 use super::{STEPS_PER_BAR, STEPS_PER_BEAT};
@@ -23,11 +23,11 @@ pub struct Cue {
 /// | ---: | --- | --- | --- |
 /// | 6 to 11 | [`Track::Kick`] | about two per bar | the glass ball bounces |
 /// | 12 to 19 | [`Track::Square`] | bar n has the first n of the theme | a step per note |
-/// | 28 to 33 | [`Track::Chime`] | crotchets, the theme three times | the ball lands on pipe `digit - 1` |
-/// | 34 to 37 | [`Track::Pop`] | the first 1, 2, 4, 8 of the theme | bubble `digit - 1` appears |
-/// | 38, 39 | [`Track::Pop`] | eight quavers from beat 18 of the scene | bubble `digit - 1` pops |
+/// | 28 to 33 | [`Track::Chime`] | crotchets, the theme three times | the ball lands on a pipe |
+/// | 34 to 37 | [`Track::Pop`] | the first 1, 2, 4, 8 of the theme | a bubble divides |
+/// | 38, 39 | [`Track::Pop`] | eight quavers from beat 18 of the scene | a bubble bursts |
 /// | 40 to 45 | [`Track::Kick`] | three, three and two quavers | the sun moves |
-/// | 46 to 51 | [`Track::Kick`] | crotchets and some quavers | a turn |
+/// | 46 to 51 | [`Track::Kick`] | crotchets and some quavers | a sixteenth of a turn |
 /// | 46 to 49 | [`Track::Boom`] | one per bar | 1, 2, 4, 8 sectors snap |
 /// | 52 to 56 | [`Track::Strings`] | the theme in minims, its last note held for five beats | |
 /// | 57 | [`Track::Square`] | the theme in sixteenths from beat 21 of the scene | the squares double |

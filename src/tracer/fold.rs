@@ -10,9 +10,9 @@ pub(crate) struct Fold {
     /// The upper left corner of the part that is drawn, in cells.
     centre: [usize; 2],
     has_diagonal: bool,
-    /// Whether the wedge of eight sectors is to the right of its diagonal. Otherwise the cells to the right are drawn in vain.
+    /// Whether the wedge of eight sectors is to the right of its diagonal. Otherwise it is to the left, and cells on both sides are drawn.
     is_wide: bool,
-    /// The distance from the centre to the exact one, in pixels.
+    /// The vector from the centre to the exact one, in pixels.
     pub offset: Vec2,
 }
 
