@@ -1,4 +1,3 @@
-use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
 use std::ffi::OsStr;
 use std::fmt::{self, Display};
@@ -42,83 +41,6 @@ impl Display for Exit {
 }
 
 impl std::error::Error for Exit {}
-
-/// In pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    pub width: usize,
-    pub height: usize,
-}
-
-impl Size {
-    pub const fn new(width: usize, height: usize) -> Self {
-        Self { width, height }
-    }
-
-    pub fn area(self) -> usize {
-        self.width * self.height
-    }
-
-    /// Scales both sides, to at least 1.
-    pub fn scaled(self, scale: f64) -> Self {
-        let scaled = |side: usize| ((side as f64 * scale).round() as usize).max(1);
-        Self::new(scaled(self.width), scaled(self.height))
-    }
-}
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let size = text.split_once('x').and_then(|(width, height)| {
-            let (width, height) = (width.parse().ok()?, height.parse().ok()?);
-            let fits = (1..=MAX_WIDTH).contains(&width) && (1..=MAX_HEIGHT).contains(&height);
-            fits.then_some(Self { width, height })
-        });
-        size.ok_or_else(|| format!("must be WIDTHxHEIGHT, 1x1 to {MAX_WIDTH}x{MAX_HEIGHT}"))
-    }
-}
-
-impl Display for Size {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}x{}", self.width, self.height)
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NamedQuality {
-    pub name: &'static str,
-    pub quality: Quality,
-}
-
-impl NamedQuality {
-    pub const EXHAUSTIVE: Self = Self { name: "exhaustive", quality: Quality::EXHAUSTIVE };
-    pub const THESIS: Self = Self { name: "thesis", quality: Quality::THESIS };
-
-    /// Returns exhaustive, thesis, then the presets from finest to fastest.
-    pub fn all() -> impl Iterator<Item = Self> {
-        let ladder = Quality::NAMES.into_iter().zip(Quality::LADDER);
-        let ladder = ladder.map(|(name, &quality)| Self { name, quality });
-        [Self::EXHAUSTIVE, Self::THESIS].into_iter().chain(ladder)
-    }
-}
-
-impl FromStr for NamedQuality {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Self, String> {
-        Self::all().find(|quality| quality.name == name).ok_or_else(|| {
-            let names: Vec<&str> = Self::all().map(|quality| quality.name).collect();
-            format!("must be one of {}", names.join(", "))
-        })
-    }
-}
-
-impl Display for NamedQuality {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
-    }
-}
 
 pub fn instruction_set(name: &str) -> Result<Isa, String> {
     let mut known = cpu::instruction_sets();

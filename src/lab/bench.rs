@@ -1,4 +1,4 @@
-use crate::arguments::{self, NamedQuality, Size, distinct, within};
+use crate::arguments::{self, distinct, within};
 use crate::interrupt;
 use crate::measure::{Measurement, Shot, ShotArguments, Technique};
 use crate::output;
@@ -7,6 +7,7 @@ use crate::scenes::SceneName;
 use crate::timing::machine;
 use anyhow::Result;
 use clap::Args;
+use eightfold_harness::{NamedQuality, Size};
 use eightfold_window::cpu;
 use std::path::{Path, PathBuf};
 

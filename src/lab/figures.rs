@@ -1,13 +1,15 @@
-use crate::arguments::{self, NamedQuality};
-use crate::error::Difference;
+use crate::arguments;
 use crate::flip::Flip;
 use crate::output;
-use crate::overlay::{FrameTrace, heat};
+use crate::overlay::{draw_heat, draw_points, draw_squares, heat};
 use crate::scenes::FrameArguments;
 use crate::sheet::{Tile, sheet};
-use crate::threaded_renderer::ThreadedRenderer;
 use anyhow::Result;
 use clap::Args;
+use eightfold_harness::NamedQuality;
+use eightfold_harness::error::Difference;
+use eightfold_harness::frame_trace::FrameTrace;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 use std::path::PathBuf;
@@ -70,11 +72,11 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
     let every = format!("Exhaustive: rays, white for {most}\n{per_pixel:.1} per pixel");
     let error = format!("FLIP, white for {FLIP_SHOWN}\nmean {:.4}", flip.mean());
     vec![
-        tile(points, &|pixels| trace.draw_points(pixels)),
+        tile(points, &|pixels| draw_points(&trace, pixels)),
         tile(frame, &|_| {}),
-        tile(squares, &|pixels| trace.draw_squares(pixels)),
-        tile(own, &|pixels| trace.draw_heat(pixels, most)),
-        tile(every, &|pixels| all.draw_heat(pixels, most)),
+        tile(squares, &|pixels| draw_squares(&trace, pixels)),
+        tile(own, &|pixels| draw_heat(&trace, pixels, most)),
+        tile(every, &|pixels| draw_heat(&all, pixels, most)),
         tile(error, &|pixels| {
             for (pixel, error) in pixels.iter_mut().zip(&flip.errors) {
                 *pixel = heat(error / FLIP_SHOWN);

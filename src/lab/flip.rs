@@ -1,7 +1,7 @@
 //! FLIP: the visible difference between alternating pictures (Andersson et al., "FLIP: A Difference Evaluator for Alternating Images",
 //! 2020).
 
-use crate::picture::rgb;
+use eightfold_harness::picture::rgb;
 use nv_flip::{FlipImageRgb8, flip};
 
 /// FLIP's default: 3840 pixels on 0.7 m at a distance of 0.7 m.

@@ -1,13 +1,14 @@
-use crate::arguments::{self, Size, within};
-use crate::error::Difference;
+use crate::arguments::{self, within};
 use crate::interrupt;
 use crate::progress;
 use crate::scenes::{self, SceneName};
 use crate::seen::{Seen, look};
 pub use crate::technique::{Sampling, Technique};
-use crate::threaded_renderer::ThreadedRenderer;
 use clap::Args;
 use cpu_time::ThreadTime;
+use eightfold_harness::Size;
+use eightfold_harness::error::Difference;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Counts;
 use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;

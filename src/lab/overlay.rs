@@ -1,103 +1,34 @@
-use crate::error::worst_channel;
-use eightfold_tracer::observe::{Fill, Observer};
-use eightfold_tracer::{Counts, Quality};
+use eightfold_harness::error::worst_channel;
+use eightfold_harness::frame_trace::FrameTrace;
+use eightfold_tracer::Quality;
 use std::sync::LazyLock;
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-pub struct FrameTrace {
-    width: usize,
-    height: usize,
-    /// Per pixel, with shadow rays; 0 without a point.
-    rays: Vec<AtomicU32>,
-    /// `w << 16 | h << 8 | fill` at upper left corners; otherwise 0.
-    squares: Vec<AtomicU32>,
+/// Draws white points on the darkened picture.
+pub fn draw_points(trace: &FrameTrace, pixels: &mut [u32]) {
+    for (pixel, rays) in pixels.iter_mut().zip(trace.rays()) {
+        let dark = (*pixel >> 2) & 0x003f_3f3f;
+        *pixel = if rays > 0 { 0x00ff_ffff } else { dark };
+    }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Drawn {
-    pub x: usize,
-    pub y: usize,
-    pub w: usize,
-    pub h: usize,
-    /// The larger side, unclipped.
-    pub side: usize,
-    pub fill: Fill,
-}
-
-/// Numbered from 1.
-const FILLS: [Fill; 4] = [Fill::Flat, Fill::Bilinear, Fill::Patterned, Fill::Points];
-
-impl FrameTrace {
-    pub fn new(width: usize, height: usize) -> Self {
-        let zeros = || (0..width * height).map(|_| AtomicU32::new(0)).collect();
-        Self { width, height, rays: zeros(), squares: zeros() }
-    }
-
-    pub fn rays(&self) -> impl Iterator<Item = u32> {
-        self.rays.iter().map(|rays| rays.load(Relaxed))
-    }
-
-    pub fn squares(&self) -> impl Iterator<Item = Drawn> {
-        let words = self.squares.iter().map(|word| word.load(Relaxed));
-        let squares = words.enumerate().filter(|&(_, word)| word != 0);
-        squares.map(|(i, word)| {
-            let (x, y) = (i % self.width, i / self.width);
-            let [_, w, h, fill] = word.to_be_bytes().map(usize::from);
-            Drawn {
-                x,
-                y,
-                w: w.min(self.width - x),
-                h: h.min(self.height - y),
-                side: w.max(h),
-                fill: FILLS[fill - 1],
-            }
-        })
-    }
-
-    /// Draws white points on the darkened picture.
-    pub fn draw_points(&self, pixels: &mut [u32]) {
-        for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
-            let dark = (*pixel >> 2) & 0x003f_3f3f;
-            *pixel = if rays > 0 { 0x00ff_ffff } else { dark };
-        }
-    }
-
-    /// Colours squares by size, with dark left and upper edges.
-    pub fn draw_squares(&self, pixels: &mut [u32]) {
-        for square in self.squares() {
-            let colour = square_colour(square.side);
-            let dark = (colour >> 1) & 0x007f_7f7f;
-            let edge = if square.side > 2 { dark } else { colour };
-            for y in square.y..square.y + square.h {
-                let row = &mut pixels[y * self.width + square.x..][..square.w];
-                row.fill(if y == square.y { edge } else { colour });
-                row[0] = edge;
-            }
-        }
-    }
-
-    /// Draws 0 rays black, `most` white.
-    pub fn draw_heat(&self, pixels: &mut [u32], most: u32) {
-        for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
-            *pixel = heat(rays as f32 / most as f32);
+/// Colours squares by size, with dark left and upper edges.
+pub fn draw_squares(trace: &FrameTrace, pixels: &mut [u32]) {
+    for square in trace.squares() {
+        let colour = square_colour(square.side);
+        let dark = (colour >> 1) & 0x007f_7f7f;
+        let edge = if square.side > 2 { dark } else { colour };
+        for y in square.y..square.y + square.h {
+            let row = &mut pixels[y * trace.width + square.x..][..square.w];
+            row.fill(if y == square.y { edge } else { colour });
+            row[0] = edge;
         }
     }
 }
 
-impl Observer for &FrameTrace {
-    fn point(self, x: usize, y: usize, work: Counts) {
-        if x < self.width && y < self.height {
-            let rays = (work.rays + work.shadow_rays) as u32;
-            self.rays[y * self.width + x].store(rays, Relaxed);
-        }
-    }
-
-    fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill) {
-        if x < self.width && y < self.height {
-            let fill = 1 + FILLS.iter().position(|&known| known == fill).unwrap_or(0);
-            let word = (w << 16 | h << 8 | fill) as u32;
-            self.squares[y * self.width + x].store(word, Relaxed);
-        }
+/// Draws 0 rays black, `most` white.
+pub fn draw_heat(trace: &FrameTrace, pixels: &mut [u32], most: u32) {
+    for (pixel, rays) in pixels.iter_mut().zip(trace.rays()) {
+        *pixel = heat(rays as f32 / most as f32);
     }
 }
 

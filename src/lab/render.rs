@@ -1,9 +1,11 @@
-use crate::arguments::{self, NamedQuality, within};
+use crate::arguments::{self, within};
+use crate::output;
 use crate::scenes::FrameArguments;
-use crate::threaded_renderer::ThreadedRenderer;
-use crate::{output, picture};
 use anyhow::Result;
 use clap::Args;
+use eightfold_harness::NamedQuality;
+use eightfold_harness::picture;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_window::cpu::{self, Isa};
 use std::path::PathBuf;
 

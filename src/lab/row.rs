@@ -1,7 +1,7 @@
-use crate::error::Difference;
 use crate::markdown::{self, Column, known, percent};
 use crate::measure::{Measurement, Run, Sampling, Setting, Shot, Technique};
 use crate::timing::{mean, median, percentile};
+use eightfold_harness::error::Difference;
 use eightfold_tracer::Quality;
 use serde::Serialize;
 

@@ -1,6 +1,7 @@
-use crate::arguments::{self, Exit, Size, within};
+use crate::arguments::{self, Exit, within};
 use clap::Args;
 use eightfold::show::{self, grid};
+use eightfold_harness::Size;
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::scene::{MAX_SPHERES, Method, Scene};
 use std::error::Error;

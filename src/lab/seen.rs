@@ -1,10 +1,11 @@
-use crate::arguments::{Size, processors};
-use crate::error::{Difference, pops};
+use crate::arguments::processors;
 use crate::flip::Flip;
 use crate::interrupt;
-use crate::picture::Mean;
 use crate::technique::Technique;
-use crate::threaded_renderer::ThreadedRenderer;
+use eightfold_harness::Size;
+use eightfold_harness::error::{Difference, pops};
+use eightfold_harness::picture::Mean;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;

@@ -1,7 +1,7 @@
-use crate::arguments::Size;
 use crate::bitmap::{at, bitmap, text};
-use crate::picture;
 use anyhow::Result;
+use eightfold_harness::Size;
+use eightfold_harness::picture;
 use plotters::style::FontStyle;
 
 pub struct Tile {

@@ -1,6 +1,6 @@
-use crate::arguments::{NamedQuality, Size};
-use crate::error::worst_channel;
-use crate::threaded_renderer::ThreadedRenderer;
+use eightfold_harness::error::worst_channel;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
+use eightfold_harness::{NamedQuality, Size};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Level, Quality};
 use fast_image_resize::images::{Image, ImageRef};

@@ -1,5 +1,4 @@
 use crate::error::Difference;
-use crate::overlay::{draw_error, heat};
 
 const DARK: [u32; 400] = [0; 400];
 
@@ -20,12 +19,4 @@ fn pooled_psnr_uses_the_mean_squared_error() {
     assert_eq!(differences.map(|it| it.over_8), [64, 64, 0]);
     assert!(differences[2].psnr.is_infinite());
     assert!(Difference::pooled_psnr(&differences[2..]).is_infinite());
-}
-
-#[test]
-fn error_is_drawn_from_black_to_white() {
-    let exhaustive = [0x0010_2030, 0x0010_2030, 0x0010_2030];
-    let mut pixels = [0x0010_2030, 0x0010_2130, 0x00ff_2030];
-    draw_error(&mut pixels, &exhaustive, 32);
-    assert_eq!(pixels, [0.0, 1.0 / 32.0, 1.0].map(heat));
 }

@@ -4,12 +4,12 @@ use crate::cpu;
 use crate::drawn::{bare, draw_best};
 use crate::error::worst_channel;
 use crate::shown::{pixels, sized};
+use eightfold_harness::patches::patches;
 use eightfold_scenes::hidden::{Hidden, slit};
 use eightfold_scenes::{Kinds, View, cases, lights, materials_of};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Light, Spot};
 use glam::Vec3;
-use std::collections::BTreeSet;
 
 #[derive(Debug, Default)]
 struct Wrong {
@@ -45,27 +45,6 @@ impl Wrong {
         assert!(self.share() <= share, "{what}: {} of {self:?}", self.share());
         assert!(self.patch <= patch, "{what}: {self:?}");
     }
-}
-
-/// Groups ascending pixels into patches, connected also diagonally.
-pub fn patches(pixels: &[usize], width: usize) -> Vec<Vec<usize>> {
-    let mut rest: BTreeSet<usize> = pixels.iter().copied().collect();
-    let mut patches = Vec::new();
-    while let Some(first) = rest.pop_first() {
-        let mut patch = vec![first];
-        let mut next = 0;
-        while let Some(&pixel) = patch.get(next) {
-            let (x, y) = (pixel % width, pixel / width);
-            for y in y.saturating_sub(1)..=y + 1 {
-                for x in x.saturating_sub(1)..=(x + 1).min(width - 1) {
-                    patch.extend(rest.take(&(y * width + x)));
-                }
-            }
-            next += 1;
-        }
-        patches.push(patch);
-    }
-    patches
 }
 
 fn drawn(view: &View, quality: Quality) -> Vec<u32> {

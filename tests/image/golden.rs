@@ -8,7 +8,7 @@ use crate::error::{Difference, worst_channel};
 use crate::picture::png;
 use crate::shipped::Still;
 use eightfold::show;
-use eightfold_lab::arguments::NamedQuality;
+use eightfold_harness::NamedQuality;
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::between_corners;
 use eightfold_stage::reader::read_png;

@@ -1,6 +1,6 @@
 //! Properties of pictures, tested on every instruction set of the machine.
 
-use eightfold_lab::{error, overlay, picture, threaded_renderer};
+use eightfold_harness::{error, picture, threaded_renderer};
 use eightfold_window::cpu;
 
 mod accuracy;

@@ -2,9 +2,9 @@
 
 use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, SIDES, draw, jagged, of_side};
-use crate::overlay::FrameTrace;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
+use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_tracer::Quality;
 use eightfold_tracer::observe::Fill;
 use eightfold_tracer::scene::{Method, Scene};

@@ -1,15 +1,14 @@
 //! Patches of lost pixels: no drawn pixel nearby is similar.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw, draw_best, jagged};
-use crate::error::{Difference, worst_channel};
-use crate::errors::patches;
-use eightfold_lab::scenes::SceneName;
+use crate::drawn::{draw, draw_best, jagged, of_the_show};
+use crate::error::Difference;
+use eightfold_harness::patches::{largest, lost, patches};
 use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{Random, cases, coloured, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec3, vec3};
-use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Method, Scene, Shape};
 
 const SIZE: [usize; 2] = [1280, 720];
 
@@ -24,26 +23,6 @@ const ROOM: usize = 60;
 
 /// The maximum patch on a floor between the shadows of bars, by a light without a diameter.
 const FLOOR: usize = 8;
-
-/// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2 pixels.
-fn lost(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
-    let height = exact.len() / width;
-    let is_alike =
-        |i: usize, x: usize, y: usize| worst_channel(exact[i], drawn[y * width + x]) <= 32;
-    let is_lost = |&i: &usize| {
-        let (x, y) = (i % width, i / width);
-        let mut near = (y.saturating_sub(2)..height.min(y + 3))
-            .flat_map(|y| (x.saturating_sub(2)..width.min(x + 3)).map(move |x| (x, y)));
-        !is_alike(i, x, y) && !near.any(|(x, y)| is_alike(i, x, y))
-    };
-    (0..exact.len()).filter(is_lost).collect()
-}
-
-/// Returns the largest patch of lost pixels, if any are lost.
-pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
-    let patches = patches(&lost(exact, drawn, width), width);
-    patches.into_iter().max_by_key(Vec::len).unwrap_or_default()
-}
 
 /// Returns the PSNR against the exhaustive picture in dB, and the size of the largest patch.
 pub fn compared(isa: Isa, scene: &Scene, quality: Quality, size: [usize; 2]) -> (f64, usize) {
@@ -67,7 +46,10 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, quality: Quality, limit: 
 }
 
 fn show(time: f32) -> (String, Scene) {
-    (format!("{time} s"), SceneName::Show.without_overlay(time))
+    let mut scene = Scene { method: Method::default(), ..of_the_show(time) };
+    // Captions count points.
+    scene.captions.clear();
+    (format!("{time} s"), scene)
 }
 
 /// Returns a room of four mirrors, with columns of all shapes.

@@ -3,7 +3,7 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::draw;
 use eightfold::show;
-use eightfold_lab::arguments::NamedQuality;
+use eightfold_harness::NamedQuality;
 use eightfold_stage::{linked_intro, reader::read_ppm};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};

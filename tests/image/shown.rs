@@ -5,8 +5,9 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::{bare, draw, draw_best, isa_of, jagged, named, of_side, of_the_show};
 use crate::error::worst_channel;
-use crate::errors::{SHADED, patches};
+use crate::errors::SHADED;
 use eightfold::show;
+use eightfold_harness::patches::patches;
 use eightfold_oracle::geometry::{PicturePlane, Ray, Shape};
 use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{

@@ -2,7 +2,7 @@
 
 use crate::drawn::{draw, isa_of, named, with_antialias};
 use crate::error::worst_channel;
-use crate::errors::patches;
+use eightfold_harness::patches::patches;
 use eightfold_scenes::{Seen, cases};
 use std::collections::HashMap;
 

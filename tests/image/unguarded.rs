@@ -2,11 +2,9 @@
 
 use crate::drawn::{draw_best, jagged};
 use crate::error::Difference;
-use crate::patches::largest;
-use eightfold_lab::arguments::Size;
-use eightfold_lab::sheet::{Tile, sheet};
-use eightfold_scenes::artists::{FLOORS, KINDS, Kind, LIGHTS, ON_FLOORS};
-use eightfold_scenes::{Random, cases};
+use eightfold_harness::patches::largest;
+use eightfold_scenes::artists::{KINDS, ON_FLOORS};
+use eightfold_scenes::cases;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
@@ -18,12 +16,6 @@ const PATCH: usize = 20;
 
 const SMALL: [usize; 2] = [640, 360];
 const LARGE: [usize; 2] = [1280, 720];
-
-fn scene(kind: Kind, mut random: Random) -> Scene {
-    let seed = random.seed as usize;
-    let (light, floor) = (LIGHTS[seed % LIGHTS.len()].1, seed / LIGHTS.len());
-    kind.scene(&mut random, light, FLOORS[floor % FLOORS.len()].1)
-}
 
 /// A picture, and its largest patch.
 type Drawn = (Vec<u32>, Vec<usize>);
@@ -50,7 +42,7 @@ fn hold(seeds: impl Iterator<Item = u64> + Clone, size: [usize; 2]) {
     for kind in &KINDS[ON_FLOORS..] {
         let (mut patches, mut least) = (Vec::new(), f64::INFINITY);
         for seed in seeds.clone() {
-            let scene = scene(*kind, Random::new(seed));
+            let scene = kind.seeded(seed);
             let (exact, [(_, finest), (drawn, default)]) =
                 draw(&scene, size, [FINEST, Quality::DEFAULT]);
             if finest.len() >= PATCH {
@@ -81,39 +73,6 @@ fn long_finest_shows_thin_things_without_bounds() {
         let seeds: Vec<u64> = cases(count).map(|random| random.seed).collect();
         hold(seeds.into_iter(), size);
     }
-}
-
-/// Draws the worst patches by `default`: exhaustive to the left of it.
-#[test]
-#[ignore = "draws docs/unguarded.png"]
-fn sheet_of_unguarded_kinds() {
-    let size = Size { width: 200, height: 75 };
-    let tiles: Vec<Tile> = KINDS[ON_FLOORS..]
-        .iter()
-        .map(|kind| {
-            let drawn = (0..24)
-                .map(|seed| draw(&scene(*kind, Random::new(seed)), SMALL, [Quality::DEFAULT]));
-            let worst = drawn.max_by_key(|(_, [(_, patch)])| patch.len());
-            let (exact, [(drawn, patch)]) = worst.expect("24 scenes");
-            let middle = patch.get(patch.len() / 2);
-            let middle = middle.copied().unwrap_or(SMALL[0] * 180 + 320);
-            let (half, height) = (size.width / 2, size.height);
-            let start = |middle: usize, part: usize, whole: usize| {
-                middle.saturating_sub(part / 2).min(whole - part)
-            };
-            let left = start(middle % SMALL[0], half, SMALL[0]);
-            let top = start(middle / SMALL[0], height, SMALL[1]);
-            let rows = (top..top + height).flat_map(|y| {
-                [&exact, &drawn].map(|picture| &picture[y * SMALL[0] + left..][..half])
-            });
-            Tile {
-                pixels: rows.flatten().copied().collect(),
-                caption: format!("{}: {} pixels", kind.0, patch.len()),
-            }
-        })
-        .collect();
-    let sheet = sheet(size, 3, &tiles).expect("a sheet");
-    std::fs::write("docs/unguarded.png", sheet).expect("a picture");
 }
 
 /// A ball casts its shadow on a floor only, and no two objects have one colour.

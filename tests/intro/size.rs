@@ -1,12 +1,12 @@
 //! The files of `cargo build --release -p eightfold` and `cargo exe` have at most 65,536 bytes.
 
-use eightfold_lab::{cargo::Build, output::read};
+use eightfold_harness::cargo::Build;
 use eightfold_stage::{intro, linked_intro, run, texts};
 use std::{fs, path::Path, process::Command};
 
 /// `linked` is the unpacked program, see `src/pack/build/mod.rs`.
 fn assert_is_packed(program: &Path, linked: &Path) {
-    let [packed, linked] = [program, linked].map(|path| read(path).expect("a program"));
+    let [packed, linked] = [program, linked].map(|path| fs::read(path).expect("a program"));
     assert!(packed.len() <= 65_536, "{} bytes", packed.len());
     let inside = eightfold_pack::unpack_executable(&packed).expect("it is packed");
     let expected = eightfold_pack::strip(&linked).expect("it is a program");
@@ -32,7 +32,7 @@ fn intro_for_windows_has_at_most_64_kib() {
 fn damaged_or_cut_intro_prints_one_line() {
     // The checksum covers neither the headers nor itself.
     const CHECKED: usize = 400;
-    let packed = read(&intro()).expect("the intro");
+    let packed = fs::read(intro()).expect("the intro");
     let folder = tempfile::tempdir().expect("a folder");
     let (source, path) = (folder.path().join("bytes"), folder.path().join("damaged"));
     let assert_damaged = |what: String, bytes: &[u8]| {
@@ -71,7 +71,7 @@ fn too_little_memory_is_named_in_one_line() {
 
 #[test]
 fn packed_program_contains_no_paths() {
-    let packed = read(&intro()).expect("the intro");
+    let packed = fs::read(intro()).expect("the intro");
     let program = eightfold_pack::unpack_executable(&packed).expect("it is packed");
     let home = std::env::var("HOME").expect("a home");
     for path in [env!("CARGO_MANIFEST_DIR"), &format!("{home}/.cargo"), "/rustc/"] {

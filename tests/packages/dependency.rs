@@ -1,5 +1,6 @@
-//! A dependent of the tracer outside the workspace.
+//! Dependencies between the packages, and a dependent of the tracer outside the workspace.
 
+use serde_json::Value;
 use std::{
     collections::BTreeSet,
     fs,
@@ -86,4 +87,25 @@ fn dependent_without_optimisation_draws() {
     let crates: BTreeSet<&str> = tree.lines().collect();
     let expected = "dependent eightfold_tracer fearless_simd glam libm";
     assert!(crates.into_iter().eq(expected.split(' ')), "{tree}");
+}
+
+/// Tests of products may depend on `tests`. No package depends on the lab, so tests of pictures compile without its dependencies.
+#[test]
+fn products_depend_on_neither_tests_nor_the_lab() {
+    let metadata = cargo(ROOT, &["metadata", "--no-deps", "--offline", "--format-version", "1"]);
+    let metadata: Value = serde_json::from_str(&metadata).expect("JSON");
+    let is_in_tests = |path: &Value| {
+        path.as_str().is_some_and(|path| Path::new(path).starts_with(Path::new(ROOT).join("tests")))
+    };
+    let mut count = 0;
+    for package in metadata["packages"].as_array().expect("a list") {
+        let is_test = is_in_tests(&package["manifest_path"]);
+        for needed in package["dependencies"].as_array().expect("a list") {
+            let (from, to) = (&package["name"], &needed["name"]);
+            let is_allowed = is_test || needed["kind"] == "dev" || !is_in_tests(&needed["path"]);
+            assert!(is_allowed && to != "eightfold-lab", "{from} depends on {to}");
+            count += usize::from(needed["path"].is_string());
+        }
+    }
+    assert!(count > 30, "{count} dependencies between packages");
 }

@@ -1,4 +1,4 @@
-use eightfold_lab::cargo::Build;
+use eightfold_harness::cargo::Build;
 use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, texts, wait_for};
 use std::{collections::BTreeSet, fs, path::Path, process::Command, sync::LazyLock};
 use tempfile::TempDir;

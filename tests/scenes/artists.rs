@@ -62,6 +62,12 @@ pub const FLOORS: [(&str, Draw<Material>); 3] = [
 ];
 
 impl Kind {
+    /// Returns the scene of a seed, whose lights and floors take turns.
+    pub fn seeded(&self, seed: u64) -> Scene {
+        let (light, floor) = (seed as usize % LIGHTS.len(), seed as usize / LIGHTS.len());
+        self.scene(&mut Random::new(seed), LIGHTS[light].1, FLOORS[floor % FLOORS.len()].1)
+    }
+
     pub fn scene(&self, random: &mut Random, light: Draw<Light>, floor: Draw<Material>) -> Scene {
         let eye = random.vector(vec3(-2.0, 0.8, 3.5), vec3(2.0, 3.0, 8.0));
         let look_at = vec3(0.0, random.between(0.5, 1.0), 0.0);

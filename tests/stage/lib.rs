@@ -6,7 +6,7 @@ mod tools;
 
 pub use tools::{DISPLAY, lacks, tool};
 
-use eightfold_lab::cargo::Build;
+use eightfold_harness::cargo::Build;
 use eightfold_tracer::Quality;
 use std::{
     env, fs,

@@ -1,5 +1,5 @@
 use eightfold::show;
-use eightfold_lab::threaded_renderer::ThreadedRenderer;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_stage::{allocations::Counting, on_displays};
 use eightfold_tracer::Quality;
 use eightfold_window::{

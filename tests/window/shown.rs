@@ -1,6 +1,6 @@
 use super::{end_by_escape, servers};
 use eightfold::show;
-use eightfold_lab::{error::Difference, threaded_renderer::ThreadedRenderer};
+use eightfold_harness::{error::Difference, threaded_renderer::ThreadedRenderer};
 use eightfold_stage::{DISPLAY, Process, Server, intro, needs, run, wait_for};
 use eightfold_tracer::{Quality, scene::Scene};
 use eightfold_window::cpu;

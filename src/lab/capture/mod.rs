@@ -1,12 +1,14 @@
 mod recorder;
 mod video;
 
-use crate::arguments::{self, Exit, NamedQuality, Size, within};
+use crate::arguments::{self, Exit, within};
 use crate::scenes::{self, SceneName};
 use crate::sheet::{Tile, sheet};
-use crate::{interrupt, output, picture, wav};
+use crate::{interrupt, output, wav};
 use anyhow::{Context, Result, ensure};
 use clap::{ArgGroup, Args};
+use eightfold_harness::picture;
+use eightfold_harness::{NamedQuality, Size};
 use eightfold_tracer::scene::MAX_LENGTH;
 use recorder::Recorder;
 use std::fs;

@@ -1,11 +1,12 @@
 use super::Arguments;
-use crate::arguments::{Size, processors};
+use crate::arguments::processors;
 use crate::interrupt;
-use crate::picture::Mean;
-use crate::threaded_renderer::ThreadedRenderer;
 use crate::{progress, wav};
 use anyhow::Result;
 use eightfold::sound::RATE;
+use eightfold_harness::Size;
+use eightfold_harness::picture::Mean;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::glam::{Vec2, vec2};
 use eightfold_tracer::scene::Camera;
 use eightfold_window::cpu;

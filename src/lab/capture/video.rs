@@ -1,8 +1,9 @@
 use super::recorder::Recorder;
-use crate::arguments::{Exit, Size};
+use crate::arguments::Exit;
 use crate::interrupt;
 use crate::{output, wav};
 use anyhow::{Context, Result, ensure};
+use eightfold_harness::Size;
 use std::fs;
 use std::io::{Read, Seek, Write};
 use std::ops::Range;

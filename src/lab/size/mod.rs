@@ -2,10 +2,10 @@ mod packed;
 mod program;
 
 use crate::arguments::{self, within};
-use crate::cargo::Build;
 use crate::output;
 use anyhow::Result;
 use clap::Args;
+use eightfold_harness::cargo::Build;
 use packed::Packed;
 use program::{Part, Program};
 use std::collections::BTreeMap;

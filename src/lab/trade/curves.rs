@@ -1,8 +1,8 @@
-use crate::arguments::{NamedQuality, Size};
 use crate::interrupt;
 use crate::measure::{Measurement, Setting, Shot, Technique};
 use crate::row::quartile;
 use crate::scenes::SceneName;
+use eightfold_harness::{NamedQuality, Size};
 use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use serde::Serialize;

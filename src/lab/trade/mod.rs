@@ -3,7 +3,7 @@ mod front;
 mod plots;
 mod sweep;
 
-use crate::arguments::{self, NamedQuality, Size, within};
+use crate::arguments::{self, within};
 use crate::interrupt;
 use crate::measure::{Measurement, Shot, ShotArguments};
 use crate::output;
@@ -13,6 +13,7 @@ use crate::timing::machine;
 use anyhow::{Context, Result};
 use clap::Args;
 use curves::Curve;
+use eightfold_harness::{NamedQuality, Size};
 use eightfold_window::cpu;
 use serde::Serialize;
 use std::fs;

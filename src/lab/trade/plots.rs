@@ -1,12 +1,12 @@
 use super::Trade;
 use super::curves::Curve;
 use super::front::from_the_slowest;
-use crate::arguments::NamedQuality;
 use crate::output;
 use crate::plot::{Chart, Series};
 use crate::row::Row;
 use crate::technique::Sampling;
 use anyhow::Result;
+use eightfold_harness::NamedQuality;
 use eightfold_tracer::Quality;
 use plotters::chart::SeriesLabelPosition::{self, *};
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Varies each field of `Quality` by itself, then combinations.
 
-use crate::arguments::NamedQuality;
 use crate::technique::{Sampling, Technique};
+use eightfold_harness::NamedQuality;
 use eightfold_tracer::Quality;
 
 const BASES: [(&str, Quality); 2] = [("default", Quality::DEFAULT), ("thesis", Quality::THESIS)];

@@ -1,16 +1,18 @@
 mod light;
 mod path;
 
-use crate::arguments::{self, Size, processors, within};
+use crate::arguments::{self, processors, within};
 use crate::scenes::FrameArguments;
-use crate::threaded_renderer::drawn;
-use crate::{output, picture, progress};
+use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
-use eightfold_scenes::Random;
+use eightfold_harness::Size;
+use eightfold_harness::picture;
+use eightfold_harness::threaded_renderer::drawn;
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::{DVec3, dvec3};
+use eightfold_tracer::glam::{DVec3, dvec2, dvec3};
 use eightfold_tracer::scene::{Film, Scene};
+use fastrand::Rng;
 use path::PathTracer;
 use rayon::prelude::*;
 use std::fmt;
@@ -95,9 +97,9 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
     let pixel = |x: usize, y: usize| {
         let number = u64::from(seed) << 32 | (y * size.width + x) as u64;
         // Hashed, so that pixels' sequences start far apart.
-        let mut random = Random::new(Random::new(number).bits());
+        let mut random = Rng::with_seed(Rng::with_seed(number).u64(..));
         Estimate::of((0..samples).map(|_| {
-            let u = random.units() - 0.5;
+            let u = dvec2(random.f64(), random.f64()) - 0.5;
             tracer.follow(x as f64 + u.x, y as f64 + u.y, &mut random)
         }))
     };

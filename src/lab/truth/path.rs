@@ -3,13 +3,13 @@
 //! Every hit samples all lights for its diffuse and glossy lobes. Camera rays and specular rays add the lights that they hit.
 
 use super::light::{SphereLight, around};
-use crate::arguments::Size;
+use eightfold_harness::Size;
 use eightfold_oracle::geometry::Ray;
 use eightfold_oracle::{Hit, Oracle};
-use eightfold_scenes::Random;
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::{DVec2, DVec3};
+use eightfold_tracer::glam::{DVec2, DVec3, dvec2};
 use eightfold_tracer::scene::Scene;
+use fastrand::Rng;
 use std::f64::consts::{PI, TAU};
 
 /// Bounces without Russian roulette.
@@ -34,7 +34,7 @@ impl<'a> PathTracer<'a> {
     }
 
     /// Returns the exposed radiance of a random path through pixel (`x`, `y`).
-    pub fn follow(&self, x: f64, y: f64, random: &mut Random) -> DVec3 {
+    pub fn follow(&self, x: f64, y: f64, random: &mut Rng) -> DVec3 {
         let mut ray = self.oracle.ray(x, y);
         let mut found = DVec3::ZERO;
         let mut throughput = DVec3::splat(self.exposure);
@@ -82,7 +82,7 @@ impl<'a> PathTracer<'a> {
             bounces += 1;
             if bounces > SURE_BOUNCES {
                 let survival = throughput.max_element().min(MAX_SURVIVAL);
-                if random.unit() >= survival {
+                if random.f64() >= survival {
                     return found;
                 }
                 throughput /= survival;
@@ -96,11 +96,11 @@ impl<'a> PathTracer<'a> {
         (nearest.0 < limit).then_some(nearest.1)
     }
 
-    fn direct(&self, surface: &Surface<'_>, random: &mut Random) -> DVec3 {
+    fn direct(&self, surface: &Surface<'_>, random: &mut Rng) -> DVec3 {
         let here = surface.hit.ray;
         let mut sum = DVec3::ZERO;
         for light in &self.lights {
-            let arriving = light.sample(here, random.units());
+            let arriving = light.sample(here, dvec2(random.f64(), random.f64()));
             let light = surface.reflected(arriving.d) * arriving.irradiance;
             let is_free = || self.oracle.is_free(here.turned(arriving.d), arriving.distance);
             if light != DVec3::ZERO && is_free() {
@@ -162,8 +162,8 @@ impl<'a> Surface<'a> {
     }
 
     /// Returns the next segment; `None` if the path ends.
-    fn bounce(&self, random: &mut Random) -> Option<Next> {
-        let (choice, u) = (random.unit(), random.units());
+    fn bounce(&self, random: &mut Rng) -> Option<Next> {
+        let (choice, u) = (random.f64(), dvec2(random.f64(), random.f64()));
         if self.albedo == 0.0 {
             return None;
         }

@@ -1,4 +1,4 @@
-use crate::arguments::NamedQuality;
+use eightfold_harness::NamedQuality;
 use eightfold_window::input::Press;
 
 /// The maximum frame rate; Left and Right step by one frame.

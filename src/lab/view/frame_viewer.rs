@@ -1,9 +1,9 @@
 use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
 use super::subject::Subject;
-use crate::arguments::Size;
-use crate::error::Difference;
-use crate::overlay::draw_error;
-use crate::threaded_renderer::ThreadedRenderer;
+use crate::overlay::{draw_error, draw_heat, draw_points, draw_squares};
+use eightfold_harness::Size;
+use eightfold_harness::error::Difference;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Frame, Probes};
 use eightfold_window::cpu::Isa;
@@ -103,9 +103,9 @@ impl FrameViewer {
         let (level, quality) = (self.isa.level, &controls.quality.quality);
         let trace = self.renderer.trace(level, scene, quality, size.width, &mut pixels);
         match controls.overlay {
-            Overlay::Points => trace.draw_points(&mut self.picture),
-            Overlay::Squares => trace.draw_squares(&mut self.picture),
-            _ => trace.draw_heat(&mut self.picture, MOST_RAYS),
+            Overlay::Points => draw_points(&trace, &mut self.picture),
+            Overlay::Squares => draw_squares(&trace, &mut self.picture),
+            _ => draw_heat(&trace, &mut self.picture, MOST_RAYS),
         }
     }
 }

@@ -6,11 +6,12 @@ mod session;
 pub mod subject;
 mod watched;
 
-use crate::arguments::{self, NamedQuality, Size, within};
+use crate::arguments::{self, within};
 use crate::scenes::{self, SceneName};
 use anyhow::{Result, anyhow};
 use clap::Args;
 use controls::{Controls, FPS, Overlay};
+use eightfold_harness::{NamedQuality, Size};
 use eightfold_window::cpu;
 use eightfold_window::window::Window;
 use frame_viewer::FrameViewer;

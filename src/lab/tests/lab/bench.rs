@@ -2,7 +2,7 @@
 
 use super::{cells, lab, printed, render, stderr};
 use eightfold::show;
-use eightfold_lab::error::Difference;
+use eightfold_harness::error::Difference;
 use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::path::Path;

@@ -1,7 +1,7 @@
 use super::{assert_one_line, command, interrupted, lab, printed, signal, signalled, stderr};
 use eightfold::show;
 use eightfold::sound::RATE;
-use eightfold_lab::error::{Difference, worst_channel};
+use eightfold_harness::error::{Difference, worst_channel};
 use eightfold_lab::wav;
 use eightfold_stage::{needs, reader::read_png, run, tool};
 use std::fs;

@@ -3,6 +3,7 @@ mod bench;
 mod capture;
 mod figures;
 mod ladder;
+mod overlay;
 mod report;
 mod resources;
 mod scene;
@@ -11,6 +12,7 @@ mod size;
 mod technique;
 mod trade;
 mod truth;
+mod unguarded;
 
 use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;

@@ -1,6 +1,6 @@
 use eightfold::show;
-use eightfold_lab::arguments::Size;
-use eightfold_lab::error::pops;
+use eightfold_harness::Size;
+use eightfold_harness::error::pops;
 use eightfold_lab::measure::Shot;
 use eightfold_lab::scenes::SceneName;
 use eightfold_lab::seen::{Seen, look};

@@ -1,5 +1,5 @@
 use crate::printed;
-use eightfold_lab::cargo::Build;
+use eightfold_harness::cargo::Build;
 use eightfold_stage::intro;
 use std::path::PathBuf;
 

@@ -1,9 +1,9 @@
 use super::{cells, printed};
 use eightfold::show;
-use eightfold_lab::arguments::Size;
-use eightfold_lab::error::Difference;
+use eightfold_harness::Size;
+use eightfold_harness::error::Difference;
+use eightfold_harness::threaded_renderer::{ThreadedRenderer, drawn};
 use eightfold_lab::technique::{Sampling, Technique};
-use eightfold_lab::threaded_renderer::{ThreadedRenderer, drawn};
 use eightfold_tracer::{Counts, Quality};
 use eightfold_window::cpu;
 

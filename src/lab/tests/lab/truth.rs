@@ -1,5 +1,5 @@
 use crate::{lab, stderr};
-use eightfold_lab::arguments::Size;
+use eightfold_harness::Size;
 use eightfold_lab::truth::{Comparison, Estimate, draw};
 use eightfold_oracle::Oracle;
 use eightfold_tracer::Quality;

@@ -1,9 +1,9 @@
 use crate::display::{SIZE, View, bright, rendered};
 use eightfold::show;
-use eightfold_lab::arguments::{NamedQuality, Size};
-use eightfold_lab::overlay::draw_error;
+use eightfold_harness::threaded_renderer::ThreadedRenderer;
+use eightfold_harness::{NamedQuality, Size};
+use eightfold_lab::overlay::{draw_error, draw_heat, draw_points, draw_squares};
 use eightfold_lab::scenes::SceneName;
-use eightfold_lab::threaded_renderer::ThreadedRenderer;
 use eightfold_lab::view::controls::{Controls, KEYS, MOST_ERROR, MOST_RAYS, Overlay};
 use eightfold_lab::view::{frame_viewer::FrameViewer, subject::Subject};
 use eightfold_stage::wait_for;
@@ -36,9 +36,9 @@ fn keys_select_quality_overlay_time() {
     let mut renderer = ThreadedRenderer::new(1);
     let trace = renderer.trace(level, &scene, &Quality::THESIS, width, &mut pixels);
     let [mut points, mut squares, mut heat, mut error] = [(); 4].map(|()| thesis.clone());
-    trace.draw_points(&mut points);
-    trace.draw_squares(&mut squares);
-    trace.draw_heat(&mut heat, MOST_RAYS);
+    draw_points(&trace, &mut points);
+    draw_squares(&trace, &mut squares);
+    draw_heat(&trace, &mut heat, MOST_RAYS);
     draw_error(&mut error, &exhaustive, MOST_ERROR);
     let first = at("0", "thesis");
     for (key, title, picture) in [

@@ -1,4 +1,4 @@
-//! The errors of pictures. They are here because tests optimise this crate.
+//! The errors of pictures.
 
 /// The difference of two pictures, over all channels, in steps of 1/255.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,5 +1,5 @@
-use crate::arguments::Size;
-use crate::overlay::FrameTrace;
+use crate::frame_trace::FrameTrace;
+use crate::size::Size;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{

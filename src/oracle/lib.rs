@@ -4,7 +4,6 @@
 //! tracer uses its geometry and shading.
 
 mod ambient;
-pub mod error;
 pub mod frame;
 pub mod geometry;
 mod grooves;

@@ -1,4 +1,3 @@
-use crate::output;
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::path::PathBuf;
@@ -51,9 +50,9 @@ impl Build {
     /// Cargo reports only a copy of the latter. Equal bytes identify it, since builds for Windows are in the same folder.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
-        let bytes = output::read(&copy)?;
+        let bytes = fs::read(&copy).with_context(|| copy.display().to_string())?;
         let folder = self.script_folder(program)?;
-        let entries = fs::read_dir(&folder).with_context(|| output::cannot("read", &folder))?;
+        let entries = fs::read_dir(&folder).with_context(|| folder.display().to_string())?;
         for entry in entries {
             let path = entry?.path();
             let name = path.file_stem().unwrap_or_default();

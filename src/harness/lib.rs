@@ -1,0 +1,13 @@
+//! The base of the lab and of the tests: draws frames on a pool of threads, compares and encodes them, and builds programs.
+
+pub mod cargo;
+pub mod error;
+pub mod frame_trace;
+pub mod named_quality;
+pub mod patches;
+pub mod picture;
+pub mod size;
+pub mod threaded_renderer;
+
+pub use named_quality::NamedQuality;
+pub use size::Size;
