@@ -3,11 +3,9 @@
 pub mod cargo;
 pub mod error;
 pub mod frame_trace;
-pub mod named_quality;
 pub mod patches;
 pub mod picture;
 pub mod size;
 pub mod threaded_renderer;
 
-pub use named_quality::NamedQuality;
 pub use size::Size;

@@ -1,7 +1,6 @@
 use eightfold::show;
+use eightfold_tracer::Preset;
 use eightfold_window::{cpu, line::Writer, window::KEYS};
-
-use super::qualities::NAMED;
 
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 
@@ -85,7 +84,7 @@ impl Flag {
     fn write_help(&self, output: &mut Writer) {
         output.text(self.help);
         match self.switch {
-            Switch::Quality => write_names(output, NAMED.iter().map(|&(name, _)| name)),
+            Switch::Quality => write_names(output, Preset::ALL.iter().map(|preset| preset.name())),
             Switch::Isa => write_names(output, cpu::shipped().map(|isa| isa.name)),
             _ => {}
         }

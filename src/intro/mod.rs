@@ -3,7 +3,6 @@
 mod flags;
 mod options;
 mod playing;
-mod qualities;
 mod renderer;
 mod still;
 mod tally;

@@ -1,4 +1,4 @@
-use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Preset};
 use eightfold_window::{
     arguments::Arguments,
     clock::SECOND,
@@ -9,7 +9,6 @@ use eightfold_window::{
 use super::{
     SHOW_NANOSECONDS,
     flags::{Flag, Switch},
-    qualities,
 };
 
 /// Limited by the memory for workers.
@@ -49,8 +48,8 @@ pub struct Options {
     has_fps: bool,
     /// In dB to exhaustive frames, 1 to [`MAX_PSNR`].
     pub psnr: Option<u64>,
-    /// The fixed quality's index in [`qualities::NAMED`], if one is named.
-    pub quality: Option<usize>,
+    /// The fixed quality, if one is named.
+    pub quality: Option<Preset>,
     pub is_uncapped: bool,
     /// Shows the numbers from the start.
     pub has_hud: bool,
@@ -149,8 +148,8 @@ impl Options {
                 self.has_fps = true;
             }
             Switch::Psnr => self.psnr = Some(number(value, MAX_PSNR).ok_or(bad_value)? as u64),
-            Switch::Quality => self.keep_to(qualities::find(value).ok_or(bad_value)?)?,
-            Switch::Exhaustive => self.keep_to(qualities::EXHAUSTIVE)?,
+            Switch::Quality => self.keep_to(preset(value).ok_or(bad_value)?)?,
+            Switch::Exhaustive => self.keep_to(Preset::Exhaustive)?,
             Switch::Uncapped => self.is_uncapped = true,
             Switch::Hud => self.has_hud = true,
             Switch::Silent => self.is_silent = true,
@@ -164,7 +163,7 @@ impl Options {
         Ok(())
     }
 
-    fn keep_to(&mut self, quality: usize) -> Result<(), Misuse> {
+    fn keep_to(&mut self, quality: Preset) -> Result<(), Misuse> {
         match self.quality {
             Some(other) if other != quality => {
                 Err(Misuse::Conflict("--quality conflicts with another quality"))
@@ -180,6 +179,10 @@ impl Options {
 fn split_at_equals(argument: &[u8]) -> (&[u8], Option<&[u8]>) {
     let mut parts = argument.splitn(2, |&byte| byte == b'=');
     (parts.next().unwrap_or(argument), parts.next())
+}
+
+fn preset(name: &[u8]) -> Option<Preset> {
+    Preset::ALL.into_iter().find(|preset| preset.name().as_bytes() == name)
 }
 
 /// Parses a decimal integer, 1 to `most`.

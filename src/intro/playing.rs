@@ -1,6 +1,6 @@
 use core::time::Duration;
 use eightfold::sound::Synthesizer;
-use eightfold_tracer::{AccuracyGovernor, Counts, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
+use eightfold_tracer::{AccuracyGovernor, Counts, Frame, Governor, MAX_HEIGHT, MAX_WIDTH, Preset};
 use eightfold_window::{
     clock::SECOND,
     cpu::Isa,
@@ -13,13 +13,7 @@ use eightfold_window::{
     window::Window,
 };
 
-use super::{
-    SHOW_NANOSECONDS,
-    options::Options,
-    qualities::{self, NAMED},
-    renderer::ShowRenderer,
-    tally::Tally,
-};
+use super::{SHOW_NANOSECONDS, options::Options, renderer::ShowRenderer, tally::Tally};
 
 struct Music(Synthesizer);
 
@@ -103,7 +97,7 @@ impl Playing<'_> {
     fn on(&mut self, target: &mut dyn RenderTarget) -> i32 {
         let options = self.options;
         let is_default = options.is_uncapped && options.psnr.is_none();
-        let kept = options.quality.or(is_default.then_some(qualities::DEFAULT));
+        let kept = options.quality.or(is_default.then_some(Preset::Default));
         let length =
             options.length.unwrap_or(if options.is_looping { u64::MAX } else { SHOW_NANOSECONDS });
         let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
@@ -163,7 +157,7 @@ impl Playing<'_> {
         canvas: &mut [u32],
         size: (usize, usize),
         divisor: usize,
-        quality: usize,
+        quality: Preset,
         time: u64,
     ) -> Counts {
         let [width, height] = [size.0, size.1].map(|side| side.div_ceil(divisor));
@@ -172,7 +166,7 @@ impl Playing<'_> {
             _ => &mut *self.small,
         };
         let mut frame = Frame::new(width, height, pixels);
-        let (number, quality) = (self.tally.frames(), &NAMED[quality].1);
+        let (number, quality) = (self.tally.frames(), quality.quality());
         let counts = self.renderer.draw(time, number, quality, &mut frame);
         if self.has_hud {
             self.tally.write(&mut frame, size, counts.points);

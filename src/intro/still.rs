@@ -1,18 +1,13 @@
 //! Binary PPM: a header with the size, then bytes for red, green and blue of every pixel.
 
-use eightfold_tracer::Frame;
+use eightfold_tracer::{Frame, Preset};
 use eightfold_window::{
     cpu::Isa,
     line::{self, Writer},
     render_target::{Headless, RenderTarget},
 };
 
-use super::{
-    MISUSE,
-    options::Options,
-    qualities::{self, NAMED},
-    renderer::ShowRenderer,
-};
+use super::{MISUSE, options::Options, renderer::ShowRenderer};
 
 /// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32 {
@@ -20,7 +15,7 @@ pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32
         line::complain("standard output is a terminal; must be a file or a pipe", "");
         return MISUSE;
     }
-    let (_, quality) = &NAMED[options.quality.unwrap_or(qualities::DEFAULT)];
+    let quality = options.quality.unwrap_or(Preset::Default).quality();
     let (width, height) = options.size;
     let mut target = Headless::new(width, height);
     let pixels = target.canvas(width, height);

@@ -4,9 +4,9 @@ use eightfold_window::{
     terminal::Terminal,
 };
 
-use eightfold_tracer::{Frame, Probes, scene::Caption};
+use eightfold_tracer::{Frame, Preset, Probes, scene::Caption};
 
-use super::{options::Options, qualities::NAMED, renderer::ShowRenderer};
+use super::{options::Options, renderer::ShowRenderer};
 
 /// Times are in nanoseconds.
 #[derive(Default)]
@@ -26,7 +26,7 @@ pub struct Tally {
     /// The last frame's size, and the number that divided its sides.
     size: (usize, usize),
     divisor: usize,
-    used: [u64; NAMED.len()],
+    used: [u64; Preset::ALL.len()],
     /// The time in `used` with sides divided by 2 and by 3.
     divided: [u64; 2],
 }
@@ -36,13 +36,13 @@ impl Tally {
         self.frames
     }
 
-    /// Counts a frame that was shown at `time`, drawn with its sides divided by `divisor`. `quality` is an index in [`NAMED`].
+    /// Counts a frame that was shown at `time`, drawn with its sides divided by `divisor`.
     pub fn count(
         &mut self,
         time: u64,
         size: (usize, usize),
         divisor: usize,
-        quality: usize,
+        quality: Preset,
         probes: Probes,
     ) {
         self.frames += 1;
@@ -50,7 +50,7 @@ impl Tally {
         self.recent += probes;
         self.size = size;
         self.divisor = divisor;
-        self.used[quality] += time - self.time;
+        self.used[quality as usize] += time - self.time;
         if divisor > 1 {
             self.divided[divisor - 2] += time - self.time;
         }
@@ -105,7 +105,7 @@ impl Tally {
             output.format(", #x#, threads #, ", &numbers[2..]);
         }
         output.text(renderer.isa.name);
-        let names = NAMED.iter().map(|&(name, _)| name);
+        let names = Preset::ALL.iter().map(|preset| preset.name());
         let times = self.used.iter().chain(&self.divided);
         for (name, &time) in names.chain(["halves", "thirds"]).zip(times) {
             if time > 0 {

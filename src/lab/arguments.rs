@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::thread::available_parallelism;
 
-pub const QUALITY: &str = "exhaustive, thesis, or a preset, from finest to fastest";
+pub const QUALITY: &str = "exhaustive, finest to fastest, or thesis";
 
 /// The maximum exceeds the bands of the largest frame.
 pub const THREADS: RangeInclusive<usize> = 1..=256;

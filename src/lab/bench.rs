@@ -7,7 +7,8 @@ use crate::scenes::SceneName;
 use crate::timing::machine;
 use anyhow::Result;
 use clap::Args;
-use eightfold_harness::{NamedQuality, Size};
+use eightfold_harness::Size;
+use eightfold_tracer::Preset;
 use eightfold_window::cpu;
 use std::path::{Path, PathBuf};
 
@@ -26,7 +27,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = within(arguments::THREADS))]
     threads: Vec<usize>,
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"], help = format!("{}; repeatable", arguments::QUALITY))]
-    quality: Vec<NamedQuality>,
+    quality: Vec<Preset>,
     /// Draws all frames with jagged edges; by default all are antialiased
     #[arg(long)]
     jagged: bool,
@@ -82,7 +83,7 @@ fn measurement(arguments: &Arguments) -> Measurement {
     if threads.is_empty() {
         threads.push(arguments::processors());
     }
-    let qualities = [NamedQuality::EXHAUSTIVE].into_iter();
+    let qualities = [Preset::Exhaustive].into_iter();
     let qualities = qualities.chain(arguments.quality.iter().copied());
     let antialias = !arguments.jagged;
     let techniques = qualities.map(|quality| Technique::named(quality, antialias));

@@ -6,10 +6,10 @@ use crate::scenes::FrameArguments;
 use crate::sheet::{Tile, sheet};
 use anyhow::Result;
 use clap::Args;
-use eightfold_harness::NamedQuality;
 use eightfold_harness::error::Difference;
 use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
+use eightfold_tracer::Preset;
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 use std::path::PathBuf;
@@ -20,7 +20,7 @@ pub struct Arguments {
     #[command(flatten)]
     frame: FrameArguments,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
-    quality: NamedQuality,
+    quality: Preset,
     /// PNG file to write, or - for standard output
     #[arg(long, value_name = "FILE", default_value = "target/figures.png", value_parser = arguments::png_file)]
     out: PathBuf,
@@ -48,9 +48,9 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
         let trace = renderer.trace(level, &frame, quality, width, &mut pixels);
         (pixels, trace)
     };
-    let quality = arguments.quality.quality;
+    let quality = arguments.quality.quality();
     let (exhaustive, all) = draw(&quality.reference());
-    let (picture, trace) = draw(&quality);
+    let (picture, trace) = draw(quality);
     let flip = Flip::between(width, &exhaustive, &picture);
     let psnr = Difference::between(&exhaustive, &picture).psnr;
 

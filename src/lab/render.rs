@@ -3,9 +3,9 @@ use crate::output;
 use crate::scenes::FrameArguments;
 use anyhow::Result;
 use clap::Args;
-use eightfold_harness::NamedQuality;
 use eightfold_harness::picture;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
+use eightfold_tracer::Preset;
 use eightfold_window::cpu::{self, Isa};
 use std::path::PathBuf;
 
@@ -15,7 +15,7 @@ pub struct Arguments {
     #[command(flatten)]
     frame: FrameArguments,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
-    quality: NamedQuality,
+    quality: Preset,
     /// No antialiasing
     #[arg(long)]
     jagged: bool,
@@ -35,7 +35,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     scene.check(time)?;
     let scene = scene.at(time);
     let mut pixels = vec![0; size.area()];
-    let mut quality = arguments.quality.quality;
+    let mut quality = *arguments.quality.quality();
     quality.antialias &= !arguments.jagged;
     let level = arguments.isa.unwrap_or_else(cpu::best).level;
     let mut renderer = ThreadedRenderer::new(arguments.threads);

@@ -1,6 +1,7 @@
+use eightfold_harness::Size;
 use eightfold_harness::error::worst_channel;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_harness::{NamedQuality, Size};
+use eightfold_tracer::Preset;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Level, Quality};
 use fast_image_resize::images::{Image, ImageRef};
@@ -39,8 +40,8 @@ impl Technique {
         Self { name: name.to_owned(), quality: Quality { antialias, edge, ..quality }, sampling }
     }
 
-    pub fn named(named: NamedQuality, antialias: bool) -> Self {
-        Self::new(named.name, named.quality, antialias, Sampling::Full)
+    pub fn named(preset: Preset, antialias: bool) -> Self {
+        Self::new(preset.name(), *preset.quality(), antialias, Sampling::Full)
     }
 
     pub fn reference(&self) -> Self {

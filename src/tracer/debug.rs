@@ -41,7 +41,7 @@ mod tests {
         let renderer = format!("{:?}", Renderer::detect());
         assert!(renderer.starts_with("Renderer { kernels: Kernels { level: "), "{renderer}");
         let governor = format!("{:?}", AccuracyGovernor::new(42.0));
-        assert!(governor.contains("target: 42.0, preset: 0"), "{governor}");
+        assert!(governor.contains("target: 42.0, rung: 0"), "{governor}");
         let threads = format!("{:?}", ScopedThreads::of(2));
         assert_eq!(threads, "ScopedThreads { workers: [Worker { .. }, Worker { .. }] }");
         assert!([frame, renderer, governor].iter().all(|text| text.len() < 400));

@@ -1,12 +1,12 @@
 //! Governors have no clock: equal times or probes give equal presets.
 
 use crate::counts::Probes;
-use crate::quality::Quality;
+use crate::quality::{Preset, Quality};
 use core::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
 
-const PRESETS: usize = Quality::LADDER.len();
+const PRESETS: usize = Preset::LADDER.len();
 
 /// The presets at full size, then the fastest one at a half and at a third of each side.
 const RUNGS: usize = PRESETS + 2;
@@ -33,7 +33,7 @@ const GUESS: u64 = 3;
 /// The number of frames after a step down that are compared with those before it.
 const COMPARED: u64 = 8;
 
-/// Selects presets of [`Quality::LADDER`] to hold a frame rate.
+/// Selects presets of [`Preset::LADDER`] to hold a frame rate.
 ///
 /// It steps down when frames are late. It steps up when the next finer preset would leave a sixth of the time unused, predicted by
 /// the ratio of the times before and after the last step down.
@@ -47,13 +47,13 @@ const COMPARED: u64 = 8;
 ///
 /// ```
 /// use core::time::Duration;
-/// use eightfold_tracer::{Governor, Quality};
+/// use eightfold_tracer::{Governor, Preset};
 ///
 /// let mut governor = Governor::new(Duration::from_secs(1) / 60);
 /// for _ in 0..10 {
 ///     governor.frame(Duration::from_millis(33));
 /// }
-/// assert_ne!(governor.quality(), &Quality::LADDER[0]);
+/// assert_ne!(governor.preset(), Preset::Finest);
 /// ```
 #[derive(Debug)]
 pub struct Governor {
@@ -109,19 +109,19 @@ impl Governor {
     /// Returns the quality for the next frame.
     #[must_use]
     pub fn quality(&self) -> &'static Quality {
-        &Quality::LADDER[self.preset()]
+        self.preset().quality()
     }
 
-    /// Returns the index of the preset in [`Quality::LADDER`].
+    /// Returns the preset for the next frame.
     #[must_use]
-    pub fn preset(&self) -> usize {
-        self.rung.min(PRESETS - 1)
+    pub fn preset(&self) -> Preset {
+        Preset::LADDER[self.rung.min(PRESETS - 1)]
     }
 
     /// Returns the number that divides both sides of the next frame: 1, or 2 or 3 with [`Governor::with_smaller_frames`].
     #[must_use]
     pub fn divisor(&self) -> usize {
-        1 + self.rung - self.preset()
+        1 + self.rung.saturating_sub(PRESETS - 1)
     }
 
     /// Records the time from the start of the last frame until it was shown.
@@ -174,7 +174,7 @@ const STEP_LOSS: [f32; 2] = [1.4, 3.0];
 /// The additional dB that are required to try a preset again.
 const RETRY_GAIN: f32 = 0.5;
 
-/// Selects presets of [`Quality::LADDER`] to hold an accuracy.
+/// Selects presets of [`Preset::LADDER`] to hold an accuracy.
 ///
 /// It steps to a finer preset when the accuracy is certainly below the target, and to a faster one when that one would certainly
 /// reach the target, predicted by the gain of the last step to a finer preset.
@@ -184,7 +184,8 @@ const RETRY_GAIN: f32 = 0.5;
 #[derive(Debug)]
 pub struct AccuracyGovernor {
     target: f32,
-    preset: usize,
+    /// The index in [`Preset::LADDER`].
+    rung: usize,
     probes: Probes,
     /// The dB before the last step to a finer preset, until its gain is known.
     before: Option<f32>,
@@ -198,7 +199,7 @@ impl AccuracyGovernor {
     pub fn new(target: f32) -> Self {
         Self {
             target,
-            preset: 0,
+            rung: 0,
             probes: Probes::NONE,
             before: None,
             threshold: [target + STEP_LOSS[0]; PRESETS],
@@ -208,13 +209,13 @@ impl AccuracyGovernor {
     /// Returns the quality for the next frame.
     #[must_use]
     pub fn quality(&self) -> &'static Quality {
-        &Quality::LADDER[self.preset]
+        self.preset().quality()
     }
 
-    /// Returns the index of the preset in [`Quality::LADDER`].
+    /// Returns the preset for the next frame.
     #[must_use]
-    pub fn preset(&self) -> usize {
-        self.preset
+    pub fn preset(&self) -> Preset {
+        Preset::LADDER[self.rung]
     }
 
     /// Records the probes ([`Frame::with_probes`](crate::Frame::with_probes)) of the last frame.
@@ -226,7 +227,7 @@ impl AccuracyGovernor {
         // `max` replaces NaN, without errors. Later steps correct for errors that no probe met.
         let margin = self.probes.margin_with(0.0).max(0.0);
         let psnr = self.probes.psnr();
-        let threshold = &mut self.threshold[self.preset];
+        let threshold = &mut self.threshold[self.rung];
         if let Some(before) = self.before {
             *threshold =
                 self.target + (psnr - before).clamp(STEP_LOSS[0], STEP_LOSS[1]) + RETRY_GAIN;
@@ -235,11 +236,11 @@ impl AccuracyGovernor {
             self.probes.halve();
             self.before = None;
         }
-        if psnr + margin < self.target && self.preset > 0 {
-            self.preset -= 1;
+        if psnr + margin < self.target && self.rung > 0 {
+            self.rung -= 1;
             self.before = Some(psnr);
-        } else if psnr - margin > *threshold && self.preset + 1 < PRESETS {
-            self.preset += 1;
+        } else if psnr - margin > *threshold && self.rung + 1 < PRESETS {
+            self.rung += 1;
             self.before = None;
         } else {
             return;

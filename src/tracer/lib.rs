@@ -45,7 +45,7 @@
 //!
 //! # Quality
 //!
-//! [`Quality::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A
+//! [`Preset::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A
 //! [`Governor`] selects the preset that holds a frame rate, and optionally a smaller size. An [`AccuracyGovernor`] selects the preset
 //! that holds an accuracy, measured by [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
 //!
@@ -83,7 +83,7 @@
 //! same. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`, so that they still compile.
 //! [`Counts`], [`Error`] and [`Frame`] are `#[non_exhaustive]`.
 //!
-//! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of [`Quality::LADDER`] may change. A
+//! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of each [`Preset`] may change. A
 //! breaking version of `glam` or `fearless_simd` ([`Level`]) makes a breaking version of this crate.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -121,7 +121,7 @@ pub use fearless_simd::Level;
 pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
 pub use picture::{Band, Frame, Probing};
-pub use quality::Quality;
+pub use quality::{Preset, Quality, UnknownPreset};
 pub use range_error::{Found, RangeError};
 pub use refine::Worker;
 #[cfg(feature = "std")]

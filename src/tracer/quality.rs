@@ -1,6 +1,8 @@
 //! Qualities and presets.
 
 use crate::range_error::{Checked, Range, RangeError};
+use core::fmt;
+use core::str::FromStr;
 
 /// Settings that trade accuracy for speed: the refinement of squares, and the depth of rays.
 ///
@@ -81,33 +83,8 @@ impl Quality {
     pub const THESIS: Self =
         Self { square: 8, tolerance_agreeing: f32::INFINITY, ..Self::EXHAUSTIVE };
 
-    /// The middle preset.
+    /// The quality of [`Preset::Default`].
     pub const DEFAULT: Self = Self::within(8, 7.7).followed(5, 0.015).antialiased(20);
-
-    /// The presets from the finest to the fastest. The first four are antialiased, which takes a third to a half more time at `default`.
-    /// `docs/accuracy.md` has their speed and errors, measured by `cargo lab trade --ladder`.
-    ///
-    /// They lie on the Pareto front of time, FLIP and pops (pixels that jump between frames while the exhaustive frame's stay),
-    /// which `cargo lab trade` prints. The optimum by PSNR only, a default with a tolerance of 9 and a least contribution of 0.02,
-    /// takes a tenth less time in the model scene, but has three times the pops and 1.5 times the FLIP error.
-    ///
-    /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
-    pub const LADDER: &'static [Self; 7] = &[
-        Self { unguarded_weight: 0.1, ..Self::within(8, 2.0).antialiased(8) },
-        Self::within(8, 3.0).antialiased(12),
-        Self::within(8, 5.0).antialiased(16),
-        Self::DEFAULT,
-        Self::within(8, 8.5).followed(4, 0.02),
-        Self::within(8, 16.0).followed(4, 0.02),
-        Self::within(8, 28.0).followed(3, 0.05),
-    ];
-
-    /// The index of [`Quality::DEFAULT`] in [`Quality::LADDER`].
-    pub const DEFAULT_PRESET: usize = 3;
-
-    /// The presets' names.
-    pub const NAMES: [&'static str; Self::LADDER.len()] =
-        ["finest", "finer", "fine", "default", "fast", "faster", "fastest"];
 
     /// Returns a quality with a tolerance for equal keys only. Keys have the objects of the primary hit and of its stronger
     /// secondary rays, and the lights' states, lit or dark.
@@ -176,5 +153,111 @@ impl Quality {
 
     pub(crate) fn needs_keys(&self) -> bool {
         self.square > 1 && self.tolerance_agreeing != self.tolerance_differing
+    }
+}
+
+macro_rules! presets {
+    ($($(#[$doc:meta])* $preset:ident, $name:literal, $quality:expr;)*) => {
+        /// A named quality.
+        ///
+        /// `docs/accuracy.md` has their speed and errors, measured by `cargo lab trade --ladder`. Those of [`Preset::LADDER`] lie on the
+        /// Pareto front of time, FLIP and pops (pixels that jump between frames while the exhaustive frame's stay), which
+        /// `cargo lab trade` prints. The optimum by PSNR only, a default with a tolerance of 9 and a least contribution of 0.02, takes
+        /// a tenth less time in the model scene, but has three times the pops and 1.5 times the FLIP error.
+        ///
+        /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
+        ///
+        /// ```
+        /// use eightfold_tracer::{Preset, Quality};
+        ///
+        /// assert_eq!("default".parse::<Preset>()?.quality(), &Quality::DEFAULT);
+        /// # Ok::<(), eightfold_tracer::UnknownPreset>(())
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
+        // An index. The packed intro has 60 bytes less than by one byte per preset.
+        #[repr(usize)]
+        pub enum Preset {
+            $($(#[$doc])* $preset,)*
+        }
+
+        /// Names and qualities by `Preset as usize`.
+        const PRESETS: &[(&str, Quality)] = &[$(($name, $quality)),*];
+
+        impl Preset {
+            /// All presets in the order of their numbers: `preset as usize` is the index of `preset`.
+            pub const ALL: [Self; PRESETS.len()] = [$(Self::$preset),*];
+        }
+    };
+}
+
+presets! {
+    /// [`Quality::EXHAUSTIVE`].
+    Exhaustive, "exhaustive", Quality::EXHAUSTIVE;
+    /// The most accurate preset that fills squares. It and the next three are antialiased, which takes a third to a half more time at
+    /// `default`.
+    Finest, "finest", Quality { unguarded_weight: 0.1, ..Quality::within(8, 2.0).antialiased(8) };
+    /// Between [`Preset::Finest`] and [`Preset::Fine`].
+    Finer, "finer", Quality::within(8, 3.0).antialiased(12);
+    /// Between [`Preset::Finer`] and [`Preset::Default`].
+    Fine, "fine", Quality::within(8, 5.0).antialiased(16);
+    /// [`Quality::DEFAULT`].
+    Default, "default", Quality::DEFAULT;
+    /// Between [`Preset::Default`] and [`Preset::Faster`].
+    Fast, "fast", Quality::within(8, 8.5).followed(4, 0.02);
+    /// Between [`Preset::Fast`] and [`Preset::Fastest`].
+    Faster, "faster", Quality::within(8, 16.0).followed(4, 0.02);
+    /// The preset for slow machines.
+    Fastest, "fastest", Quality::within(8, 28.0).followed(3, 0.05);
+    /// [`Quality::THESIS`].
+    Thesis, "thesis", Quality::THESIS;
+}
+
+impl Preset {
+    /// The presets from [`Preset::Finest`] to [`Preset::Fastest`], which governors choose from.
+    pub const LADDER: &'static [Self] =
+        Self::ALL.split_at(Self::Thesis as usize).0.split_at(Self::Finest as usize).1;
+
+    /// Returns the preset's quality.
+    #[must_use]
+    pub const fn quality(self) -> &'static Quality {
+        &PRESETS[self as usize].1
+    }
+
+    /// Returns the preset's name, which [`Preset::from_str`] parses.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        PRESETS[self as usize].0
+    }
+}
+
+impl fmt::Display for Preset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The error of [`Preset::from_str`]. It displays as the list of all names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct UnknownPreset;
+
+impl fmt::Display for UnknownPreset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("must be one of ")?;
+        for (i, preset) in Preset::ALL.into_iter().enumerate() {
+            write!(f, "{}{preset}", if i > 0 { ", " } else { "" })?;
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for UnknownPreset {}
+
+impl FromStr for Preset {
+    type Err = UnknownPreset;
+
+    fn from_str(name: &str) -> Result<Self, UnknownPreset> {
+        Self::ALL.into_iter().find(|preset| preset.name() == name).ok_or(UnknownPreset)
     }
 }

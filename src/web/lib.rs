@@ -13,7 +13,9 @@ use eightfold::show;
 use eightfold::sound::{self, Synthesizer};
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::scene::{Method, Scene};
-use eightfold_tracer::{Counts, Frame, Governor, Level, Memory, Probes, Quality, Renderer, Worker};
+use eightfold_tracer::{
+    Counts, Frame, Governor, Level, Memory, Preset, Probes, Quality, Renderer, Worker,
+};
 use inspector::Inspector;
 use share::{Share, rows_of};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -88,13 +90,14 @@ pub extern "C" fn about() -> *const u8 {
         format!(r#"{{"name":"{name}","start":{start}}}"#)
     });
     let scenes: Vec<_> = scenes.collect();
-    let names: Vec<_> = ["exhaustive"].into_iter().chain(Quality::NAMES).collect();
+    // The last one, `thesis`, is not offered.
+    let names = &Preset::ALL.map(Preset::name)[..Preset::Thesis as usize];
     let text = format!(
         r#"{{"length":{},"scenes":[{}],"qualities":["{}"],"default":{},"probes":{},"rate":{}}}"#,
         show::LENGTH,
         scenes.join(","),
         names.join("\",\""),
-        Quality::DEFAULT_PRESET + 1,
+        Preset::Default as usize,
         Frame::PROBES,
         sound::RATE,
     );
@@ -174,10 +177,7 @@ pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f3
 /// Sets the quality of the next frames by its index in [`about`]; `is_reference` selects the reference of its error.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_quality(place: usize, is_reference: bool) {
-    let quality = match place {
-        0 => &Quality::EXHAUSTIVE,
-        place => &Quality::LADDER[place - 1],
-    };
+    let quality = Preset::ALL[place].quality();
     state().quality = if is_reference { quality.reference() } else { *quality };
 }
 
@@ -289,5 +289,5 @@ pub extern "C" fn governed(nanoseconds: f64) -> usize {
     let budget = Duration::from_secs(1) / 60;
     let governor = state.governor.get_or_insert_with(|| Governor::new(budget));
     governor.frame(Duration::from_nanos(nanoseconds as u64));
-    governor.preset() + 1
+    governor.preset() as usize
 }

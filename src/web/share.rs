@@ -62,7 +62,7 @@ impl Threads for Share<'_> {
 mod tests {
     use super::*;
     use eightfold::show;
-    use eightfold_tracer::{Frame, Level, Memory, Quality, Renderer};
+    use eightfold_tracer::{Frame, Level, Memory, Preset, Quality, Renderer};
 
     const WIDTH: usize = 161;
     const HEIGHT: usize = 120;
@@ -139,7 +139,7 @@ mod tests {
         show::at(100.0, &mut scene);
         let [mut first, mut second, mut whole] = [Part::new(), Part::new(), Part::new()];
         // Without antialiasing a frame has one pass.
-        let quality = Quality::LADDER[6];
+        let quality = *Preset::Fastest.quality();
         assert_eq!(first.draw(&scene, &quality, 0..64, 0, Counts::NONE).1, 0..HEIGHT);
         assert_eq!(second.draw(&scene, &quality, 64..HEIGHT, 0, Counts::NONE).2, 0);
         let frame = Frame::new(WIDTH, HEIGHT, &mut whole.pixels);
@@ -153,7 +153,7 @@ mod tests {
         // With edges, with a caption that shows the points, with squares of 32.
         for time in [62.3, 37.5, 24.05] {
             show::at(time, &mut scene);
-            for quality in [Quality::DEFAULT, Quality::LADDER[6], Quality::EXHAUSTIVE] {
+            for quality in [Quality::DEFAULT, *Preset::Fastest.quality(), Quality::EXHAUSTIVE] {
                 let whole = in_parts(&scene, &quality, &[0, HEIGHT]);
                 let mut part = Part::new();
                 let frame = Frame::new(WIDTH, HEIGHT, &mut part.pixels);

@@ -5,10 +5,10 @@ use crate::drawn::{draw, draw_best, isa_of, named};
 use crate::error::Difference;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::{Kinds, cases, materials, materials_of};
-use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
     Ambience, Block, Camera, Light, List, Material, Plane, Scene, Sphere,
 };
+use eightfold_tracer::{Preset, Quality};
 use glam::{Vec3, vec3};
 
 /// Qualities of every depth, with all weights traced, few, and none.
@@ -132,7 +132,7 @@ fn fastest_shows_glass_and_mirrors_behind_others() {
     inside.spheres.clear();
     inside.blocks.push(mirror(vec3(0.0, 1.0, 6.0), Vec3::splat(0.5)));
     for (scene, least) in [(balls, 20.0), (inside, 20.0)] {
-        let fastest = Quality::LADDER[Quality::LADDER.len() - 1];
+        let fastest = *Preset::Fastest.quality();
         let [expected, drawn] = [fastest.reference(), fastest]
             .map(|quality| draw_best(&scene, &quality, 320, 180).pixels);
         let psnr = Difference::between(&expected, &drawn).psnr;

@@ -8,7 +8,7 @@ use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_tracer::observe::{Fill, Observer, Split};
 use eightfold_tracer::scene::Scene;
-use eightfold_tracer::{Counts, Quality};
+use eightfold_tracer::{Counts, Preset, Quality};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::Mutex;
@@ -24,7 +24,7 @@ pub const REFINEMENTS: [Quality; 4] =
     [Quality::EXHAUSTIVE, Quality::DEFAULT.reference(), Quality::THESIS, Quality::DEFAULT];
 
 pub fn named() -> impl Iterator<Item = Quality> {
-    Quality::LADDER.iter().copied().chain([Quality::THESIS])
+    Preset::ALL[1..].iter().map(|preset| *preset.quality())
 }
 
 pub const fn of_side(square: usize, quality: Quality) -> Quality {

@@ -7,8 +7,8 @@ use crate::shown::{pixels, sized};
 use eightfold_harness::patches::patches;
 use eightfold_scenes::hidden::{Hidden, slit};
 use eightfold_scenes::{Kinds, View, cases, lights, materials_of};
-use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Light, Spot};
+use eightfold_tracer::{Preset, Quality};
 use glam::Vec3;
 
 #[derive(Debug, Default)]
@@ -76,7 +76,7 @@ fn lit(kind: Hidden, quality: Quality) -> [Wrong; 2] {
 
 #[test]
 fn few_pixels_of_shadows_are_lit() {
-    let (finest, default) = (Quality::LADDER[0], Quality::DEFAULT);
+    let (finest, default) = (*Preset::Finest.quality(), Quality::DEFAULT);
     let by =
         |kind: Hidden, light: fn(Light) -> Light| Hidden { light: kind.light.map(light), ..kind };
     let sun = |light| lights::others(light, 0.0)[0];
@@ -127,7 +127,7 @@ fn slits_of_light_between_shadows_are_shown() {
 
 #[test]
 fn few_pixels_of_small_reflections_are_wrong() {
-    for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::THESIS] {
+    for quality in [*Preset::Finest.quality(), Quality::DEFAULT, Quality::THESIS] {
         let mut wrong = Wrong::default();
         for mut random in cases(20) {
             let mut scene = Hidden { are_blocks: [false; 2], ..Hidden::MIRROR }.scene(&mut random);

@@ -8,10 +8,10 @@ use crate::error::{Difference, worst_channel};
 use crate::picture::png;
 use crate::shipped::Still;
 use eightfold::show;
-use eightfold_harness::NamedQuality;
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::between_corners;
 use eightfold_stage::reader::read_png;
+use eightfold_tracer::Preset;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use std::fs;
@@ -109,21 +109,21 @@ fn scenes_match_golden_pictures() {
 fn show_matches_golden_pictures() {
     // Times in milliseconds that show every scene and every position of a caption.
     for (name, time, quality) in [
-        ("eclipse", 9_000, NamedQuality::EXHAUSTIVE),
-        ("still-life", 18_000, NamedQuality::EXHAUSTIVE),
-        ("method", 34_000, NamedQuality::THESIS),
-        ("city", 47_000, NamedQuality::EXHAUSTIVE),
-        ("chimes", 60_300, NamedQuality::EXHAUSTIVE),
-        ("bubbles", 76_500, NamedQuality::EXHAUSTIVE),
-        ("planet", 86_000, NamedQuality::EXHAUSTIVE),
-        ("coarse", 92_300, NamedQuality::THESIS),
-        ("kaleidoscope", 100_400, NamedQuality::EXHAUSTIVE),
-        ("finale", 110_000, NamedQuality::EXHAUSTIVE),
-        ("end", 115_550, NamedQuality::EXHAUSTIVE),
+        ("eclipse", 9_000, Preset::Exhaustive),
+        ("still-life", 18_000, Preset::Exhaustive),
+        ("method", 34_000, Preset::Thesis),
+        ("city", 47_000, Preset::Exhaustive),
+        ("chimes", 60_300, Preset::Exhaustive),
+        ("bubbles", 76_500, Preset::Exhaustive),
+        ("planet", 86_000, Preset::Exhaustive),
+        ("coarse", 92_300, Preset::Thesis),
+        ("kaleidoscope", 100_400, Preset::Exhaustive),
+        ("finale", 110_000, Preset::Exhaustive),
+        ("end", 115_550, Preset::Exhaustive),
     ] {
         let still = Still::new(time, quality, 320, 180);
         let name = format!("show-{name}");
-        hold(&name, &still.scene(), &quality.quality, 320, 180);
+        hold(&name, &still.scene(), quality.quality(), 320, 180);
         let shipped = cpu::shipped().map(|isa| (isa.name, still.shipped(isa, 2)));
         assert_golden(&name, 320, &shipped.collect::<Vec<_>>());
     }

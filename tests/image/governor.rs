@@ -1,13 +1,18 @@
 //! The governors hold frame rate and accuracy on simulated machines, without a clock.
 
 use eightfold_scenes::{Random, cases};
-use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Probes, Quality};
+use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Preset, Probes};
 use std::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
-const PRESETS: usize = Quality::LADDER.len();
+const PRESETS: usize = Preset::LADDER.len();
 /// The presets, and two steps with smaller frames.
 const RUNGS: usize = PRESETS + 2;
+
+/// The preset's index in [`Preset::LADDER`].
+fn rung(preset: Preset) -> usize {
+    preset as usize - Preset::Finest as usize
+}
 
 /// Frames after a step in which a governor measures its effect.
 const COMPARED: usize = 8;
@@ -64,7 +69,7 @@ impl Machine {
     }
 
     fn rung(&self) -> usize {
-        self.governor.preset() + self.governor.divisor() - 1
+        rung(self.governor.preset()) + self.governor.divisor() - 1
     }
 
     fn cost(&self) -> f64 {
@@ -185,7 +190,7 @@ fn sides_are_halved_then_divided_by_three() {
     let mut seen = vec![(0, 1)];
     seen.extend((0..1000).map(|_| {
         governor.frame(late);
-        (governor.preset(), governor.divisor())
+        (rung(governor.preset()), governor.divisor())
     }));
     seen.dedup();
     let smaller = [(PRESETS - 1, 2), (PRESETS - 1, 3)];
@@ -193,7 +198,7 @@ fn sides_are_halved_then_divided_by_three() {
     assert_eq!(seen, expected.collect::<Vec<_>>());
     let mut full = Governor::new(Duration::from_nanos(SECOND / 60));
     (0..1000).for_each(|_| full.frame(late));
-    assert_eq!((full.preset(), full.divisor()), (PRESETS - 1, 1));
+    assert_eq!((full.preset(), full.divisor()), (Preset::Fastest, 1));
 }
 
 /// A step to a rung of unknown time may have to be taken back.
@@ -246,7 +251,7 @@ impl Show {
 
     /// Returns the probes of a frame: a fiftieth of the pixels has four fifths of the error, as where edges are missed.
     fn probes(&mut self) -> Probes {
-        let psnr = self.room(self.governor.preset()) + self.target;
+        let psnr = self.room(rung(self.governor.preset())) + self.target;
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(psnr / 10.0);
         let mut probes = Probes::NONE;
         for _ in 0..Frame::PROBES {
@@ -268,7 +273,7 @@ impl Show {
             self.governor.frame(probes);
             self.frames += 1;
             if self.governor.preset() != preset {
-                let step = (self.frames, preset, self.governor.preset());
+                let step = (self.frames, rung(preset), rung(self.governor.preset()));
                 self.steps.push(step);
             }
         }
@@ -283,7 +288,7 @@ fn constant_accuracy_selects_fastest_preset() {
         let room = between(&mut random, -5.0, 15.0);
         let mut show = Show::new(random, room);
         show.run(60);
-        let preset = show.governor.preset();
+        let preset = rung(show.governor.preset());
         let room = show.room(preset);
         assert!(preset == 0 || room > -2.0, "{room}");
         let is_fastest = preset + 1 == PRESETS || show.room(preset + 1) < 1.5;
@@ -304,14 +309,14 @@ fn cut_changes_preset_in_2_s_and_back_in_15_s() {
         let change = between(&mut random, 6.0, 10.0);
         let mut show = Show::new(random, 5.0);
         show.run(30);
-        let settled = show.governor.preset();
+        let settled = rung(show.governor.preset());
         assert!(settled > 0 && settled + 1 < PRESETS);
         show.steps.clear();
         for room in [5.0 - change, 5.0].repeat(5) {
             let (cut, known) = (show.frames, show.steps.len());
             show.finest = show.target + room;
             show.run(15);
-            let preset = show.governor.preset();
+            let preset = rung(show.governor.preset());
             let found = show.room(preset);
             assert!(preset == 0 || found > -2.0, "{found}");
             assert!(preset + 1 == PRESETS || found < 6.0, "{found}");
@@ -327,7 +332,7 @@ fn cut_changes_preset_in_2_s_and_back_in_15_s() {
 #[test]
 fn no_probes_keep_preset_no_error_selects_fastest() {
     let mut governor = AccuracyGovernor::new(45.0);
-    for (pixels, preset) in [(0, 0), (80, PRESETS - 1)] {
+    for (pixels, preset) in [(0, Preset::Finest), (80, Preset::Fastest)] {
         let probes = Probes { pixels, ..Probes::NONE };
         (0..10_000).for_each(|_| governor.frame(probes));
         assert_eq!(governor.preset(), preset);

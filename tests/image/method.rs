@@ -5,9 +5,9 @@ use crate::drawn::{Drawn, REFINEMENTS, SIDES, draw, jagged, of_side};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_harness::frame_trace::FrameTrace;
-use eightfold_tracer::Quality;
 use eightfold_tracer::observe::Fill;
 use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::{Preset, Quality};
 
 const SIZE: (usize, usize) = (331, 217);
 
@@ -37,7 +37,7 @@ fn trace(quality: &Quality) -> FrameTrace {
 #[test]
 fn marks_lie_where_points_are_traced() {
     let method = Method { points: 1.0, ..MARKS };
-    for quality in Quality::LADDER {
+    for quality in Preset::LADDER.iter().map(|preset| preset.quality()) {
         let pixels = drawn(method, *quality).pixels;
         let mut count = 0;
         for (i, (&pixel, rays)) in pixels.iter().zip(trace(quality).rays()).enumerate() {
@@ -57,7 +57,7 @@ fn marks_lie_where_points_are_traced() {
 fn lines_are_the_upper_and_left_sides_of_squares() {
     let method = Method { squares: 1.0, ..MARKS };
     let sides = [2, 32].map(|side| of_side(side, Quality::THESIS));
-    for quality in Quality::LADDER.iter().chain(&sides) {
+    for quality in Preset::LADDER.iter().map(|preset| preset.quality()).chain(&sides) {
         let mut expected = vec![0; SIZE.0 * SIZE.1];
         let mut covered = expected.clone();
         for square in trace(quality).squares() {

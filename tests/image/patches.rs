@@ -6,9 +6,9 @@ use crate::error::Difference;
 use eightfold_harness::patches::{largest, lost, patches};
 use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{Random, cases, coloured, solids};
-use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Block, Camera, Light, Material, Method, Scene, Shape};
+use eightfold_tracer::{Preset, Quality};
 
 const SIZE: [usize; 2] = [1280, 720];
 
@@ -119,8 +119,8 @@ fn shows_floor(scene: &Scene) -> Vec<bool> {
     floor.iter().zip(black).map(|(a, b)| *a != b).collect()
 }
 
-/// Asserts that bars of every kind leave no patch on a plain floor, at the named qualities whose places are `presets`.
-fn assert_whole_light(count: u64, presets: &[usize]) {
+/// Asserts that bars of every kind leave no patch on a plain floor, at each of `presets`.
+fn assert_whole_light(count: u64, presets: &[Preset]) {
     for mut random in cases(count) {
         let kind = KINDS[random.below(ON_FLOORS)];
         for (light, draw) in &LIGHTS[..3] {
@@ -128,16 +128,16 @@ fn assert_whole_light(count: u64, presets: &[usize]) {
             let is_floor = shows_floor(&scene);
             let exact = draw_best(&scene, &Quality::EXHAUSTIVE, SIZE[0], SIZE[1]).pixels;
             for &preset in presets {
-                let quality = jagged(Quality::LADDER[preset]);
+                let quality = jagged(*preset.quality());
                 let drawn = draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels;
                 let mut lost = lost(&exact, &drawn, SIZE[0]);
                 lost.retain(|&i| is_floor[i]);
                 let patches = patches(&lost, SIZE[0]);
                 let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
-                let (case, kind, name) = (random.seed, kind.0, Quality::NAMES[preset]);
+                let (case, kind) = (random.seed, kind.0);
                 assert!(
                     patch <= FLOOR,
-                    "a patch of {patch}, case {case}: {kind} by a {light}, {name}"
+                    "a patch of {patch}, case {case}: {kind} by a {light}, {preset}"
                 );
             }
         }
@@ -146,11 +146,11 @@ fn assert_whole_light(count: u64, presets: &[usize]) {
 
 #[test]
 fn light_between_bars_has_no_patches() {
-    assert_whole_light(8, &[Quality::DEFAULT_PRESET]);
+    assert_whole_light(8, &[Preset::Default]);
 }
 
 #[test]
 #[ignore = "many frames"]
 fn long_light_between_bars_has_no_patches() {
-    assert_whole_light(200, &[0, 1, 2, 3, 4, 5]);
+    assert_whole_light(200, &Preset::LADDER[..6]);
 }

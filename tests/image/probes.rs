@@ -5,7 +5,7 @@ use crate::drawn::{REFINEMENTS, draw_best, of_the_show};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_tracer::scene::{Method, Scene};
-use eightfold_tracer::{Probes, Quality};
+use eightfold_tracer::{Preset, Probes, Quality};
 
 const SIZE: (usize, usize) = (200, 149);
 
@@ -90,7 +90,7 @@ fn long_interval_holds_the_true_error() {
     for time in [2.4, 10.0, 21.3, 47.7, 55.0, 62.5, 75.0, 90.1, 105.0] {
         show::without_transition(time, &mut scene);
         scene.captions.clear();
-        for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::LADDER[6]] {
+        for quality in [*Preset::Finest.quality(), Quality::DEFAULT, *Preset::Fastest.quality()] {
             let error = error(&scene, &quality, SIZE);
             let mut probing = Probing::of(SIZE, cpu::best(), 2);
             let (mut sum, mut settled) = (Probes::NONE, None);

@@ -4,9 +4,9 @@ use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_scenes::{Random, cases, crowd, lights};
-use eightfold_tracer::Quality;
 use eightfold_tracer::observe::{Fill, Split};
 use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{Preset, Quality};
 
 /// Returns the PSNR against the exhaustive picture with the same antialiasing.
 fn psnr(scene: &Scene, quality: Quality, [width, height]: [usize; 2]) -> f64 {
@@ -57,7 +57,7 @@ fn squares_between_split_ones_are_split() {
     for (scene, quality) in [
         (show::model_scene(1.0), Quality::THESIS),
         (of_the_show(5.5), Quality::DEFAULT),
-        (of_the_show(47.0), Quality::LADDER[0]),
+        (of_the_show(47.0), *Preset::Finest.quality()),
     ] {
         let record = Record::default();
         let mut pixels = vec![0; width * height];

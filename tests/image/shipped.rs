@@ -3,8 +3,8 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::draw;
 use eightfold::show;
-use eightfold_harness::NamedQuality;
 use eightfold_stage::{linked_intro, reader::read_ppm};
+use eightfold_tracer::Preset;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use std::process::Command;
@@ -13,13 +13,13 @@ use std::process::Command;
 pub struct Still {
     /// In milliseconds.
     pub time: u32,
-    pub quality: NamedQuality,
+    pub quality: Preset,
     pub width: usize,
     pub height: usize,
 }
 
 impl Still {
-    pub fn new(time: u32, quality: NamedQuality, width: usize, height: usize) -> Self {
+    pub fn new(time: u32, quality: Preset, width: usize, height: usize) -> Self {
         Self { time, quality, width, height }
     }
 
@@ -34,7 +34,7 @@ impl Still {
         let output = Command::new(linked_intro())
             .args(["--still", &format!("{seconds}.{milliseconds:03}")])
             .args(["--size", &format!("{}x{}", self.width, self.height)])
-            .args(["--quality", self.quality.name, "--isa", isa.name])
+            .args(["--quality", self.quality.name(), "--isa", isa.name])
             .args(["--threads", &threads.to_string()])
             .output()
             .expect("the intro starts");
@@ -46,7 +46,7 @@ impl Still {
     }
 
     pub fn drawn(&self, isa: Isa) -> Vec<u32> {
-        let quality = &self.quality.quality;
+        let quality = self.quality.quality();
         draw(isa, 2, &self.scene(), quality, self.width, self.height).pixels
     }
 
@@ -72,7 +72,7 @@ pub const TIMES: [u32; 18] = [
 #[test]
 #[ignore = "the intro is started many times"]
 fn shipped_bits_match_by_every_quality() {
-    for (i, quality) in NamedQuality::all().enumerate() {
+    for (i, quality) in Preset::ALL.into_iter().enumerate() {
         for time in [TIMES[i], TIMES[i + 7]] {
             Still::new(time, quality, 331, 217).assert_same();
         }
@@ -82,7 +82,7 @@ fn shipped_bits_match_by_every_quality() {
 #[test]
 fn shipped_bits_match_at_every_size() {
     for (width, height) in [(1, 1), (7, 3), (1, 100), (MAX_WIDTH, 9), (9, MAX_HEIGHT)] {
-        Still::new(17_300, NamedQuality::EXHAUSTIVE, width, height).assert_same();
+        Still::new(17_300, Preset::Exhaustive, width, height).assert_same();
     }
     let quality = "default".parse().expect("a quality");
     let largest = Still::new(33_500, quality, MAX_WIDTH, MAX_HEIGHT);

@@ -5,11 +5,11 @@ use crate::error::Difference;
 use eightfold_harness::patches::largest;
 use eightfold_scenes::artists::{KINDS, ON_FLOORS};
 use eightfold_scenes::cases;
-use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::{Preset, Quality};
 use glam::{Vec3, vec3};
 
-const FINEST: Quality = Quality::LADDER[0];
+const FINEST: Quality = *Preset::Finest.quality();
 
 /// The size of a patch that counts.
 const PATCH: usize = 20;

@@ -7,7 +7,7 @@ mod tools;
 pub use tools::{DISPLAY, lacks, tool};
 
 use eightfold_harness::cargo::Build;
-use eightfold_tracer::Quality;
+use eightfold_tracer::Preset;
 use std::{
     env, fs,
     io::{BufRead, BufReader, Read},
@@ -33,8 +33,7 @@ pub fn linked_intro() -> PathBuf {
 }
 
 pub fn qualities() -> String {
-    let others = ["thesis", "exhaustive"];
-    [&Quality::NAMES[..], &others].concat().join(" ")
+    Preset::ALL.map(Preset::name).join(" ")
 }
 
 pub fn headless(options: &str) -> Command {

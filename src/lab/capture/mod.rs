@@ -7,8 +7,9 @@ use crate::sheet::{Tile, sheet};
 use crate::{interrupt, output, wav};
 use anyhow::{Context, Result, ensure};
 use clap::{ArgGroup, Args};
+use eightfold_harness::Size;
 use eightfold_harness::picture;
-use eightfold_harness::{NamedQuality, Size};
+use eightfold_tracer::Preset;
 use eightfold_tracer::scene::MAX_LENGTH;
 use recorder::Recorder;
 use std::fs;
@@ -54,7 +55,7 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Show, help = scenes::names())]
     scene: SceneName,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
-    quality: NamedQuality,
+    quality: Preset,
     /// NxN samples a pixel [default: 1; 4 with --shutter or --aperture]
     #[arg(long, value_name = "N", value_parser = within(1..=MAX_SUPERSAMPLE))]
     supersample: Option<usize>,

@@ -76,7 +76,7 @@ impl<'a> Recorder<'a> {
             let offset = shift + vec2(place(i % n), place(i / n));
             self.renderer.set_offset(offset.x, offset.y);
             let (level, width) = (cpu::best().level, self.size.width);
-            let quality = &arguments.quality.quality;
+            let quality = arguments.quality.quality();
             self.renderer.draw(level, &scene, quality, width, &mut self.pixels);
             mean.add(&self.pixels);
         }

@@ -2,7 +2,8 @@ use crate::interrupt;
 use crate::measure::{Measurement, Setting, Shot, Technique};
 use crate::row::quartile;
 use crate::scenes::SceneName;
-use eightfold_harness::{NamedQuality, Size};
+use eightfold_harness::Size;
+use eightfold_tracer::Preset;
 use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use serde::Serialize;
@@ -13,7 +14,8 @@ const FRAMES: usize = 7;
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 2.8];
 const SPHERES: [usize; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, MAX_SPHERES];
 /// The reference first.
-const NAMES: [&str; 5] = ["exhaustive", "thesis", "finest", "default", "fastest"];
+const PRESETS: [Preset; 5] =
+    [Preset::Exhaustive, Preset::Thesis, Preset::Finest, Preset::Default, Preset::Fastest];
 
 #[derive(Serialize)]
 pub struct Curve {
@@ -47,20 +49,18 @@ fn curves(
     let shots =
         scenes.iter().map(|&scene| Shot { scene, times: vec![0.0; FRAMES], views: Vec::new() });
     let antialias = of.techniques[0].quality.antialias;
-    let named = NamedQuality::all().filter(|named| NAMES.contains(&named.name));
-    let techniques = named.map(|named| Technique::named(named, antialias));
     let measurement = Measurement {
         shots: shots.collect(),
         isa: of.isa,
         sizes,
         threads: vec![1],
-        techniques: techniques.collect(),
+        techniques: PRESETS.map(|preset| Technique::named(preset, antialias)).to_vec(),
     };
     let settings = measurement.run();
     let curve = |i: usize| {
         let speed_up = |setting: &Setting| quartile(&setting.runs[0]) / quartile(&setting.runs[i]);
         let point = |setting| (x(setting) as f64, speed_up(setting));
-        Curve { name: NAMES[i].to_owned(), points: settings.iter().map(point).collect() }
+        Curve { name: PRESETS[i].to_string(), points: settings.iter().map(point).collect() }
     };
-    (1..NAMES.len()).map(curve).collect()
+    (1..PRESETS.len()).map(curve).collect()
 }

@@ -13,7 +13,8 @@ use crate::timing::machine;
 use anyhow::{Context, Result};
 use clap::Args;
 use curves::Curve;
-use eightfold_harness::{NamedQuality, Size};
+use eightfold_harness::Size;
+use eightfold_tracer::Preset;
 use eightfold_window::cpu;
 use serde::Serialize;
 use std::fs;
@@ -98,8 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 fn measurement(arguments: &Arguments) -> Measurement {
     let antialias = arguments.antialias;
     let techniques = if arguments.ladder {
-        let named = NamedQuality::all();
-        named.map(|named| Technique::named(named, antialias)).collect()
+        Preset::ALL.map(|preset| Technique::named(preset, antialias)).to_vec()
     } else {
         let rivals = Technique::rivals(antialias);
         let rivals = rivals.filter(|rival| rival.sampling != Sampling::Full);

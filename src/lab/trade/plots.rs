@@ -6,7 +6,7 @@ use crate::plot::{Chart, Series};
 use crate::row::Row;
 use crate::technique::Sampling;
 use anyhow::Result;
-use eightfold_harness::NamedQuality;
+use eightfold_tracer::Preset;
 use eightfold_tracer::Quality;
 use plotters::chart::SeriesLabelPosition::{self, *};
 use std::path::Path;
@@ -32,7 +32,7 @@ pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
 }
 
 fn front(trade: &Trade) -> Chart {
-    let is_named = |row: &&Row| NamedQuality::all().any(|named| named.name == row.name);
+    let is_named = |row: &&Row| row.name.parse::<Preset>().is_ok();
     let dots = |name: &str, rows: Vec<&Row>, has_labels: bool| {
         let labels = rows.iter().filter(|_| has_labels);
         Series {

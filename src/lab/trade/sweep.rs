@@ -1,7 +1,7 @@
 //! Varies each field of `Quality` by itself, then combinations.
 
 use crate::technique::{Sampling, Technique};
-use eightfold_harness::NamedQuality;
+use eightfold_tracer::Preset;
 use eightfold_tracer::Quality;
 
 const BASES: [(&str, Quality); 2] = [("default", Quality::DEFAULT), ("thesis", Quality::THESIS)];
@@ -19,8 +19,8 @@ const FOLLOWED: [(u32, f32); 5] = [(5, 0.01), (5, 0.02), (4, 0.02), (3, 0.05), (
 
 /// Returns distinct techniques, the named ones first.
 pub fn techniques(antialias: bool) -> Vec<Technique> {
-    let named = NamedQuality::all().map(|named| Technique::named(named, antialias));
-    let mut all: Vec<Technique> = named.collect();
+    let named = Preset::ALL.map(|preset| Technique::named(preset, antialias));
+    let mut all = named.to_vec();
     let mut add = |name: &str, quality: Quality| {
         let technique = Technique::new(name, quality, antialias, Sampling::Full);
         if all.iter().all(|known| known.quality != technique.quality) {

@@ -1,4 +1,4 @@
-use eightfold_harness::NamedQuality;
+use eightfold_tracer::Preset;
 use eightfold_window::input::Press;
 
 /// The maximum frame rate; Left and Right step by one frame.
@@ -13,7 +13,7 @@ pub const KEYS: [(&str, &str); 17] = [
     ("Space", "pauses, resumes"),
     ("Left, Right", "pauses, steps a frame back or on"),
     ("Home", "restarts"),
-    ("1 to 9", "exhaustive, thesis, then finest to fastest"),
+    ("1 to 9", "exhaustive, finest to fastest, then thesis"),
     ("P", "traced points, white"),
     ("S", "squares: the smaller, the brighter"),
     ("H", "rays per point: black for 0, white for 24 and more"),
@@ -64,7 +64,7 @@ pub struct Controls {
     /// In frames; the scene repeats.
     pub length: f64,
     pub is_paused: bool,
-    pub quality: NamedQuality,
+    pub quality: Preset,
     pub overlay: Overlay,
 }
 
@@ -99,7 +99,7 @@ impl Controls {
     /// Removes the current overlay if chosen again.
     fn choose(&mut self, key: char) {
         let number = key.to_digit(10).map(|digit| digit as usize);
-        if let Some(quality) = number.and_then(|number| NamedQuality::all().nth(number - 1)) {
+        if let Some(quality) = number.and_then(|number| Preset::ALL.into_iter().nth(number - 1)) {
             self.quality = quality;
         }
         if let Some(&(_, overlay, _)) = Overlay::KEYS.iter().find(|row| row.0 == key) {

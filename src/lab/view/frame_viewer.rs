@@ -66,7 +66,7 @@ impl FrameViewer {
         let count = if controls.is_paused { 0 } else { Frame::PROBES };
         self.renderer.set_probes(count, self.number);
         let start = Instant::now();
-        let (level, quality) = (self.isa.level, &controls.quality.quality);
+        let (level, quality) = (self.isa.level, controls.quality.quality());
         let (renderer, width) = (&mut self.renderer, size.width);
         let counts = renderer.draw(level, &scene, quality, width, &mut self.picture);
         let time = start.elapsed();
@@ -100,7 +100,7 @@ impl FrameViewer {
             return;
         }
         let mut pixels = vec![0; size.area()];
-        let (level, quality) = (self.isa.level, &controls.quality.quality);
+        let (level, quality) = (self.isa.level, controls.quality.quality());
         let trace = self.renderer.trace(level, scene, quality, size.width, &mut pixels);
         match controls.overlay {
             Overlay::Points => draw_points(&trace, &mut self.picture),

@@ -11,7 +11,8 @@ use crate::scenes::{self, SceneName};
 use anyhow::{Result, anyhow};
 use clap::Args;
 use controls::{Controls, FPS, Overlay};
-use eightfold_harness::{NamedQuality, Size};
+use eightfold_harness::Size;
+use eightfold_tracer::Preset;
 use eightfold_window::cpu;
 use eightfold_window::window::Window;
 use frame_viewer::FrameViewer;
@@ -30,7 +31,7 @@ pub struct Arguments {
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Size,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
-    quality: NamedQuality,
+    quality: Preset,
     /// Seconds from the scene's start
     #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = within(0.0..=*arguments::SECONDS.end()), allow_negative_numbers = true)]
     time: f32,

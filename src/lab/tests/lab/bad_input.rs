@@ -1,5 +1,5 @@
 use super::{assert_one_line, lab};
-use eightfold_tracer::Quality;
+use eightfold_tracer::Preset;
 
 /// Arguments | message.
 const LINES: &str = r#"
@@ -20,7 +20,7 @@ bench --json | --json has no value
 truth --out - --samples 1 | --samples is '1'; must be 2 to 1048576
 truth --out picture.jpg | --out is 'picture.jpg'; must be a .png file or -
 view --time -1 | --time is '-1'; must be 0 to
-view --quality 9 | --quality is '9'; must be one of exhaustive, thesis,
+view --quality 9 | --quality is '9'; must be one of exhaustive, finest,
 capture | --png or --video or --sheet or --audio is missing
 capture --png x --video y.mp4 | --png conflicts with --video
 capture --png x --frames 5 | --png conflicts with --frames
@@ -45,7 +45,7 @@ fn bad_input_fails_in_one_line() {
     }
     let output = lab("render --out \x1b[31mred.jpg");
     assert_one_line(&output, 2, &["--out is '\\u{1b}[31mred.jpg'; must be"]);
-    let qualities = format!("exhaustive, thesis, {}", Quality::NAMES.join(", "));
+    let qualities = Preset::ALL.map(Preset::name).join(", ");
     let output = lab(&format!("render --out - --quality {}", "x".repeat(99)));
     let message = format!("--quality is '{}...'; must be one of {qualities}", "x".repeat(60));
     assert_one_line(&output, 2, &[&message]);

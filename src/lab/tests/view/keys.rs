@@ -1,12 +1,13 @@
 use crate::display::{SIZE, View, bright, rendered};
 use eightfold::show;
+use eightfold_harness::Size;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_harness::{NamedQuality, Size};
 use eightfold_lab::overlay::{draw_error, draw_heat, draw_points, draw_squares};
 use eightfold_lab::scenes::SceneName;
 use eightfold_lab::view::controls::{Controls, KEYS, MOST_ERROR, MOST_RAYS, Overlay};
 use eightfold_lab::view::{frame_viewer::FrameViewer, subject::Subject};
 use eightfold_stage::wait_for;
+use eightfold_tracer::Preset;
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 
@@ -43,8 +44,8 @@ fn keys_select_quality_overlay_time() {
     let first = at("0", "thesis");
     for (key, title, picture) in [
         ("1", "exhaustive", &exhaustive),
-        ("9", "fastest", &fastest),
-        ("2", "thesis", &thesis),
+        ("8", "fastest", &fastest),
+        ("9", "thesis", &thesis),
         ("p", "points", &points),
         ("s", "squares", &squares),
         ("h", "heat map", &heat),
@@ -60,7 +61,7 @@ fn keys_select_quality_overlay_time() {
     }
     view.press("space", " s; ");
     wait_for("time to go on", || (!view.title().contains("0.00 s")).then_some(()));
-    view.press("9", "fastest");
+    view.press("8", "fastest");
     wait_for("an estimate with its interval", || {
         let title = view.title();
         let (_, margin) = title.strip_suffix(" dB to exhaustive")?.split_once(" ± ")?;
@@ -76,7 +77,7 @@ fn paused_picture_is_measured_after_drawing() {
         frame: 0.0,
         length: 1.0,
         is_paused: true,
-        quality: NamedQuality::THESIS,
+        quality: Preset::Thesis,
         overlay: Overlay::None,
     };
     let subject = Subject::new(SceneName::Model);
