@@ -3,7 +3,7 @@ use crate::size::Size;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{
-    Band, BoxedMemory, Counts, Frame, Job, Level, Probing, Quality, Renderer, Threads, Worker,
+    Band, BoxedMemory, Counts, Frame, Job, Level, Probing, Quality, Renderer, Worker,
 };
 use eightfold_window::cpu;
 use eightfold_window::pool::Pool;
@@ -11,20 +11,10 @@ use std::borrow::BorrowMut;
 
 pub struct ThreadedRenderer {
     memory: BoxedMemory,
-    pub threads: PoolThreads,
+    pool: Pool,
+    workers: Vec<Worker>,
     offset: [f32; 2],
     probing: Probing,
-}
-
-pub struct PoolThreads {
-    pub pool: Pool,
-    workers: Vec<Worker>,
-}
-
-impl Threads for PoolThreads {
-    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-        self.pool.run(&mut self.workers, bands, job);
-    }
 }
 
 impl ThreadedRenderer {
@@ -35,7 +25,8 @@ impl ThreadedRenderer {
         assert!(started == threads, "number of started threads is {started}; must be {threads}");
         Self {
             memory: BoxedMemory::new(),
-            threads: PoolThreads { pool, workers: Worker::several(threads) },
+            pool,
+            workers: Worker::several(threads),
             offset: [0.0; 2],
             probing: Probing::default(),
         }
@@ -51,11 +42,13 @@ impl ThreadedRenderer {
         pixels: &mut [u32],
     ) -> Counts {
         let frame = self.whole(width, pixels);
+        let mut threads =
+            |bands: &mut [Band<'_>], job: Job<'_>| self.pool.run(&mut self.workers, bands, job);
         Renderer::with_memory(level, self.memory.borrow_mut()).render_valid(
             scene,
             quality,
             frame,
-            &mut self.threads,
+            &mut threads,
         )
     }
 
@@ -69,8 +62,10 @@ impl ThreadedRenderer {
         observer: impl Observer,
     ) -> Counts {
         let frame = self.whole(width, pixels);
+        let mut threads =
+            |bands: &mut [Band<'_>], job: Job<'_>| self.pool.run(&mut self.workers, bands, job);
         Renderer::with_memory(level, self.memory.borrow_mut())
-            .render_observed(scene, quality, frame, &mut self.threads, observer)
+            .render_observed(scene, quality, frame, &mut threads, observer)
             .expect("a valid scene")
     }
 

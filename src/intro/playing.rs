@@ -6,7 +6,7 @@ use eightfold_window::{
     cpu::Isa,
     enlarge::{self, Small},
     line::{self, Writer},
-    render_target::{Headless, Next, RenderTarget, fit},
+    render_target::{Headless, MOST_PIXELS, Next, RenderTarget, fit},
     sound::{Player, Source},
     static_cell::StaticCell,
     terminal::Terminal,
@@ -25,6 +25,9 @@ const LARGE: usize = 1920 * 1080;
 /// The number of pixels up to which frames are never drawn smaller, except in the terminal: their pixels take less than a tenth of the
 /// time of a frame.
 const SMALLEST: usize = 320 * 240;
+
+/// Targets hold the largest frame.
+const _: () = assert!(MAX_WIDTH * MAX_HEIGHT == MOST_PIXELS);
 
 impl Source for Music {
     fn chunk(&mut self) -> &[[f32; 2]] {

@@ -1,8 +1,6 @@
 use core::mem::ManuallyDrop;
 use eightfold::show;
-use eightfold_tracer::{
-    Band, Counts, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene,
-};
+use eightfold_tracer::{Band, Counts, Frame, Job, Memory, Quality, Renderer, Worker, scene::Scene};
 use eightfold_window::{
     clock::SECOND,
     cpu::{self, Isa},
@@ -33,7 +31,8 @@ pub struct ShowRenderer {
     pub isa: Isa,
     renderer: Renderer<&'static mut Memory>,
     scene: &'static mut Scene,
-    threads: PoolThreads,
+    /// The process ends without its threads.
+    threads: (ManuallyDrop<Pool>, &'static mut [Worker]),
 }
 
 impl ShowRenderer {
@@ -45,16 +44,13 @@ impl ShowRenderer {
             isa,
             renderer: renderer(isa, memory),
             scene,
-            threads: PoolThreads {
-                pool: ManuallyDrop::new(Pool::new(threads.min(MAX_THREADS))),
-                workers,
-            },
+            threads: (ManuallyDrop::new(Pool::new(threads.min(MAX_THREADS))), workers),
         }
     }
 
     /// Returns the number of threads that draw, including the caller's.
     pub fn threads(&self) -> usize {
-        self.threads.pool.threads()
+        self.threads.0.threads()
     }
 
     /// Draws the frame at a time in nanoseconds, and returns the work done. The show repeats. `number` selects the pixels to probe.
@@ -71,12 +67,16 @@ impl ShowRenderer {
         show::at(seconds, self.scene);
         let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels)
             .with_probes(Frame::PROBES, number as u32);
-        self.renderer.render_valid(self.scene, quality, frame, &mut self.threads)
+        let threads = &mut self.threads;
+        // One captured reference makes a smaller program than two.
+        let mut threads =
+            move |bands: &mut [Band<'_>], job: Job<'_>| threads.0.run(threads.1, bands, job);
+        self.renderer.render_valid(self.scene, quality, frame, &mut threads)
     }
 
     /// Returns the threads, for other work between frames.
     pub fn pool(&mut self) -> &mut Pool {
-        &mut self.threads.pool
+        &mut self.threads.0
     }
 }
 
@@ -88,16 +88,4 @@ fn renderer(isa: Isa, memory: &'static mut Memory) -> Renderer<&'static mut Memo
         return Renderer::avx2(simd, memory);
     }
     Renderer::narrow(isa.level, memory)
-}
-
-struct PoolThreads {
-    /// The process ends without its threads.
-    pool: ManuallyDrop<Pool>,
-    workers: &'static mut [Worker],
-}
-
-impl Threads for PoolThreads {
-    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-        self.pool.run(self.workers, bands, job);
-    }
 }

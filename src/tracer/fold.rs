@@ -1,7 +1,7 @@
 //! Kaleidoscopes, see [`Scene::sectors`](crate::scene::Scene::sectors): a part of the picture is drawn, and the rest copies it.
 
+use crate::maths::to_f32;
 use crate::picture::{Band, CELL};
-use crate::scene::camera::pixels;
 use core::mem::swap;
 use glam::{Vec2, vec2};
 
@@ -22,15 +22,15 @@ const NONE: usize = 1 << 16;
 impl Fold {
     pub fn new(sectors: f32, [width, height]: [usize; 2]) -> Self {
         let exact = |share: f32, is_folded: bool| if is_folded { share } else { 0.0 };
-        let x = exact(0.5 * pixels(width), sectors >= 2.0);
-        let y = exact(0.46 * pixels(height), sectors >= 4.0);
+        let x = exact(0.5 * to_f32(width), sectors >= 2.0);
+        let y = exact(0.46 * to_f32(height), sectors >= 4.0);
         let centre = [x, y].map(|at| at as usize / CELL);
         let [left, top] = centre.map(|cells| cells * CELL);
         Self {
             centre,
             has_diagonal: sectors >= 8.0,
             is_wide: width - left >= height - top,
-            offset: vec2(x - pixels(left), y - pixels(top)),
+            offset: vec2(x - to_f32(left), y - to_f32(top)),
         }
     }
 

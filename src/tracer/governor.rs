@@ -165,9 +165,6 @@ impl Governor {
 /// The least number of probes for a step: 13 frames of [`Frame::PROBES`](crate::Frame::PROBES).
 const MIN_PROBES: u64 = 1_000;
 
-/// The number of probes above which their weight is halved: 1.7 s at 60 frames per second.
-const MAX_PROBES: u64 = 8_000;
-
 /// Bounds on the assumed loss from a preset to the next faster one, in dB.
 const STEP_LOSS: [f32; 2] = [1.4, 3.0];
 
@@ -232,7 +229,7 @@ impl AccuracyGovernor {
             *threshold =
                 self.target + (psnr - before).clamp(STEP_LOSS[0], STEP_LOSS[1]) + RETRY_GAIN;
         }
-        if self.probes.pixels > MAX_PROBES {
+        if self.probes.pixels > Probes::MAX_RECENT {
             self.probes.halve();
             self.before = None;
         }

@@ -120,15 +120,10 @@ pub use counts::{Counts, Probes};
 pub use fearless_simd::Level;
 pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
-pub use picture::{Band, Frame, Probing};
+pub use picture::{Band, Frame, MAX_HEIGHT, MAX_WIDTH, Probing};
 pub use quality::{Preset, Quality, UnknownPreset};
 pub use range_error::{Found, RangeError};
 pub use refine::Worker;
 #[cfg(feature = "std")]
 pub use render::{BoxedMemory, ScopedThreads};
 pub use render::{Error, Job, Memory, Renderer, Threads};
-
-/// The maximum width of a picture, in pixels.
-pub const MAX_WIDTH: usize = 3840;
-/// The maximum height of a picture, in pixels.
-pub const MAX_HEIGHT: usize = 2160;

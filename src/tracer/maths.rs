@@ -9,6 +9,12 @@ use core::f64::consts::TAU;
 use fearless_simd::f32x4;
 use glam::Vec3A;
 
+/// Converts a number below 2^24 exactly. The cast through `i32` is a single instruction; a cast from `usize` is not.
+#[inline(always)]
+pub(crate) fn to_f32(count: usize) -> f32 {
+    count as i32 as f32
+}
+
 /// Returns the square root, correctly rounded.
 #[must_use]
 #[inline(always)]

@@ -4,10 +4,10 @@
 //! size.
 
 use crate::font::strokes;
+use crate::maths::to_f32;
 use crate::maths::{round, sqrt};
 use crate::picture::{Band, Frame};
 use crate::scene::Caption;
-use crate::scene::camera::pixels;
 use glam::{Vec2, vec2};
 
 /// The distance between neighbouring letters, in grid units: their shadows just touch.
@@ -42,19 +42,19 @@ impl Overlay<'_> {
     }
 
     fn draw_caption(&self, caption: &Caption, band: &mut Band<'_>) {
-        let (w, h) = (pixels(band.width), pixels(self.height));
+        let (w, h) = (to_f32(band.width), to_f32(self.height));
         let unit = 0.25 * caption.size * h.min(w * (9.0 / 16.0));
-        let line = caption.middle * h - pixels(band.top);
+        let line = caption.middle * h - to_f32(band.top);
         for (y, row) in band.rows() {
-            let y = (pixels(y) + 0.5 - line) / unit;
+            let y = (to_f32(y) + 0.5 - line) / unit;
             if y.abs() > 2.0 + HALF_WIDTH + SHADOW {
                 continue;
             }
             for (x, pixel) in row.iter_mut().enumerate() {
                 // In grid units from the middle of the first letter.
-                let letters = pixels(caption.letters.len()) - 1.0;
+                let letters = to_f32(caption.letters.len()) - 1.0;
                 let x =
-                    (pixels(x) + 0.5 - self.middle * w) / unit + self.middle * ADVANCE * letters;
+                    (to_f32(x) + 0.5 - self.middle * w) / unit + self.middle * ADVANCE * letters;
                 let index = round(x / ADVANCE);
                 if index < 0.0 {
                     continue;

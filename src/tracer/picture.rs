@@ -2,9 +2,13 @@
 
 use crate::counts::Counts;
 use crate::quality::Quality;
-use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::ops::Range;
 use glam::{Vec2, vec2};
+
+/// The maximum width of a picture, in pixels.
+pub const MAX_WIDTH: usize = 3840;
+/// The maximum height of a picture, in pixels.
+pub const MAX_HEIGHT: usize = 2160;
 
 /// The destination of a picture.
 #[non_exhaustive]

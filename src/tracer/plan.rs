@@ -1,8 +1,8 @@
 use crate::fold::Fold;
+use crate::maths::to_f32;
 use crate::picture::{Frame, Probing};
 use crate::prepare;
 use crate::quality::Quality;
-use crate::scene::camera::pixels;
 use crate::scene::{Method, Scene};
 use glam::Vec2;
 
@@ -33,7 +33,7 @@ impl FramePlan {
         let finished = if *method == Method::PLAIN {
             size[0]
         } else {
-            ((method.front * pixels(size[0])) as usize).min(size[0])
+            ((method.front * to_f32(size[0])) as usize).min(size[0])
         };
         let coarse = method.coarse as usize;
         let fold = Fold::new(scene.sectors, size);

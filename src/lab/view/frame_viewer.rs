@@ -9,9 +9,6 @@ use eightfold_tracer::{Frame, Probes};
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 
-/// 1.7 s at 60 frames per second; then their weight is halved.
-const MOST_PROBES: u64 = 8000;
-
 pub struct FrameViewer {
     renderer: ThreadedRenderer,
     isa: Isa,
@@ -78,7 +75,7 @@ impl FrameViewer {
             points: counts.points as f64 / size.area() as f64,
             psnr: (self.probes.squares > 0).then_some((psnr, margin)),
         };
-        if self.probes.pixels > MOST_PROBES {
+        if self.probes.pixels > Probes::MAX_RECENT {
             self.probes.halve();
         }
         if is_drawn || controls.overlay == Overlay::Error {

@@ -1,8 +1,9 @@
 //! Conservative bounds in screen space. In the camera's axes a ray is (u, v, 1): u to the right, v down.
 
 use crate::lanes::*;
+use crate::maths::to_f32;
 use crate::rounding::PIXELS_AROUND;
-use crate::scene::camera::{Raster, pixels};
+use crate::scene::camera::Raster;
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 #[derive(Clone)]
@@ -30,7 +31,7 @@ pub(super) struct Rects<S: Isa> {
 /// Builds the vector in a register: loading it right after storing its parts would stall.
 #[inline(always)]
 pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) -> Vec4 {
-    Vec4::new(pixels(left), pixels(top), pixels(right), pixels(bottom))
+    Vec4::new(to_f32(left), to_f32(top), to_f32(right), to_f32(bottom))
 }
 
 /// Returns the coordinates of a rectangle's corners: upper left, upper right, lower left, lower right.
@@ -50,7 +51,7 @@ impl Axes {
     /// Returns the axes of a picture whose samples are `offset` pixels off the pixels' centres; `raster` has no offset.
     pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {
         let pixel = raster.dx.length();
-        let [x, y] = [width, height].map(|side| 0.5 * (pixels(side) - 1.0));
+        let [x, y] = [width, height].map(|side| 0.5 * (to_f32(side) - 1.0));
         let [corner, dx, dy] = [raster.corner, raster.dx, raster.dy].map(Vec3A::from);
         Self {
             rows: [dx / pixel, dy / pixel, corner + dx * x + dy * y],
@@ -72,10 +73,10 @@ impl Axes {
         [left, top]: [usize; 2],
         size: [usize; 2],
     ) -> Rects<S> {
-        let [width, height] = size.map(pixels);
+        let [width, height] = size.map(to_f32);
         let [x, y, ..] = self.middle.to_array();
-        let left = splat(simd, pixels(left) - x);
-        let top = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() * height + (pixels(top) - y);
+        let left = splat(simd, to_f32(left) - x);
+        let top = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() * height + (to_f32(top) - y);
         Rects {
             left: left * self.pixel,
             top: top * self.pixel,

@@ -1,8 +1,8 @@
 //! The tone curve, vignette and dither, see [`crate::scene::Film`].
 
 use crate::lanes::*;
+use crate::maths::to_f32;
 use crate::scene;
-use crate::scene::camera::pixels;
 use fearless_simd::{f32x4, u16x8, u64x2};
 use glam::{Vec2, vec2};
 
@@ -44,7 +44,7 @@ impl Film {
     };
 
     pub fn of(film: &scene::Film, width: usize, height: usize) -> Self {
-        let (width, height) = (pixels(width), pixels(height));
+        let (width, height) = (to_f32(width), to_f32(height));
         Self {
             is_plain: *film == scene::Film::PLAIN,
             is_filmic: film.filmic,

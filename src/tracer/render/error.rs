@@ -1,5 +1,5 @@
+use crate::picture::{MAX_HEIGHT, MAX_WIDTH};
 use crate::range_error::RangeError;
-use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::fmt;
 
 /// The reason why a frame cannot be rendered.

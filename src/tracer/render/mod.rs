@@ -20,11 +20,11 @@ pub use threads::{Job, Threads};
 use crate::counts::Counts;
 use crate::observe::Observer;
 use crate::picture::Frame;
+use crate::picture::{MAX_HEIGHT, MAX_WIDTH};
 use crate::plan::FramePlan;
 use crate::quality::Quality;
 use crate::refine::Kernels;
 use crate::scene::Scene;
-use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::borrow::BorrowMut;
 use fearless_simd::Level;
 #[cfg(target_arch = "x86_64")]

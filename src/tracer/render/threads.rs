@@ -6,7 +6,8 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
 /// Threads that draw the bands of a frame, each with its own [`Worker`].
 ///
-/// A [`Worker`] draws on the caller's thread; [`ScopedThreads`](crate::ScopedThreads) starts threads for every frame.
+/// A [`Worker`] draws on the caller's thread; [`ScopedThreads`](crate::ScopedThreads) starts threads for every frame; a closure can use
+/// a pool that keeps its threads.
 pub trait Threads {
     /// Runs the job once on each band, with any worker, in any order and concurrently, and returns when all are done. It is called
     /// up to three times per frame: for squares, antialiasing, and captions. The bands that probably take longest come
@@ -22,5 +23,11 @@ impl Threads for Worker {
         for band in bands {
             job(self, band);
         }
+    }
+}
+
+impl<F: FnMut(&mut [Band<'_>], Job<'_>)> Threads for F {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        self(bands, job);
     }
 }

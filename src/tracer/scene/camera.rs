@@ -1,5 +1,6 @@
 use super::validate::POINT;
-use crate::maths::{cos, sin};
+pub(crate) use crate::maths::to_f32 as pixels;
+use crate::maths::{cos, sin, to_f32};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::{FRAC_PI_4, PI};
 use glam::{Vec3, Vec3A};
@@ -77,8 +78,8 @@ impl Camera {
     #[must_use]
     pub fn pixel(&self, width: usize, height: usize) -> f32 {
         let half_angle = self.field_of_view * 0.5;
-        let pixel = 2.0 * sin(half_angle) / cos(half_angle) / pixels(height);
-        pixel * (self.min_aspect * pixels(height) / pixels(width)).max(1.0)
+        let pixel = 2.0 * sin(half_angle) / cos(half_angle) / to_f32(height);
+        pixel * (self.min_aspect * to_f32(height) / to_f32(width)).max(1.0)
     }
 
     /// Returns the rays through a picture of `width` by `height` pixels.
@@ -92,7 +93,7 @@ impl Camera {
         let up = right.cross(forward);
         let pixel = self.pixel(width, height);
         let (dx, dy) = (right * pixel, up * -pixel);
-        let half = |side: usize| 0.5 - 0.5 * pixels(side);
+        let half = |side: usize| 0.5 - 0.5 * to_f32(side);
         Raster {
             corner: (forward + dx * half(width) + dy * half(height)).into(),
             dx: dx.into(),
@@ -105,10 +106,4 @@ impl Camera {
 fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
     if length > 0.0 && length < f32::INFINITY { v * (1.0 / length) } else { otherwise }
-}
-
-/// Converts a number below 2^24 exactly. The cast through `i32` is a single instruction; a cast from `usize` is not.
-#[inline(always)]
-pub(crate) fn pixels(count: usize) -> f32 {
-    count as i32 as f32
 }

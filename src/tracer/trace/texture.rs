@@ -2,8 +2,8 @@
 
 use super::rays::to_picture;
 use crate::lanes::*;
+use crate::maths::to_f32;
 use crate::prepare::{Object, ObjectId, World};
-use crate::scene::camera::pixels;
 use crate::scene::{Light, Pattern, Sphere};
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{TexturePoint, plane, sphere};
@@ -67,7 +67,7 @@ impl<'a> SeenPattern<'a> {
     #[inline(always)]
     pub fn at<S: Isa>(&self, isa: S, start: [usize; 2], width: usize, count: usize) -> [f32; 64] {
         let mut shares = [0.0; 64];
-        by_isa!(isa: self.evaluate(isa, start.map(pixels), width, &mut shares, count));
+        by_isa!(isa: self.evaluate(isa, start.map(to_f32), width, &mut shares, count));
         shares
     }
 

@@ -19,7 +19,7 @@ use libc::{
 use crate::{
     backend::memory::pixels,
     line::{self, Writer},
-    render_target::{Next, RenderTarget},
+    render_target::{MAX_HEIGHT, MAX_WIDTH, Next, RenderTarget},
     system,
 };
 
@@ -56,10 +56,6 @@ const fn bits(signals: &[c_int]) -> u64 {
     }
     set
 }
-
-/// The maximum number of cells, for the pixels of the largest frame.
-const MOST_COLUMNS: usize = 3840;
-const MOST_ROWS: usize = 2160 / 2;
 
 /// The terminal on standard output. Esc, Q and Ctrl-C end the show, H toggles the numbers. It is restored when this is dropped, when
 /// the process aborts, and after signals that end a process.
@@ -220,7 +216,7 @@ impl RenderTarget for Terminal {
             0 => usual,
             size => size.min(most),
         };
-        (side(size.ws_col, 80, MOST_COLUMNS), 2 * side(size.ws_row, 24, MOST_ROWS))
+        (side(size.ws_col, 80, MAX_WIDTH), 2 * side(size.ws_row, 24, MAX_HEIGHT / 2))
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {

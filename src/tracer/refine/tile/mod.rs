@@ -7,6 +7,7 @@ pub(super) mod points;
 
 use crate::coverage::{Rect, Squares, rectangle};
 use crate::grid::{Area, Bits, Pyramid};
+use crate::maths::to_f32;
 use crate::observe::{Fill, Observer, Split};
 use crate::picture::{Band, CELL, TILE_HEIGHT, TILE_WIDTH};
 use crate::prepare::VisibleGroups;
@@ -14,7 +15,6 @@ use crate::refine::Context;
 use crate::refine::fill::Run;
 use crate::refine::verdict::{Verdict, growth, limits};
 use crate::refine::worker::Worker;
-use crate::scene::camera::pixels;
 use crate::trace::{BATCH, Sample};
 use patterned::patterned_object;
 
@@ -136,7 +136,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             self.worker.marks.filled[top][y].for_each(|_| filled += 1);
             self.worker.marks.squares[top][y].for_each(|_| all += 1);
         }
-        let split = 1.0 - pixels(filled) / pixels(all);
+        let split = 1.0 - to_f32(filled) / to_f32(all);
         let square = split * split;
         square * square
     }
