@@ -41,7 +41,7 @@ export async function serve(folder, headers = {}, change = () => ({})) {
  * browser. Returns the exit code.
  */
 export async function run(tests, word, by = "", replace) {
-  let code = 0;
+  let [code, count, repeated] = [0, 0, 0];
   for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(word))) {
     const start = Date.now();
     const attempt = () => test().then(() => null, (error) => error);
@@ -49,9 +49,11 @@ export async function run(tests, word, by = "", replace) {
     if (error && replace) {
       console.log(`AGAIN   ${name}${by}: ${error.message}`);
       again = `, only when run again after: ${error.message.split("\n")[0]}`;
+      repeated++;
       await replace();
       error = await attempt();
     }
+    count++;
     if (error) {
       code = 1;
       console.log(`FAILED  ${name}${by}\n${error.stack}`);
@@ -59,6 +61,7 @@ export async function run(tests, word, by = "", replace) {
       console.log(`ok      ${name}${by} (${((Date.now() - start) / 1000).toFixed(1)} s)${again}`);
     }
   }
+  console.log(`${count} tests${by}, ${repeated} of them run again after a failure`);
   return code;
 }
 
