@@ -123,7 +123,6 @@ impl Measurement {
                 }
             }
         }
-        bar.finish_and_clear();
         self.look(&mut settings);
         settings
     }
@@ -173,7 +172,6 @@ impl Measurement {
                 }
             }
         }
-        bar.finish_and_clear();
     }
 }
 

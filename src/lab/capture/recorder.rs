@@ -56,7 +56,6 @@ impl<'a> Recorder<'a> {
             take(frame, pixels)?;
             bar.inc(1);
         }
-        bar.finish_and_clear();
         Ok(())
     }
 

@@ -109,7 +109,6 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
         row
     };
     let rows: Vec<_> = (0..size.height).into_par_iter().map(row).collect();
-    bar.finish_and_clear();
     rows.concat()
 }
 

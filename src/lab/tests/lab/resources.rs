@@ -1,4 +1,4 @@
-use super::{assert_one_line, command, stderr};
+use super::{assert_one_line, command};
 use eightfold_lab::progress::Progress;
 use std::fs::File;
 use std::process::{Command, Output};
@@ -34,29 +34,21 @@ fn refused_threads_fail_in_one_line() {
 
 #[test]
 fn missing_memory_fails_in_one_line() {
-    let mut failed = 0;
-    for kilobytes in (60_000..240_000).step_by(20_000) {
+    // Three places that need memory.
+    for kilobytes in [30_000, 50_000, 65_000] {
         let line = "render --size 3840x2160 --threads 1 --out -";
         let output = limited(&format!("-v {kilobytes}"), line);
-        if !output.status.success() {
-            failed += 1;
-            assert_one_line(&output, 1, &["memory"]);
-        }
-        assert!(!stderr(&output).contains("backtrace"));
+        assert_one_line(&output, 1, &["memory"]);
     }
-    assert!(failed > 0, "no limit is low enough");
 }
 
 #[test]
-fn progress_without_terminal_is_a_line_per_10_s() {
+fn progress_is_a_line_per_10_s() {
     let start = Instant::now();
-    let progress = Progress::new(10, false, start);
+    let progress = Progress::new(10, start);
     progress.inc(5);
     let after = |seconds| progress.due(start + Duration::from_secs(seconds));
     let lines = [9, 10, 11, 20].map(after);
     let line = |left: &str| Some(format!("50 %, {left} s to go"));
     assert_eq!(lines, [None, line("10"), None, line("20")]);
-    let progress = Progress::new(10, true, start);
-    progress.inc(5);
-    assert_eq!(progress.due(start + Duration::from_secs(99)), None);
 }
