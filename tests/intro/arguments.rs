@@ -7,45 +7,18 @@ use eightfold_window::cpu;
 fn bad_argument_is_named_in_one_line() {
     let qualities = qualities();
     let length = show::LENGTH.to_string();
-    let bad: &[(&[&str], &str)] = &[
-        (&["--sizes", "1x1"], "flag is '--sizes'; must be one "),
-        (&[""], "--help"),
-        (&["--loop=1"], "--loop is '1'; must be without a value"),
-        (&["--loop\x1b[31m"], "--loop?[31m"),
-        (&["--size"], "--size has no value; must be WxH: size of "),
-        (&["--size", "0x10"], "--size is '0x10'; must be WxH: "),
-        (&["--size", "3841x10"], "; must be WxH: "),
-        (&["--size", "+10x10"], "; must be WxH: "),
-        (&["--size=10x"], "; must be WxH: "),
-        (&["--size", "99999999999999999999999x1"], "; must be WxH: "),
-        (&["--threads", "65"], "--threads is '65'; must be N: "),
-        (&["--seconds", "0.0"], "; must be S: "),
-        (&["--seconds", "."], "; must be S: "),
-        (&["--seconds", "1.2.3"], "; must be S: "),
-        (&["--seconds", "0.0000000001"], "; must be S: "),
-        // 2^64 ns, and 2^64 s.
-        (&["--seconds", "18446744073.709551616"], "; must be S: "),
-        (&["--seconds", "18446744073709551616"], "; must be S: "),
-        (&["--fps", "1001"], "; must be N: "),
-        (&["--fps", "59.9"], "; must be N: "),
-        (&["--psnr", "100"], "; must be DB: "),
-        (&["--quality", "best"], "--quality is 'best'; must be NAME"),
-        (&["--quality"], &qualities),
-        (&["--exhaustive", "--quality=fast"], "--quality conflicts with another quality"),
-        (&["--psnr=45", "--fps=60"], "--psnr conflicts with --fps "),
-        (&["--quality=fast", "--psnr=45"], " with --fps and --quality"),
-        (&["--isa", "neon"], "--isa is 'neon'; must be NAME: "),
-        (&["--still", &length], "--still is '116'; must be S: "),
-        (&["--loop", "--fps", "1", "--size", "1x"], "; must be WxH: "),
-    ];
-    for (arguments, named) in bad {
-        let (output, _) = run(headless("").args(*arguments));
+    for row in include_str!("bad_arguments.txt").lines() {
+        let row = row.replace("LENGTH", &length).replace("QUALITIES", &qualities);
+        let row = row.replace("\\e", "\x1b");
+        let (arguments, named) = row.split_once(" | ").expect("two columns");
+        let words = arguments.split(' ').map(|word| word.trim_matches('"'));
+        let (output, _) = run(headless("").args(words));
         let (said, errors) = texts(&output);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {errors}");
-        assert_eq!(said, "", "{arguments:?}");
-        assert_eq!(errors.lines().count(), 1, "{arguments:?}: {errors}");
-        assert!(errors.starts_with("eightfold: "), "{arguments:?}: {errors}");
-        assert!(errors.contains(named), "{arguments:?}: {errors}");
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {errors}");
+        assert_eq!(said, "", "{arguments}");
+        assert_eq!(errors.lines().count(), 1, "{arguments}: {errors}");
+        assert!(errors.starts_with("eightfold: "), "{arguments}: {errors}");
+        assert!(errors.contains(named), "{arguments}: {errors}");
     }
 }
 

@@ -1,6 +1,5 @@
 //! The intro's program as it ships: size, flags, and playing without a window.
 
-mod again;
 mod arguments;
 mod headless;
 mod size;

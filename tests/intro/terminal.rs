@@ -2,7 +2,6 @@
 
 use eightfold_stage::{intro, linked_intro, needs, run, tool, try_for, wait_for};
 use std::{
-    collections::BTreeSet,
     env, fs,
     path::PathBuf,
     process,
@@ -144,51 +143,9 @@ fn terminal_of_any_size_shows_moving_pictures() {
     terminal.wait_for_end(0);
 }
 
-/// GNU Screen misreads 24-bit colours. Programs in it inherit `COLORTERM` from the outer terminal; ssh and sudo drop `STY`.
-#[test]
-fn gnu_screen_gets_256_colours() {
-    needs!(&["tmux", "pkill", "screen"]);
-    for inside in ["env COLORTERM=truecolor", "env -u STY -u TMUX"] {
-        let folder = tempfile::tempdir().expect("a folder");
-        fs::write(folder.path().join("rc"), "startup_message off\n").expect("it is written");
-        let (folder, intro) = (folder.path().display(), intro());
-        let command = format!(
-            "mkdir -m 700 {folder}/own; TERM=screen-256color SCREENDIR={folder}/own screen -U -c {folder}/rc {inside} {}",
-            intro.display()
-        );
-        let terminal = Terminal::run(60, 20, &command);
-        let text = terminal.text();
-        let codes: BTreeSet<&str> = text.split("\x1b[38;5;").skip(1).collect();
-        assert!(codes.len() > 5 && !text.contains("38;2;"), "{text:?}");
-        terminal.tmux(&["send-keys", "Escape"]);
-        wait_for("the end", || terminal.text().contains("code 0").then_some(()));
-    }
-}
-
-/// Variables, the bits of a colour, and whether there are half blocks.
-const TERMINALS: &str = "
-    TERM=xterm | 24 UTF-8
-    TERM=linux | 24 UTF-8
-    TERM=vte-256color | 24 UTF-8
-    TERM=screen | 8 UTF-8
-    TERM=screen COLORTERM=truecolor | 8 UTF-8
-    TERM=screen.xterm-256color COLORTERM=24bit | 8 UTF-8
-    TERM=xterm-256color STY=1.here COLORTERM=truecolor | 8 UTF-8
-    TERM=screen-256color STY=1.here TMUX=/tmp/0,1,2 | 8 UTF-8
-    TERM=screen-256color TMUX=/tmp/0,1,2 | 24 UTF-8
-    TERM=tmux-256color | 24 UTF-8
-    TERM=tmux-256color STY=1.here | 24 UTF-8
-    TERM=vt100 | 0 ASCII
-    TERM=vt220 COLORTERM=truecolor | 0 ASCII
-    TERM=xterm-mono LC_ALL=C | 0 ASCII
-    LC_ALL=C | 24 ASCII
-    LC_ALL=POSIX LANG=C.UTF-8 | 24 ASCII
-    LC_ALL= LC_CTYPE= LANG= | 24 ASCII
-    LC_ALL= LC_CTYPE=de_DE.ISO-8859-1 LANG=C.UTF-8 | 24 ASCII
-    LC_ALL= LC_CTYPE= LANG=de_DE@euro | 24 ASCII
-    LC_ALL= LC_CTYPE= LANG=en_US.utf8 | 24 UTF-8
-    LC_ALL= LC_CTYPE=UTF-8 LANG=C | 24 UTF-8
-    TERM=screen LC_ALL=C | 8 ASCII";
+/// Variables, the bits of a colour, and whether there are half blocks. GNU Screen misreads 24-bit colours. Programs in it inherit
+/// `COLORTERM` from the outer terminal; ssh and sudo drop `STY`.
+const TERMINALS: &str = include_str!("terminals.txt");
 
 #[test]
 fn terminal_and_locale_select_colours_and_letters() {

@@ -21,34 +21,7 @@ fn read(motions: &str) -> Result<SceneFile, String> {
 }
 
 /// The motions | the column of the key before the mistake, and the message.
-const REFUSED: &str = r#"
-(of: "spheres[1].radius", between: Spline, keys: [(0, 0.001), (1, 0.001), (2, 5), (3, 0.001), (4, 0.001)]) | 51: motions[0] sets spheres[1].radius to -0.369
-(of: "spheres[1].centre[1]", between: Spline, keys: [(0, 0), (1, 1e9), (2, 1e9)]) | 62: motions[0] sets spheres[1].centre to [0, 1074074100, 0] at 1.333 s; must be -1e9 to 1e9
-(of: "materials[\"red\"].kd", between: Spline, keys: [(0, 0), (1, 1), (2, 1)]) | 63: motions[0] sets materials["red"].kd to 1.074074 at 1.333 s; must be 0 to 1
-(of: "haze", between: Spline, repeat: true, keys: [(0, 0), (0.1, 0), (0.2, 1)]) | 52: motions[0] sets haze to -0.0
-(of: "haze", keys: [(-2, 0), (-1, -1)]) | 30: motions[0] sets haze to -1 at 0 s; must be 0 to 1000
-(of: "camera.eye", keys: [(0, (0, 1, 5)), (1, (0, -1, -5))]) | 27: motions[0] sets camera.eye to [0, 0, 0] at 0.5 s; camera.look_at must be different from eye
-(of: "camera.eye", keys: [(0.1, (0.3, 1.1, 5.7)), (1.4, (-0.03, -0.11, -0.57))]) | 27: motions[0] sets camera.eye to
-(of: "camera.eye[2]", keys: [(0, 5), (1.3, -7)]), (of: "camera.eye[1]", keys: [(0, 0)]) | 30: motions[0] sets camera.eye[2] to
-(of: "camera.look_at", keys: [(0.0, (0, 1, 8)), (2.2, (0, 1, 0))]) | 31: motions[0] sets camera.look_at to [0, 1, 5] at 0.825 s; must be different from eye
-(of: "camera.look_at", keys: [(0.0, (0, 1, 8)), (2.2, (0, 1, 0))]), (of: "camera.eye", repeat: true, keys: [(0, (0, 1, 4)), (0.7, (0, 1, 3))]) | at
-(of: "camera.eye", keys: [(0, (0, 5, 5)), (1, (0, 5, -4))]) | 27: motions[0] sets camera.eye to [0, 5, 0.00
-(of: "camera.eye", keys: [(0, (0, 5, 5)), (1, (0, 5, -4))]) | s; camera.up must be more than 0.001 radians off the line of sight
-(of: "camera.eye", keys: [(0, (0, 0.001, 5)), (1, (0, 0.001, -4))]) | camera.up must be
-(of: "camera.up", keys: [(0, (0.1, 1, 0)), (1.7, (-0.1, -1, 0))]) | motions[0] sets camera.up to [0, 0, 0] at 0.85 s
-(of: "background", keys: [(0, (1, 1, 1)), (1, (0, 0, 0)), (2, (1, 1, 1))]), (of: "sky", keys: [(0, (0, 0, 0)), (2, (-0.5, 0, 0))]) | sets sky to [-0.25, 0, 0] at 1 s; must be -background to 1e9 - background
-(of: "blocks[0].half[0]", keys: [(0, 1), (1, 2)]) | 42: motions[0] sets blocks[0].half to [2, 2, 1] at 1 s; must be equal in x and z
-(of: "blocks[0].half", between: Spline, keys: [(0, (1, 2, 1)), (1, (1, 1, 1)), (2, (2, 2, 2))]) | must be equal in x and z, and no smaller in y
-(of: "blocks[0].axes", keys: [(0, ((1, 0, 0), (0, 1, 0), (0, 0, 1))), (1, ((0, 1, 0), (-1, 0, 0), (0, 0, 1)))]) | must be of length 1, perpendicular
-(of: "lights[1].spot.aim", keys: [(0, (0, -1, 0)), (1.3, (0, 0.7, 0))]) | 35: motions[0] sets lights[1].spot.aim to [0, 0, 0] at 0.765 s; must be longer than 0
-(of: "lights[1].spot.outer_angle", keys: [(0, 0.5), (1, 0.2)]) | motions[0] sets lights[1].spot.outer_angle to 0.
-(of: "lights[0].glow", keys: [(0, 3e38), (1, -3e38)]) | motions[0] sets lights[0].glow to -3000
-(of: "length", keys: [(0, 1), (1, 2)]) | 23: path is "length"; must lead to a value of the scene
-(of: "motions", keys: [(0, 1)]) | 24: path is "motions"; must lead to a value of the scene
-(of: "haze", keys: [(0, 1), (1, NaN), (2, 1)]) | 29: value is NaN; must be finite
-(of: "blocks[0].turn[0]", keys: [(0, 1), (1, inf)]) | 42: value is inf; must be finite
-(of: "haze", keys: [(0, 0), (1e9, 1)]) | 29: time is 1000000000; must be -1e6 to 1e6
-"#;
+const REFUSED: &str = include_str!("refused_motions.txt");
 
 #[test]
 fn motion_beyond_range_is_refused_at_its_key() {
@@ -64,20 +37,7 @@ fn motion_beyond_range_is_refused_at_its_key() {
 }
 
 /// Near misses.
-const VALID: &str = r#"
-(of: "materials[\"red\"].kd", between: Spline, keys: [(0, 1), (0.7, 1), (2, 1)])
-(of: "materials[\"red\"].kd", between: Smooth, keys: [(0, 0.1), (0.7, 1), (2.3, 0)])
-(of: "camera.eye", between: Spline, repeat: true, keys: [(0, (0, 1, 5)), (1, (5, 2, 0)), (2, (0, 1, -5)), (3, (-5, 3, 0)), (4, (0, 1, 5))])
-(of: "camera.eye", between: Hold, keys: [(0, (0, 1, 5)), (1, (0, -1, -5)), (2, (0, 1, 5))])
-(of: "camera.eye", repeat: true, keys: [(0, (0, 1, 5)), (1, (0, 1, 1)), (1.0001, (0, -1, -5)), (1.1, (0, -1, -5))])
-(of: "camera.eye", keys: [(0, (0, 0.1, 5)), (1, (0.1, 0, -5))])
-(of: "camera.eye", keys: [(0, (0, 1, 1e4)), (1, (0, 0, 1e-3)), (2, (0, 1, 1e4))])
-(of: "camera.eye", keys: [(0, (0.1, 5, 5)), (1, (0.1, 5, -4))])
-(of: "blocks[0].turn", between: Spline, keys: [(0, (1e6, 2, 1)), (1, (1, -1, 1)), (2, (9, 2, 2))])
-(of: "lights[1].drawn_radius", keys: [(0, 0), (1, 1)])
-(of: "lights[1].spot.aim", between: Smooth, keys: [(0, (0, -1, 0.01)), (1.3, (0, 0.7, 0))])
-(of: "haze", keys: [(3, 1)]), (of: "exposure", repeat: true, keys: [(0, 1), (0.01, 1)])
-"#;
+const VALID: &str = include_str!("valid_motions.txt");
 
 #[test]
 fn motion_within_range_is_read() {

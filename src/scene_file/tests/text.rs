@@ -19,9 +19,9 @@ fn place(message: &str) -> Option<(usize, usize)> {
 
 #[test]
 fn number_beyond_its_range_is_refused_at_its_place() {
-    let texts = [2008, 2009].map(|seed| Text::of(&written(Kinds::RICH, &mut Random::new(seed))));
+    let text = Text::of(&written(Kinds::RICH, &mut Random::new(2008)));
     let mut count = 0;
-    for (text, i) in texts.iter().flat_map(|text| (0..text.numbers.len()).map(move |i| (text, i))) {
+    for i in 0..text.numbers.len() {
         let error = |number| text.scene_with(i, number).0.validate().err();
         let range = |number| error(number).map(|error| error.range);
         let (start, name) = text.field(i);
@@ -42,7 +42,7 @@ fn number_beyond_its_range_is_refused_at_its_place() {
             }
         }
     }
-    assert!(count > 200, "{count}");
+    assert!(count > 100, "{count}");
 }
 
 #[test]
@@ -104,25 +104,7 @@ fn mutated_text_gives_a_line_and_a_column() {
 }
 
 /// Text | place and message.
-const EXPLAINED: &str = r##"
-()\nf | 2:1: text is 'f'; must be the end of the file
-() // end\n\n  { x | 3:3: text is '{'; must be the end of the file
-(haze: 0,5) | 1:8: number is 0,5; must be 0.5
-(camera: (field_of_view: -0,75, up: (0, 1, 0))) | 1:26: number is -0,75; must be -0.75
-(haze: 1 | 1:9: file is incomplete
-(haze: 1, // no end | 1:20: file is incomplete
-(haze: 1, /* open | 1:11: comment is open; must end with */
-(haze: 1 // half\nexposure: 2) | 2:1: text is 'exposure:'; must be a comma
-(haze: 1.5.5) | 1:8: text is '1.5.5)'; must be a number
-(camera: (), \e[31mhaze: 3) | 1:14: text is '\u{1b}[31mhaze:'; must be a name
-(spheres: DEEP) | 1:74: brackets are nested too deep; must be at most 64
-(materials: {"a": (kd: LONG)}) | must be a number
-(materials: {haze: 1,\n  length: 3}) | 1:13: materials is {haze: 1, length: 3}; must be a table
-3 | 1:1: text is '3'; must be a scene
-(motions: 3) | 1:11: motions must be a list
-(motions: [(of: "", keys: [(0, 1)])]) | 1:28: path is ""; must lead to a value of the scene
-(motions: [(of: "materials", keys: [(0, 1)])]) | path is "materials"; must lead to a value of the scene
-"##;
+const EXPLAINED: &str = include_str!("mistakes.txt");
 
 #[test]
 fn mistake_is_explained_at_its_place() {
