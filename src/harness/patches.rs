@@ -17,10 +17,10 @@ pub fn lost(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
     (0..exact.len()).filter(is_lost).collect()
 }
 
-/// Returns the largest patch of lost pixels, if any are lost.
-pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
+/// Returns the number of pixels of the largest patch of lost ones.
+pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> usize {
     let patches = patches(&lost(exact, drawn, width), width);
-    patches.into_iter().max_by_key(Vec::len).unwrap_or_default()
+    patches.iter().map(Vec::len).max().unwrap_or(0)
 }
 
 /// Groups ascending pixels into patches, connected also diagonally.

@@ -38,7 +38,7 @@ use glam::Vec3A;
 ///
 /// In units of `u` the errors are 1.7 (the root of 3) for the point's coordinates, 2.5 for its distance from the centre, 1.5 for
 /// the ray's length, and 2.8 for the next ray's vector from the centre, its square and the discriminant: 8.5 in total. Rays had at
-/// most 5 (`sphere_is_not_hit_by_leaving_rays`).
+/// most 5.
 pub(crate) const HIT: f32 = 10.0 / (1 << 24) as f32;
 
 pub(crate) fn hit_error(centre: Vec3A, radius: f32) -> f32 {

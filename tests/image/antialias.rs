@@ -10,7 +10,7 @@ use std::f32::consts::TAU;
 
 #[test]
 fn points_are_added_between_differing_pixels() {
-    for mut random in cases(50) {
+    for mut random in cases(30) {
         let scene = Kinds { overlays: false, ..Kinds::EXTREME }.scene(&mut random);
         let quality = Quality {
             square: [8, 8, 8, 4, 16, 32][random.below(6)],

@@ -6,11 +6,11 @@
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
-use eightfold_tracer::observe::{Fill, Observer, Split};
+use eightfold_tracer::observe::{Observer, Split};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Preset, Quality};
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;
 
 /// The width and the height of a tile in pixels.
@@ -99,12 +99,11 @@ pub fn of_the_show(time: f32) -> Scene {
     scene
 }
 
-/// The work of points, how squares were drawn, and why they were split, by x, y and side.
+/// The work of points, and the squares that were split, by x, y and side.
 #[derive(Default)]
 pub struct Record {
     pub counts: Mutex<Counts>,
-    pub drawn: Mutex<HashMap<[usize; 3], Fill>>,
-    pub split: Mutex<HashMap<[usize; 3], Split>>,
+    pub split: Mutex<HashSet<[usize; 3]>>,
 }
 
 // The only observer of these tests: refinement is compiled for each.
@@ -113,11 +112,7 @@ impl Observer for &Record {
         *self.counts.lock().unwrap() += work;
     }
 
-    fn square(self, x: usize, y: usize, side: usize, _: usize, fill: Fill) {
-        self.drawn.lock().unwrap().insert([x, y, side], fill);
-    }
-
-    fn split(self, x: usize, y: usize, side: usize, why: Split) {
-        self.split.lock().unwrap().insert([x, y, side], why);
+    fn split(self, x: usize, y: usize, side: usize, _: Split) {
+        self.split.lock().unwrap().insert([x, y, side]);
     }
 }

@@ -3,7 +3,7 @@
 //!     UPDATE_GOLDEN=1 cargo test --test image golden
 
 use crate::cpu;
-use crate::drawn::{draw_best, draw_by_all};
+use crate::drawn::draw_by_all;
 use crate::error::{Difference, worst_channel};
 use crate::picture::png;
 use crate::shipped::Still;
@@ -74,16 +74,6 @@ fn scene_of(text: &str) -> Scene {
 
 fn bubbles() -> Scene {
     scene_of(include_str!("../../examples/scenes/bubbles.ron"))
-}
-
-/// Squares follow films and the soft edges of softboxes.
-#[test]
-fn bubbles_have_50_decibels() {
-    let [drawn, exhaustive] = [Quality::DEFAULT, Quality::EXHAUSTIVE]
-        .map(|quality| Quality { antialias: false, ..quality })
-        .map(|quality| draw_best(&bubbles(), &quality, 1280, 720).pixels);
-    let psnr = Difference::between(&exhaustive, &drawn).psnr;
-    assert!(psnr > 50.0, "{psnr} dB");
 }
 
 type Row = (&'static str, fn() -> Scene, Quality, [usize; 2]);

@@ -157,20 +157,6 @@ fn change_of_load_is_followed_within_half_a_second() {
 }
 
 #[test]
-fn alternating_load_needs_no_trials() {
-    for mut random in cases(200) {
-        let [light, heavy] = [(0.2, 0.7), (1.2, 4.0)].map(|(a, b)| between(&mut random, a, b));
-        let mut machine = Machine::new(random, 60, light, 0.05);
-        machine.settle();
-        for load in [heavy, light].repeat(5) {
-            machine.load = load;
-            machine.run(5 * SECOND);
-        }
-        assert!(turns(&machine.steps) <= 9, "{:?}", machine.steps);
-    }
-}
-
-#[test]
 fn single_late_frames_change_nothing() {
     for mut random in cases(200) {
         let [load, factor] = [(0.1, 0.8), (2.0, 100.0)].map(|(a, b)| between(&mut random, a, b));
@@ -201,21 +187,17 @@ fn sides_are_halved_then_divided_by_three() {
     assert_eq!((full.preset(), full.divisor()), (Preset::Fastest, 1));
 }
 
-/// A step to a rung of unknown time may have to be taken back.
+/// A step to a rung of unknown time may have to be taken back, and a preset that takes half of the time kept.
 #[test]
 fn fastest_frames_are_followed_by_finest_in_time() {
     for mut random in cases(200) {
         let load = between(&mut random, 0.05, 20.0);
         let mut machine = Machine::new(random, 24, load, 0.0);
         machine.governor.select_fastest();
-        assert!(machine.is_fastest());
         machine.run(20 * SECOND);
-        let rung = machine.rung();
-        let finer = rung.checked_sub(1);
-        let finer = finer.map(|finer| load * machine.shares[finer]);
-        assert!(machine.cost() <= 1.0 || machine.is_fastest(), "{load}");
-        // A preset that takes half of the time may be kept.
-        assert!(finer.is_none_or(|finer| finer > 0.5), "{load} {finer:?}");
+        let (rung, cost) = (machine.rung(), machine.cost());
+        assert!(cost <= 1.0 || machine.is_fastest(), "{load}");
+        assert!(rung == 0 || load * machine.shares[rung - 1] > 0.5, "{load}");
         assert!(turns(&machine.steps) <= 2, "{load}: {:?}", machine.steps);
     }
 }

@@ -30,23 +30,27 @@ fn above(radius: f32, height: f32, light: f32) -> Scene {
     }
 }
 
+/// Asserts a least PSNR in dB against the oracle.
+#[track_caller]
+fn assert_near(scene: &Scene, least: f64, what: &str) {
+    assert_eq!(scene.validate(), Ok(()));
+    let expected = Traced::new(scene, &Quality::EXHAUSTIVE, 80, 60).picture();
+    for (isa, drawn) in draw_by_all(scene, &Quality::EXHAUSTIVE, 80, 60) {
+        let psnr = Difference::between(&expected, &drawn.pixels).psnr;
+        assert!(psnr >= least, "{}, {what}: {psnr} dB", isa.name);
+    }
+}
+
 #[test]
 fn eye_near_a_huge_sphere_sees_it_as_in_f64() {
     for radius in [1e3, 1e5, 3e6, 1e8] {
         for height in [1e-7, 5e-7, 1e-6, 2e-6, 1e-5] {
             let height = radius * height;
             for light in [3.0, 10.0] {
+                // The points of the sphere have an error of 6e-8 radii.
+                let least = if height < 2e-7 * radius { 25.0 } else { 35.0 };
                 let scene = above(radius, height, light * height);
-                assert_eq!(scene.validate(), Ok(()));
-                let expected = Traced::new(&scene, &Quality::EXHAUSTIVE, 80, 60).picture();
-                for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 80, 60) {
-                    let psnr = Difference::between(&expected, &drawn.pixels).psnr;
-                    let what = format!("{} {radius} {height} {light}: {psnr} dB", isa.name);
-                    println!("{what}");
-                    // The points of the sphere have an error of 6e-8 radii.
-                    let least = if height < 2e-7 * radius { 25.0 } else { 35.0 };
-                    assert!(psnr >= least, "{what}");
-                }
+                assert_near(&scene, least, &format!("{radius} {height} {light}"));
             }
         }
     }
@@ -61,14 +65,18 @@ fn eye_near_a_huge_block_sees_it_lit() {
             scene.spheres.clear();
             let (centre, half) = (-size * Vec3::Y, Vec3::splat(size));
             scene.blocks.push(Block::new(shape, centre, half, material));
-            let expected = Traced::new(&scene, &Quality::EXHAUSTIVE, 80, 60).picture();
-            for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 80, 60) {
-                let psnr = Difference::between(&expected, &drawn.pixels).psnr;
-                let what = format!("{} {shape:?} {size} {height}: {psnr} dB", isa.name);
-                println!("{what}");
-                assert!(psnr >= 25.0, "{what}");
-            }
+            assert_near(&scene, 25.0, &format!("{shape:?} {size} {height}"));
         }
+    }
+}
+
+#[test]
+fn telescope_sees_a_far_sphere_as_in_f64() {
+    for distance in [1e1, 1e2, 1e3, 1e4] {
+        let mut scene = above(1.0, 1.0, 5.0);
+        scene.camera.eye *= distance / scene.camera.eye.length();
+        scene.camera.field_of_view = 4.0 / distance;
+        assert_near(&scene, 40.0, &format!("from {distance} radii"));
     }
 }
 

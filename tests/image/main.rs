@@ -15,6 +15,7 @@ mod film;
 mod fold;
 mod golden;
 mod governor;
+mod highlights;
 mod huge;
 mod method;
 mod patches;

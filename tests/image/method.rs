@@ -1,7 +1,7 @@
-//! The overlay of the method marks exactly the traced points and the filled squares; coarse pictures have squares of one colour.
+//! The overlay of the method marks exactly the traced points and the filled squares. A golden picture has coarse squares.
 
 use crate::cpu;
-use crate::drawn::{Drawn, REFINEMENTS, SIDES, draw, jagged, of_side};
+use crate::drawn::{Drawn, draw, jagged, of_side};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_harness::frame_trace::FrameTrace;
@@ -89,27 +89,6 @@ fn overlay_keeps_or_dims_the_picture_between_marks() {
             for (plain, drawn) in plain.to_be_bytes().into_iter().zip(drawn.to_be_bytes()) {
                 assert!(plain.abs_diff(factor * drawn) <= factor, "{method:?}: {plain}, {drawn}");
             }
-        }
-    }
-}
-
-#[test]
-fn coarse_picture_has_squares_of_one_colour() {
-    let (width, height) = SIZE;
-    for quality in REFINEMENTS {
-        for side in SIDES {
-            let coarse = Method { coarse: side as f32, ..Method::PLAIN };
-            let drawn = drawn(coarse, quality);
-            for (i, &pixel) in drawn.pixels.iter().enumerate() {
-                let (x, y) = (i % width / side * side, i / width / side * side);
-                // A square that agreed at a larger side is interpolated.
-                let is_larger = side < quality.square;
-                let corner = drawn.pixels[y * width + x];
-                assert!(is_larger || pixel == corner, "pixel {i} by {side}");
-            }
-            let points = drawn.counts.points as usize;
-            let most = (width + 64) * (height + 64) * 2 / (side * side);
-            assert!(points < most, "{points} by {side}");
         }
     }
 }

@@ -28,7 +28,7 @@ const FLOOR: usize = 8;
 pub fn compared(isa: Isa, scene: &Scene, quality: Quality, size: [usize; 2]) -> (f64, usize) {
     let [exact, drawn] = [quality.reference(), quality]
         .map(|quality| draw(isa, 2, scene, &quality, size[0], size[1]).pixels);
-    let patch = largest(&exact, &drawn, size[0]).len();
+    let patch = largest(&exact, &drawn, size[0]);
     (Difference::between(&exact, &drawn).psnr, patch)
 }
 
@@ -105,7 +105,7 @@ fn rooms_of_mirrors_have_small_patches() {
         key_weight: 0.25 * default.key_weight,
         ..default
     };
-    hold(cases(4).map(room), dim, ROOM);
+    hold(cases(3).map(room), dim, ROOM);
 }
 
 /// Returns whether each pixel shows the first plane.
@@ -146,7 +146,7 @@ fn assert_whole_light(count: u64, presets: &[Preset]) {
 
 #[test]
 fn light_between_bars_has_no_patches() {
-    assert_whole_light(8, &[Preset::Default]);
+    assert_whole_light(5, &[Preset::Default]);
 }
 
 #[test]

@@ -1,12 +1,9 @@
-use crate::cpu;
-use crate::drawn::{Record, TILE, draw, draw_best, draw_by_all, jagged, of_the_show};
+use crate::drawn::{TILE, draw, draw_best, draw_by_all, jagged};
 use crate::error::Difference;
-use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_scenes::{Random, cases, crowd, lights};
-use eightfold_tracer::observe::{Fill, Split};
+use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
-use eightfold_tracer::{Preset, Quality};
 
 /// Returns the PSNR against the exhaustive picture with the same antialiasing.
 fn psnr(scene: &Scene, quality: Quality, [width, height]: [usize; 2]) -> f64 {
@@ -48,45 +45,6 @@ pub fn most_points(square: usize, width: usize, height: usize) -> usize {
         parts.map(|start| (side - start).min(tile).next_multiple_of(square) + 1).sum()
     };
     if square == 1 { width * height } else { corners(width, TILE[0]) * corners(height, TILE[1]) }
-}
-
-#[test]
-fn squares_between_split_ones_are_split() {
-    let (width, height) = (640, 360);
-    let mut gaps = 0;
-    for (scene, quality) in [
-        (show::model_scene(1.0), Quality::THESIS),
-        (of_the_show(5.5), Quality::DEFAULT),
-        (of_the_show(47.0), *Preset::Finest.quality()),
-    ] {
-        let record = Record::default();
-        let mut pixels = vec![0; width * height];
-        let mut renderer = ThreadedRenderer::new(2);
-        let level = cpu::best().level;
-        renderer.draw_observed(level, &scene, &quality, width, &mut pixels, &record);
-        let drawn = record.drawn.into_inner().unwrap();
-        let split = record.split.into_inner().unwrap();
-        gaps += split.values().filter(|&&why| why == Split::Gap).count();
-        let is_split =
-            |x, y, side| matches!(split.get(&[x, y, side]), Some(Split::Keys | Split::Colours));
-        let mut covered = vec![0; width * height];
-        for (&[x, y, side], &fill) in &drawn {
-            for y in y..height.min(y + side) {
-                for x in x..width.min(x + side) {
-                    covered[y * width + x] += 1;
-                }
-            }
-            // Not at the ends of a word of 64 squares, and of a tile.
-            let has_sides = (1..63).contains(&(x % TILE[0] / side % 64));
-            let has_rows = (side..TILE[1] - side).contains(&(y % TILE[1]));
-            let is_between =
-                has_sides && is_split(x - side, y, side) && is_split(x + side, y, side)
-                    || has_rows && is_split(x, y - side, side) && is_split(x, y + side, side);
-            assert!(fill == Fill::Points || !is_between, "{side} at {x}, {y} by {quality:?}");
-        }
-        assert!(covered.iter().all(|&count| count == 1), "{quality:?}");
-    }
-    assert!(gaps > 100, "{gaps}");
 }
 
 /// Tests crowds of mirrors and glass, and matt crowds under all kinds of light. `CASES` sets the number of scenes of each kind (1).

@@ -16,15 +16,13 @@ pub type Draw<T> = fn(&mut Random) -> T;
 pub struct Kind(pub &'static str, &'static [Add]);
 
 /// The first [`ON_FLOORS`] kinds have bars on a floor and nothing else.
-pub const KINDS: [Kind; 21] = [
+pub const KINDS: [Kind; 19] = [
     Kind("rods", &[rods]),
     Kind("words", &[words]),
     Kind("nets", &[nets]),
-    Kind("trusses", &[trusses]),
     Kind("spokes", &[spokes]),
     Kind("ropes", &[ropes]),
     Kind("pickets", &[pickets]),
-    Kind("blinds", &[blinds]),
     Kind("grass", &[grass]),
     Kind("windows", &[windows]),
     Kind("stairs", &[stairs]),
@@ -40,7 +38,7 @@ pub const KINDS: [Kind; 21] = [
     Kind("strips of light on shelves", &[shelves, strips]),
 ];
 
-pub const ON_FLOORS: usize = 10;
+pub const ON_FLOORS: usize = 8;
 
 pub const LIGHTS: [(&str, Draw<Light>); 4] = [
     ("point", point),
@@ -237,19 +235,6 @@ fn nets(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-/// Girders: two chords with a zigzag between.
-fn trusses(scene: &mut Scene, random: &mut Random) {
-    for _ in 0..1 + random.below(3) {
-        let (bars, at) = (Bars::any(random), upright(random));
-        let (low, high) = (random.between(0.1, 1.2), random.between(0.2, 0.5));
-        let step = high * random.between(0.5, 1.0);
-        let ends = [low, low + high];
-        bars.grid(scene, &at, &[], &ends, [2.0, 0.0]);
-        let count = (4.0 / step) as usize;
-        bars.stroke(scene, (0..=count).map(|i| at(step * i as f32 - 2.0, ends[i % 2])));
-    }
-}
-
 /// Wheels: a rim, and spokes to it.
 fn spokes(scene: &mut Scene, random: &mut Random) {
     for _ in 0..1 + random.below(3) {
@@ -285,21 +270,6 @@ fn pickets(scene: &mut Scene, random: &mut Random) {
     let columns = (0..(2.0 * wide / step) as usize).map(|i| step * i as f32 - wide);
     let columns: Vec<f32> = columns.collect();
     bars.grid(scene, at, &columns, &[0.3 * high, 0.8 * high], [wide, high]);
-}
-
-/// Tilted slats.
-fn blinds(scene: &mut Scene, random: &mut Random) {
-    let material = Bars::any(random).material;
-    let at = upright(random);
-    let (step, tilt) = (random.between(0.06, 0.25), random.between(0.0, PI));
-    let half = vec3(random.between(0.5, 1.8), 0.004, 0.4 * step);
-    for i in 0..random.between(0.8 / step, 2.0 / step) as usize {
-        let across = at(1.0, 0.0) - at(0.0, 0.0);
-        let axes = Mat3::from_cols(across, Vec3::Y, across.cross(Vec3::Y));
-        let centre = at(0.0, 0.2 + step * i as f32);
-        let slat = Block::new(Shape::Box, centre, half, material);
-        add_turned(scene, slat, axes * Mat3::from_rotation_x(tilt));
-    }
 }
 
 fn grass(scene: &mut Scene, random: &mut Random) {

@@ -67,18 +67,3 @@ fn floor(random: &mut Random, material: Material) -> Scene {
         ..Scene::default()
     }
 }
-
-/// Returns a slit of light between the shadows of two spheres: mostly a few pixels wide, ending where the shadows meet.
-pub fn slit(random: &mut Random) -> Scene {
-    let mut scene = floor(random, GREY);
-    let direction = random.vector(vec3(-1.0, 0.0, -1.0), vec3(1.0, 0.0, 1.0));
-    let apart = direction.normalize_or(Vec3::X) * (1.0 + random.between(-0.02, 0.05));
-    for side in [-1.0, 1.0] {
-        let centre = Vec3::Y * 1.5 + side * apart;
-        let sphere = Sphere::new(centre, 1.0, Material::BLACK);
-        scene.spheres.push(sphere);
-    }
-    let light = Light::new(light_place(random), Vec3::ONE);
-    scene.lights.push(light);
-    scene
-}

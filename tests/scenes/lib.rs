@@ -10,7 +10,7 @@
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
 //! | [`shiny()`] | highlights of all sizes |
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
-//! | [`known`] | scenes that once failed |
+//! | [`known()`] | scenes that once failed |
 //!
 //! `assertions.rs` draws them with the assertions of glam enabled.
 //!
@@ -19,9 +19,9 @@
 pub mod artists;
 mod crowd;
 pub mod floor;
-pub mod hidden;
+mod hidden;
 mod kinds;
-pub mod known;
+mod known;
 pub mod lights;
 pub mod materials;
 mod placed;
@@ -34,6 +34,7 @@ mod thin;
 pub use crowd::crowd;
 pub use hidden::Hidden;
 pub use kinds::Kinds;
+pub use known::known;
 pub use placed::{between_corners, placed, placed_blocks};
 pub use random::{Random, cases};
 pub use shiny::shiny;

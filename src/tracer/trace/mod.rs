@@ -28,8 +28,6 @@ mod shade;
 mod shadow;
 mod stack;
 mod surface;
-#[cfg(test)]
-mod tests;
 mod texture;
 mod visibility;
 mod waves;

@@ -1,7 +1,6 @@
 //! No test depends on measured times.
 
 use super::{cells, lab, printed, render, stderr};
-use eightfold::show;
 use eightfold_harness::error::Difference;
 use eightfold_stage::reader::read_png;
 use serde_json::Value;
@@ -78,26 +77,6 @@ fn figures_are_consistent() {
             assert_eq!(one[key], two[key], "{key}");
         }
     }
-}
-
-#[test]
-fn show_has_row_per_scene() {
-    let (table, rows) = bench("--scene show --size 32x18 --quality default");
-    let names = show::NAMES.into_iter();
-    let names = names.flat_map(|scene| ["exhaustive", "default"].map(|quality| (scene, quality)));
-    let lines = cells(&table);
-    assert_eq!(lines.len(), 1 + rows.len());
-    for ((line, row), (scene, quality)) in lines[1..].iter().zip(&rows).zip(names) {
-        assert_eq!(line[2..4], [&format!("show:{scene}"), quality]);
-        assert_eq!(line[5], format!("{:.1}", number(row, "fps_worst_second")));
-    }
-}
-
-#[test]
-fn method_overlay_does_not_count_as_error() {
-    let rows = bench("--scene show:method --size 320x180 --quality default").1;
-    let psnr = number(&rows[1], "psnr_worst_db");
-    assert!(psnr > 32.0, "{psnr}");
 }
 
 #[test]

@@ -5,10 +5,8 @@ use eightfold_harness::error::{Difference, worst_channel};
 use eightfold_lab::wav;
 use eightfold_stage::{needs, reader::read_png, run, tool};
 use std::fs;
-use std::io::Read;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
 
 /// Defaults to small frames of the model scene.
 fn line(arguments: &str) -> String {
@@ -246,18 +244,6 @@ fn failing_ffmpeg_is_reported_in_one_line() {
     }
 }
 
-#[test]
-fn warning_of_ffmpeg_keeps_video() {
-    let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
-    let video = folder.path().join("show.mkv");
-    let script = "for last; do :; done; /bin/cat > \"$last\"; echo warning >&2";
-    write_ffmpeg(programs.path(), script);
-    let mut command = command(&line(&format!("--video {} --to 3", video.display())));
-    let output = command.env("PATH", programs.path()).output().unwrap();
-    assert!(output.status.success(), "{}", stderr(&output));
-    assert_eq!(fs::read(&video).unwrap().len(), 3 * 4 * 48 * 32);
-}
-
 /// As when a terminal closes, whose shell sends the signal, too.
 #[cfg(target_os = "linux")]
 #[test]
@@ -296,16 +282,4 @@ fn signal_leaves_no_broken_file() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     let ffmpeg = fs::read_to_string(programs.path().join("ffmpeg.id")).unwrap_or_default();
     assert!(!signal(ffmpeg.trim(), "0"), "ffmpeg still runs");
-}
-
-#[test]
-fn closed_pipe_is_reported_in_one_line() {
-    let mut capture = command(&line("--audio - --scene show --to 600"));
-    let capture = capture.stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut capture = capture.spawn().unwrap();
-    let mut pipe = capture.stdout.take().unwrap();
-    pipe.read_exact(&mut [0; 4]).unwrap();
-    drop(pipe);
-    let output = capture.wait_with_output().unwrap();
-    assert_one_line(&output, 1, &["standard output", "pipe"]);
 }

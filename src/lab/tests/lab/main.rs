@@ -2,7 +2,6 @@ mod bad_input;
 mod bench;
 mod capture;
 mod figures;
-mod ladder;
 mod overlay;
 mod report;
 mod resources;
@@ -12,7 +11,6 @@ mod size;
 mod technique;
 mod trade;
 mod truth;
-mod unguarded;
 
 use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;

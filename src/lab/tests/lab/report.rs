@@ -37,17 +37,3 @@ fn parts_show_results_of_their_commands() {
         assert_eq!(report(PAGE, names), expected, "{names}");
     }
 }
-
-#[test]
-fn failing_part_keeps_all_pages() {
-    let failing = PAGE.replace("'| 1 |'", "| false");
-    let open = PAGE.replace("<!-- report end -->", "");
-    for (page, names, why) in [
-        (PAGE, "tables", "part is tables; must be one of picture table"),
-        (&failing, "", "part table: command failed"),
-        (&open, "", "part table: <!-- report end --> is missing"),
-    ] {
-        let (pages, _, message) = report(page, names);
-        assert_eq!((pages, &*message), ([README, page].map(str::to_owned), why));
-    }
-}

@@ -1,15 +1,26 @@
-//! Filled squares against interpolation in real numbers.
+//! Filled squares against interpolation in real numbers, on every instruction set of the machine.
 
-use super::super::Kernels;
-use super::super::fill::Run;
-use super::{channels, sample};
+extern crate std;
+
+use super::Kernels;
+use super::fill::Run;
 use crate::grid::Bits;
 use crate::lanes::isas;
 use crate::picture::Band;
 use crate::prepare::ROUND;
+use crate::trace::Sample;
 use proptest::prelude::*;
 
-extern crate std;
+/// Draws samples, often of similar colours.
+fn sample() -> impl Strategy<Value = Sample> {
+    let channel = || prop_oneof![3 => 16_000_u64..16_400, 1 => 0_u64..=32_640];
+    [channel(), channel(), channel()]
+        .prop_map(|[blue, green, red]| Sample(blue | green << 16 | red << 32))
+}
+
+fn channels(sample: Sample) -> [i32; 3] {
+    [0, 16, 32].map(|shift| (sample.0 >> shift & 0xffff) as i32)
+}
 
 proptest! {
     #[test]

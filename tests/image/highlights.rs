@@ -1,0 +1,88 @@
+//! Named qualities show all highlights of five pixels that are seen directly.
+
+use crate::cpu::Isa;
+use crate::drawn::{isa_of, named};
+use crate::error::worst_channel;
+use crate::shown::{Effect, Tally, pixels, sized};
+use eightfold_harness::patches::patches;
+use eightfold_oracle::geometry::{PicturePlane, Shape};
+use eightfold_scenes::{View, cases, known, materials_of, shiny};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Light;
+use glam::{DMat2, DVec2, DVec3, dvec2};
+
+/// The step of numerical derivatives, in pixels.
+const NEAR: f64 = 1e-4;
+
+/// Returns whether one of the pixels, or a neighbour, shows a point that mirrors a light to the eye.
+fn show_mirror_point(view: &View, shape: Shape, pixels: &[usize]) -> bool {
+    let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
+    // The difference between the mirrored ray and the direction to the light.
+    let apart = |at: DVec2, light: DVec3| {
+        let ray = plane.ray(at.x, at.y);
+        let met = shape.meet(ray, f64::INFINITY)?;
+        let mirrored = ray.d - 2.0 * ray.d.dot(met.normal) * met.normal;
+        Some(mirrored - (light - ray.at(met.t)).normalize())
+    };
+    // Newton's step from a pixel to where the difference is 0.
+    let step = |at: DVec2, light: DVec3| {
+        let here = apart(at, light)?;
+        let right = (apart(at + NEAR * DVec2::X, light)? - here) / NEAR;
+        let down = (apart(at + NEAR * DVec2::Y, light)? - here) / NEAR;
+        let across = right.dot(down);
+        let square = DMat2::from_cols_array(&[right.dot(right), across, across, down.dot(down)]);
+        Some(-square.inverse() * dvec2(right.dot(here), down.dot(here)))
+    };
+    view.scene.lights.iter().any(|light| {
+        let far = if light.parallel { Light::FAR } else { 1.0 };
+        let light = (light.position * far).as_dvec3();
+        let is_near = |step: DVec2| step.abs().max_element() <= 1.0;
+        let place = |i: &usize| dvec2((i % view.width) as f64, (i / view.width) as f64);
+        let mut places = pixels.iter().map(place);
+        places.any(|at| step(at, light).is_some_and(is_near))
+    })
+}
+
+/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light.
+fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let scene = &view.scene;
+    let spheres = scene.spheres.iter().map(Shape::from);
+    let planes = scene.planes.iter().map(Shape::from);
+    let blocks = scene.blocks.iter().map(Shape::from);
+    let mut effects = Vec::new();
+    for (i, shape) in spheres.chain(planes).chain(blocks).enumerate() {
+        let mut matt = view.clone();
+        materials_of(&mut matt.scene)[i].ks = 0.0;
+        let matt = pixels(isa, &matt, Quality::EXHAUSTIVE);
+        let is_changed = |&i: &usize| worst_channel(exhaustive[i], matt[i]) > 8;
+        let changed: Vec<usize> = (0..matt.len()).filter(is_changed).collect();
+        for pixels in patches(&changed, view.width) {
+            if pixels.len() >= 5 {
+                effects
+                    .push(Effect { is_promised: show_mirror_point(view, shape, &pixels), pixels });
+            }
+        }
+    }
+    effects
+}
+
+#[test]
+fn highlights_of_five_pixels_are_shown() {
+    for are_blocks in [false, true] {
+        let mut tally = Tally::new(named());
+        let mut add = |seed, view: &View| {
+            let isa = isa_of(seed);
+            tally.add(isa, view, 8, |exhaustive| highlights(isa, view, exhaustive));
+        };
+        if are_blocks {
+            for view in known("thin highlights") {
+                (0..4).for_each(|seed| add(seed, &view));
+            }
+        }
+        for mut random in cases(15) {
+            add(random.seed, &sized(shiny(&mut random, are_blocks)));
+        }
+        tally.assert_counts(40, tally.shown[0] / 30);
+        assert!(tally.missed[1] <= tally.shown[1] / 400, "{tally:?}");
+    }
+}
