@@ -43,15 +43,6 @@ fn turntable_turns_objects_under_a_blue_sky() {
     assert!((1000..100_000).contains(&count), "{count} pixels changed");
 }
 
-/// The page that the README's command writes.
-#[test]
-fn folder_of_the_page_is_ignored_by_git() {
-    let mut git = Command::new("git");
-    git.current_dir(env!("CARGO_MANIFEST_DIR"));
-    let (ignored, _) = run(git.args(["check-ignore", "site"]));
-    assert!(ignored.status.success(), "{ignored:?}");
-}
-
 #[test]
 #[ignore = "examples are compiled"]
 fn squares_marks_less_than_half_of_the_picture() {

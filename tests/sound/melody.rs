@@ -3,6 +3,7 @@
 use super::{cues, song};
 use eightfold::show;
 use eightfold::sound::{RATE, THEME, Track};
+use rustfft::num_complex::Complex;
 use std::f64::consts::{PI, TAU};
 
 const BEAT: f64 = 24_000.0;
@@ -11,18 +12,25 @@ const BEAT: f64 = 24_000.0;
 const MAJOR: f32 = 52.0;
 const SHARP: [u8; 8] = [0, 1, 0, 1, 1, 0, 0, 0];
 
-/// Returns the power of a frequency, in both sides together, with a Hann window.
-fn power(samples: &[[f32; 2]], hertz: f64) -> f64 {
-    let mut sums = [[0.0; 2]; 2];
-    for (i, sample) in samples.iter().enumerate() {
-        let hann = (PI * i as f64 / samples.len() as f64).sin().powi(2);
-        let (sin, cos) = (TAU * hertz * i as f64 / f64::from(RATE)).sin_cos();
-        for (sum, &side) in sums.iter_mut().zip(sample) {
-            let side = f64::from(side) * hann;
-            *sum = [sum[0] + side * sin, sum[1] + side * cos];
-        }
+/// Returns the power of a frequency, in both sides together.
+fn power(samples: &[Complex<f64>], hertz: f64) -> f64 {
+    // Left and right are the real and the imaginary part of a sample: both signs of the frequency have their powers.
+    let turn = Complex::from_polar(1.0, TAU * hertz / f64::from(RATE));
+    let (mut phase, mut sums) = (Complex::new(1.0, 0.0), [Complex::<f64>::default(); 2]);
+    for sample in samples {
+        sums = [sums[0] + sample * phase, sums[1] + sample * phase.conj()];
+        phase *= turn;
     }
-    sums.as_flattened().iter().map(|sum| sum * sum).sum()
+    sums.iter().map(Complex::norm_sqr).sum()
+}
+
+/// Returns samples with a Hann window.
+fn windowed(samples: &[[f32; 2]]) -> Vec<Complex<f64>> {
+    let hann = |i: usize| (PI * i as f64 / samples.len() as f64).sin().powi(2);
+    let samples = samples.iter().enumerate();
+    samples
+        .map(|(i, side)| Complex::new(f64::from(side[0]), f64::from(side[1])) * hann(i))
+        .collect()
 }
 
 /// Returns the notes of a track, which plays the theme some semitones lower, and those of them whose pitch is not the strongest.
@@ -34,13 +42,13 @@ fn heard(track: Track, down: u8) -> (usize, Vec<(f32, u8)>) {
         let longest = if down == 36 { 4.0 } else { 1.0 };
         let length = f32::min(end - beat, longest);
         let sample = |beat: f32| (f64::from(beat) * BEAT) as usize;
-        let samples = &song()[sample(beat) + 480..sample(beat + length)];
+        let samples = windowed(&song()[sample(beat) + 480..sample(beat + length)]);
         let powers = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| {
             let sharp = if beat < MAJOR * 4.0 { 0 } else { SHARP[i] };
             let note = f64::from(THEME[i] + sharp - down);
             let hertz = 440.0 * f64::exp2((note - 69.0) / 12.0);
             // Detuned oscillators are up to 10 cents beside it.
-            [0.994, 1.0, 1.006].map(|cents| power(samples, hertz * cents)).iter().sum::<f64>()
+            [0.994, 1.0, 1.006].map(|cents| power(&samples, hertz * cents)).iter().sum::<f64>()
         });
         let strongest = powers.iter().copied().fold(0.0, f64::max);
         powers[usize::from(digit) - 1] < strongest

@@ -7,19 +7,13 @@ use std::{
     process::Command,
 };
 
-/// A libXext that accepts every request and shows nothing.
-const YES_AND_NOTHING: &str = "
-    #[unsafe(no_mangle)] extern \"C\" fn XShmQueryExtension() -> i32 { 1 }
-    #[unsafe(no_mangle)] extern \"C\" fn XShmAttach() -> i32 { 1 }
-    #[unsafe(no_mangle)] extern \"C\" fn XShmPutImage() -> i32 { 1 }";
-
 /// A system that creates shared memory but maps none.
 const NO_ADDRESSES: &str = "
     #[unsafe(no_mangle)] extern \"C\" fn shmat() -> isize { -1 }";
 
-fn build(folder: &Path, name: &str, code: &str) -> PathBuf {
-    let (source, library) = (folder.join("library.rs"), folder.join(name));
-    fs::write(&source, code).expect("a file");
+fn build(folder: &Path) -> PathBuf {
+    let (source, library) = (folder.join("library.rs"), folder.join("no_addresses.so"));
+    fs::write(&source, NO_ADDRESSES).expect("a file");
     let mut rustc = Command::new(env::var_os("RUSTC").unwrap_or("rustc".into()));
     let rustc = rustc.args(["--edition", "2024", "--crate-type", "cdylib", "-o"]);
     let (output, _) = run(rustc.arg(&library).arg(source));
@@ -46,22 +40,10 @@ fn segments(process: &Process) -> usize {
 }
 
 #[test]
-fn server_without_shared_memory_gets_frames() {
-    needs!(DISPLAY);
-    let folder = tempfile::tempdir().expect("a folder");
-    build(folder.path(), "libXext.so.6", YES_AND_NOTHING);
-    // The real one needs libXext.
-    build(folder.path(), "libXinerama.so.1", "");
-    let server = Server::start(320, 240);
-    let mut command = Command::new(intro());
-    play(&server, command.env("LD_LIBRARY_PATH", folder.path()));
-}
-
-#[test]
 fn shared_memory_is_released() {
     needs!(DISPLAY);
     let folder = tempfile::tempdir().expect("a folder");
-    let library = build(folder.path(), "no_addresses.so", NO_ADDRESSES);
+    let library = build(folder.path());
     let server = Server::start(320, 240);
     let mut command = Command::new(intro());
     let playing = play(&server, command.env("LD_PRELOAD", library));

@@ -16,14 +16,6 @@ fn escape_ends_the_viewer() {
 }
 
 #[test]
-fn closed_window_ends_the_viewer() {
-    let Some(view) = View::new() else { return };
-    view.server.xdotool(&format!("windowclose {}", view.id));
-    let (_, code, _, errors) = view.process.end();
-    assert_eq!((code, &*errors), (Some(0), HINT));
-}
-
-#[test]
 fn lost_server_is_reported_by_the_viewer() {
     let Some(mut view) = View::new() else { return };
     view.server.kill();

@@ -1,7 +1,5 @@
 use crate::display::{SCENE, SIZE, View, bright};
-use eightfold_stage::run;
 use std::fs;
-use std::process::Command;
 
 fn ball(radius: &str) -> String {
     SCENE.replace("radius: 1.0", &format!("radius: {radius}"))
@@ -45,17 +43,4 @@ fn mistake_is_shown_over_picture() {
     view.assert_shows("text", |shot| bright(&shot[..top]) > 100);
     view.write(SCENE);
     view.assert_shows_file();
-}
-
-#[test]
-fn mistake_at_start_begins_with_its_place() {
-    let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("my.ron"), ball("-1.0")).expect("it is written");
-    let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-    let lab = lab.args(["view", "--scene", "my.ron"]);
-    let (output, _) = run(lab.current_dir(folder.path()));
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{errors}");
-    assert_eq!(errors.lines().count(), 1, "{errors}");
-    assert!(errors.starts_with("my.ron:9:49: "), "{errors}");
 }
