@@ -30,5 +30,4 @@ mod shown;
 mod soak;
 mod thin;
 mod unguarded;
-mod water;
 mod written;

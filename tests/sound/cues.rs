@@ -1,6 +1,6 @@
 //! The notes that the picture follows.
 
-use eightfold::show::{self, grid};
+use eightfold::show::grid;
 use eightfold::sound::{Cue, Track, cue};
 
 /// Returns the beats since the start of a bar at which a track's notes start, and their digits, in some bars.
@@ -66,13 +66,4 @@ fn sun_moves_17_times() {
     let moves: Vec<f32> = notes(Track::Kick, 40, 6).iter().map(|&(beat, _)| beat).collect();
     let expected = (0..6).flat_map(|bar| [0.0, 1.5, 3.0].map(|beat| 4.0 * bar as f32 + beat));
     assert!(expected.take(17).eq(moves));
-}
-
-/// Risers and drums leave the last beat to the echoes.
-#[test]
-fn kick_rests_before_every_cut() {
-    for end in show::CUTS[1..].iter().chain([&show::BARS]) {
-        let last = notes(Track::Kick, end - 1, 1);
-        assert!(last.iter().all(|&(beat, _)| beat < 3.0), "bar {end}: {last:?}");
-    }
 }

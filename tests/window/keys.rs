@@ -44,15 +44,9 @@ fn keys_follow_the_layout_or_the_us_keyboard() {
     // Key codes: F, W and Q on a US keyboard, W and Q on a French one, right Alt, left Ctrl.
     let [f, usual_w, usual_q, french_w, french_q, alt, control] = [41, 25, 24, 52, 38, 108, 37];
     let tap = |place: u32| server.xdotool(&format!("key {place}"));
-    for (layout, w) in [
-        ("us", usual_w),
-        ("ru", usual_w),
-        ("gr", usual_w),
-        ("il", usual_w),
-        ("ara", usual_w),
-        ("fr", french_w),
-        ("fr,us", usual_w),
-    ] {
+    for (layout, w) in
+        [("us", usual_w), ("ru", usual_w), ("ara", usual_w), ("fr", french_w), ("fr,us", usual_w)]
+    {
         run(server.tool("setxkbmap").args(["-layout", layout, "-option", "grp:switch"]));
         let intro = server.play("--size 640x400 --seconds 60");
         let window = server.window().expect("a window");
