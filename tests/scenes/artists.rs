@@ -1,10 +1,11 @@
 //! Scenes as artists draw them first: bars in order, on a floor, in front of a mirror, behind glass, or casting shadows.
 
+use crate::bars::{Bars, add_turned};
 use crate::{Random, lights, materials, solids};
 use eightfold_tracer::scene::{
-    Block, Camera, Light, MAX_BLOCKS, Material, Pattern, Plane, Scene, Shape, Sphere, Waves,
+    Block, Camera, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Waves,
 };
-use glam::{Mat3, Quat, Vec2, Vec3, vec3};
+use glam::{Mat3, Vec2, Vec3, vec3};
 use std::f32::consts::{PI, TAU};
 
 type Add = fn(&mut Scene, &mut Random);
@@ -100,7 +101,7 @@ fn bright(random: &mut Random) -> Vec3 {
     random.vector(Vec3::splat(0.3), Vec3::splat(0.9))
 }
 
-fn matt(random: &mut Random) -> Material {
+pub(crate) fn matt(random: &mut Random) -> Material {
     Material::matt(bright(random), 0.8)
 }
 
@@ -108,66 +109,6 @@ fn patterned(random: &mut Random) -> Material {
     let checkers = Pattern::checkers(random.between(0.2, 1.0), random.between(0.3, 0.9));
     let pattern = [checkers, materials::pattern(random)][random.below(2)];
     matt(random).with_pattern(pattern)
-}
-
-/// Bars of one shape, radius and material.
-struct Bars {
-    shape: Shape,
-    radius: f32,
-    material: Material,
-}
-
-impl Bars {
-    fn any(random: &mut Random) -> Self {
-        let matt = matt(random);
-        Self {
-            shape: random.one_of(solids::SHAPES),
-            radius: random.one_of([0.005, 0.01, 0.02, 0.04, 0.08]),
-            material: random.one_of([Material::BLACK, matt]),
-        }
-    }
-
-    /// Adds a bar from each point to the next.
-    fn stroke(&self, scene: &mut Scene, points: impl IntoIterator<Item = Vec3>) {
-        let mut points = points.into_iter();
-        let mut from = points.next().unwrap_or_default();
-        for to in points {
-            self.add(scene, from, to);
-            from = to;
-        }
-    }
-
-    /// Adds vertical bars at `columns`, as high as `rows` from 0 up, and horizontal ones at `rows`, as wide as the columns.
-    fn grid(
-        &self,
-        scene: &mut Scene,
-        at: impl Fn(f32, f32) -> Vec3,
-        columns: &[f32],
-        rows: &[f32],
-        [wide, high]: [f32; 2],
-    ) {
-        columns.iter().for_each(|&x| self.add(scene, at(x, 0.0), at(x, high)));
-        rows.iter().for_each(|&y| self.add(scene, at(-wide, y), at(wide, y)));
-    }
-
-    fn add(&self, scene: &mut Scene, from: Vec3, to: Vec3) {
-        let along = to - from;
-        // A letter's stroke, or a net's last bar, may be a point.
-        if along == Vec3::ZERO {
-            return;
-        }
-        let half = vec3(self.radius, 0.5 * along.length(), self.radius);
-        let half = solids::fitting(self.shape, half);
-        let turn = Quat::from_rotation_arc(Vec3::Y, along.normalize_or(Vec3::Y));
-        let bar = Block::new(self.shape, 0.5 * (from + to), half, self.material);
-        add_turned(scene, bar, Mat3::from_quat(turn));
-    }
-}
-
-fn add_turned(scene: &mut Scene, block: Block, axes: Mat3) {
-    if scene.blocks.len() < MAX_BLOCKS {
-        scene.blocks.push(Block { axes, ..block });
-    }
 }
 
 fn add_box(scene: &mut Scene, centre: Vec3, half: Vec3, material: Material) {

@@ -17,6 +17,7 @@
 //! A new kind is a function from a [`Random`] to a scene, of parts from [`materials`], [`lights`] and [`solids`].
 
 pub mod artists;
+mod bars;
 mod crowd;
 pub mod floor;
 mod hidden;
