@@ -2,7 +2,7 @@ use eightfold_tracer::Counts;
 use eightfold_tracer::observe::{Fill, Observer, Split};
 use std::sync::{Mutex, PoisonError};
 
-/// Records the squares that contain a pixel, and the points around it.
+/// Records the squares that contain a pixel, and the points around the pixel.
 pub struct Inspector {
     pixel: [usize; 2],
     squares: Mutex<Vec<String>>,
@@ -17,8 +17,7 @@ impl Inspector {
         Self { pixel: [x, y], squares: Mutex::default(), points: Mutex::default() }
     }
 
-    /// Returns, as JSON, the squares from the largest to the smallest, each with its corner, its sides and a sentence, and the
-    /// traced points.
+    /// Returns JSON: the squares from the largest to the smallest, each with its corner, sides and reason, and the traced points.
     pub fn json(self) -> String {
         let [squares, points] = [self.squares, self.points]
             .map(|list| list.into_inner().unwrap_or_else(PoisonError::into_inner));
@@ -51,21 +50,19 @@ impl Observer for &Inspector {
     fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill) {
         let what = match fill {
             Fill::Flat => "filled with one colour",
-            Fill::Bilinear => "filled with colours between its corners\u{2019}",
-            Fill::Patterned => {
-                "filled with light between its corners\u{2019}, on each pixel\u{2019}s pattern"
-            }
-            Fill::Points => "traced, or averaged, pixel by pixel",
+            Fill::Bilinear => "filled by interpolation between its corners",
+            Fill::Patterned => "filled with interpolated light; each pixel has its own pattern",
+            Fill::Points => "each pixel traced or averaged",
         };
         self.note([x, y], [w, h], what);
     }
 
     fn split(self, x: usize, y: usize, side: usize, why: Split) {
         let what = match why {
-            Split::Uncovered => "split: something may be seen that no corner shows",
+            Split::Uncovered => "split: an object or a shadow may be between its corners",
             Split::Keys => "split: its corners show different objects or light",
-            Split::Colours => "split: its corners\u{2019} colours are too far apart",
-            Split::Gap => "split: the squares on two opposite sides are split",
+            Split::Colours => "split: its corners\u{2019} colours differ too much",
+            Split::Gap => "split: it lies between two split squares",
         };
         self.note([x, y], [side; 2], what);
     }
