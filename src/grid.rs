@@ -1,7 +1,4 @@
-//! The beat grid of picture and sound: 120 beats per minute, four beats per bar.
-//!
-//! A beat is 24,000 samples at 48 kHz and 30 frames at 60 Hz, so every beat falls on a frame. [`show`](crate::show) defines the
-//! cuts and the number of bars.
+//! The beat grid of picture and sound. A beat is 24,000 samples at 48 kHz and 30 frames at 60 Hz, so every beat falls on a frame.
 
 /// Beats per minute.
 pub const BEATS_PER_MINUTE: u32 = 120;

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | from time to a scene: the show, and the model scene of all measurements | [`show`] |
 //! | the soundtrack | [`sound`] |
-//! | the beats of both | [`grid`] |
+//! | the beats of picture and sound | [`grid`] |
 //!
 //! The crate allocates nothing, and needs no std. `ARCHITECTURE.md` in the repository lists where to make a change.
 #![no_std]

@@ -27,7 +27,7 @@ pub enum Switch {
 pub struct Flag {
     pub switch: Switch,
     pub name: &'static str,
-    /// The value's name in `--help`; empty without a value.
+    /// Its name in `--help`; empty without a value.
     pub value: &'static str,
     /// The effect, the range of the value, and the default in parentheses.
     help: &'static str,

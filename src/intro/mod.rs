@@ -22,7 +22,7 @@ const FAILURE: i32 = 1;
 
 const MISUSE: i32 = 2;
 
-/// Runs the program. Returns its exit code, 0 for success.
+/// Returns the exit code, 0 for success.
 pub fn run(arguments: Arguments) -> i32 {
     let options = match Options::parse(arguments) {
         Ok(options) => options,

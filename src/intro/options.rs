@@ -51,7 +51,6 @@ pub struct Options {
     /// The fixed quality, if one is named.
     pub quality: Option<Preset>,
     pub is_uncapped: bool,
-    /// Shows the numbers from the start.
     pub has_hud: bool,
     pub is_silent: bool,
 }
@@ -104,8 +103,8 @@ impl Options {
         }
     }
 
-    /// Parses the command line. A flag's value is the next argument, or follows after `=`; the last of repeated flags counts.
-    /// Parsing stops after `--help` or `--version`.
+    /// Parses the command line up to `--help` or `--version`. A flag's value is the next argument, or follows after `=`; the last
+    /// of repeated flags counts.
     pub fn parse(mut arguments: Arguments) -> Result<Options, Misuse> {
         let mut options = Options::new();
         while let Some(argument) = arguments.next() {
@@ -197,7 +196,7 @@ fn size(text: &[u8]) -> Option<(usize, usize)> {
     Some((number(width, MAX_WIDTH)?, number(height, MAX_HEIGHT)?))
 }
 
-/// Parses seconds up to [`MAX_SECONDS`]. Returns nanoseconds, rounded down.
+/// Parses seconds up to [`MAX_SECONDS`], and rounds nanoseconds down.
 fn nanoseconds(text: &[u8]) -> Option<u64> {
     decimal(text, SECOND, MAX_SECONDS * SECOND)
 }

@@ -19,11 +19,10 @@ struct Music(Synthesizer);
 
 static MUSIC: StaticCell<Music> = StaticCell::new(Music(Synthesizer::new()));
 
-/// The number of pixels above which a window starts with the fastest frames. The finest frames at 3840x2160 take 0.13 s.
+/// Pixels above which a window starts with the fastest frames. The finest frames at 3840x2160 take 0.13 s.
 const LARGE: usize = 1920 * 1080;
 
-/// The number of pixels up to which frames are never drawn smaller, except in the terminal: their pixels take less than a tenth of the
-/// time of a frame.
+/// Pixels up to which a window's frames are never drawn smaller: these take less than a tenth of the frame's time.
 const SMALLEST: usize = 320 * 240;
 
 /// Targets hold the largest frame.
@@ -35,7 +34,7 @@ impl Source for Music {
     }
 }
 
-/// Plays the show and prints its statistics. Returns the exit code.
+/// Plays the show, prints its statistics and returns the exit code.
 pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let (width, height) = options.size;
@@ -87,16 +86,14 @@ struct Playing<'a> {
     options: &'a Options,
     player: Player,
     renderer: ShowRenderer,
-    /// The pixels of frames that are drawn smaller than the target.
     small: &'static mut [u32],
-    /// Interpolates small frames instead of repeating their pixels.
     is_smooth: bool,
     has_hud: bool,
     tally: Tally,
 }
 
 impl Playing<'_> {
-    /// Plays until the show ends or the viewer ends it. Returns the exit code.
+    /// Returns the exit code.
     fn on(&mut self, target: &mut dyn RenderTarget) -> i32 {
         let options = self.options;
         let is_default = options.is_uncapped && options.psnr.is_none();
@@ -154,7 +151,7 @@ impl Playing<'_> {
         }
     }
 
-    /// Draws the frame of a time for a canvas of this size, with sides divided by `divisor`.
+    /// Draws a frame for a canvas of this size, with sides divided by `divisor`.
     fn draw(
         &mut self,
         canvas: &mut [u32],

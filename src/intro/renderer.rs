@@ -48,12 +48,12 @@ impl ShowRenderer {
         }
     }
 
-    /// Returns the number of threads that draw, including the caller's.
+    /// Returns the number of threads, including the caller's.
     pub fn threads(&self) -> usize {
         self.threads.0.threads()
     }
 
-    /// Draws the frame at a time in nanoseconds, and returns the work done. The show repeats. `number` selects the pixels to probe.
+    /// Draws the frame at a time in nanoseconds; the show repeats. `number` selects the pixels to probe.
     #[inline(never)]
     pub fn draw(
         &mut self,
@@ -74,7 +74,6 @@ impl ShowRenderer {
         self.renderer.render_valid(self.scene, quality, frame, &mut threads)
     }
 
-    /// Returns the threads, for other work between frames.
     pub fn pool(&mut self) -> &mut Pool {
         &mut self.threads.0
     }

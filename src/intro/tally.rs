@@ -18,12 +18,11 @@ pub struct Tally {
     slowest: Option<u64>,
     second: u64,
     frames_in_second: u64,
-    /// Frames in the last complete second.
     rate: u64,
     /// All probes, and recent ones, whose weight halves every second.
     probes: Probes,
     recent: Probes,
-    /// The last frame's size, and the number that divided its sides.
+    /// The last frame's size, and its divisor.
     size: (usize, usize),
     divisor: usize,
     used: [u64; Preset::ALL.len()],
@@ -69,7 +68,7 @@ impl Tally {
         self.frames_in_second += 1;
     }
 
-    /// Draws frame rate, points, size, and recent accuracy with its 95 % interval onto a frame for a target of this `size`.
+    /// Draws frame rate, points, size and recent accuracy onto a frame for a target of this `size`.
     pub fn write(&self, frame: &mut Frame<'_>, size: (usize, usize), points: u64) {
         let sizes = [frame.width, frame.height, size.0, size.1];
         frame.write(&[line(b" #### X $$$$ OF %%%% X &&&&", 0.09)], sizes);
@@ -116,7 +115,6 @@ impl Tally {
         output.text("\n");
     }
 
-    /// Writes the accuracy with its 95 % interval, and a missed goal.
     fn report_accuracy(&self, output: &mut Writer, options: &Options) {
         let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {

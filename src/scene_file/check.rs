@@ -1,7 +1,6 @@
-//! The check of a moving scene at all times.
-//!
-//! A field's extremes are at keys and at the extremes of splines. Rules for several fields, or for the length of a vector, can be
-//! broken for a moment between them: there the scene is sampled, and a search finds the closest approaches.
+//! The check of a moving scene at all times. A field's extremes are at keys and at the extremes of splines. Rules for several
+//! fields, or for a vector's length, can be broken for a moment between them: the scene
+//! is sampled there, and a search finds the closest approaches.
 
 use super::moving::Moving;
 use super::node::{Kind, Mistake, Node, steps};
@@ -45,7 +44,7 @@ impl Moving {
         self.parts().iter().try_for_each(|part| part.check_alone(length))
     }
 
-    /// Returns the moving objects and materials, each with its motions, and the other fields together.
+    /// Returns each moving object or material with its motions, and one part for all other fields.
     fn parts(&self) -> Vec<Self> {
         let mut parts: Vec<Self> = Vec::new();
         for motion in &self.motions {
@@ -110,7 +109,7 @@ impl Moving {
         Ok(())
     }
 
-    /// Returns the times of keys and extremes, then others between them.
+    /// Returns the times of keys and extremes, then times between them.
     fn times(&self, length: f32) -> impl Iterator<Item = f32> {
         let ends = self.motions.iter().map(|motion| motion.end());
         let until = ends.fold(length + AFTER, f32::max);
@@ -148,7 +147,7 @@ impl Moving {
         }
     }
 
-    /// Refuses a direction that turns back within a hundred thousandth of a window in seconds, and so passes 0 up to rounding.
+    /// Refuses a direction that turns back within a hundred thousandth of a window in seconds: up to rounding it passes 0.
     fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
         let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
         let direction = |time| {

@@ -16,7 +16,6 @@ use node::{Kind, Mistake, Node, UNKNOWN};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// The default `length` in seconds.
 const LENGTH: f32 = 8.0 * std::f32::consts::PI;
 
 /// Some editors begin a text with it. It has no column.
@@ -25,14 +24,13 @@ const BYTE_ORDER_MARK: char = '\u{feff}';
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneFile {
     pub name: String,
-    /// Seconds.
     pub length: f32,
     text: String,
     moving: Moving,
 }
 
 impl SceneFile {
-    /// Reads the bytes of a file as text.
+    /// Decodes a file's text.
     ///
     /// # Errors
     /// One line: file, line, column, value, range.
@@ -45,7 +43,7 @@ impl SceneFile {
         })
     }
 
-    /// Parses the text of a file. Checks the scene at all times up to its length, and those of keys.
+    /// Parses the text of a file, and checks the scene at all times up to its length and to the last key.
     ///
     /// # Errors
     /// One line: file, line, column, value, range.

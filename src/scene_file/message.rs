@@ -3,7 +3,7 @@
 use ron::Error as E;
 use ron::error::{Position, SpannedError};
 
-/// The most letters of a message with its place, of the name of its file, and of a word or a quotation in a longer message.
+/// The most letters of a message, of its file's name, and of a word or a quotation in a longer message.
 const MAX_MESSAGE: usize = 200;
 const MAX_NAME: usize = 100;
 const MAX_WORD: usize = 60;
@@ -11,13 +11,12 @@ const MAX_WORD: usize = 60;
 /// The nesting that `ron` reads; each level takes two of its 128.
 const MAX_NESTING: usize = 64;
 
-/// Returns a message as one line of printable letters, at most 200. Cuts long words and quotations first, then the end.
+/// Returns one line of printable letters, at most 200. Cuts long words and quotations first, then the end.
 #[must_use]
 pub fn one_line(message: &str) -> String {
     shortened(message, MAX_MESSAGE)
 }
 
-/// Returns a message after its place in a file.
 pub fn located(name: &str, text: &str, at: usize, message: &str) -> String {
     let before = &text[..at];
     let line = before.rsplit('\n').next().unwrap_or(before);
@@ -84,7 +83,6 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
-/// Returns the offset and the message of a mistake in the syntax.
 pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {
     let at = match error.code {
         E::TrailingCharacters => error.span.end,
@@ -145,7 +143,6 @@ fn offset(text: &str, Position { line, col }: Position) -> usize {
     letters.map_or(text.len(), |(at, _)| before + at)
 }
 
-/// Skips white space and comments.
 fn after_space(mut text: &str) -> &str {
     loop {
         text = text.trim_start();

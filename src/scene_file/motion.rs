@@ -3,7 +3,6 @@
 use super::node::{Kind, Mistake, Node};
 use serde::Deserialize;
 
-/// The motion of a number or a vector.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
@@ -13,7 +12,6 @@ pub struct Motion {
     between: Between,
     #[serde(default)]
     repeat: bool,
-    /// The place in the file's list.
     #[serde(skip)]
     pub index: usize,
     /// At least one, in the order of their times.
@@ -36,7 +34,6 @@ enum Between {
 /// A value at a time in seconds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
-    /// The offset in the text.
     at: usize,
     pub time: f32,
     numbers: Vec<f32>,
@@ -92,7 +89,6 @@ impl Motion {
         Ok(motion)
     }
 
-    /// Returns the current key's offset, and the numbers.
     pub fn at(&self, time: f32) -> (usize, Vec<f32>) {
         let (keys, last) = (&self.keys, self.keys.len() - 1);
         let time = match self.repeat {
@@ -152,7 +148,6 @@ impl Motion {
         roots.into_iter().filter(|&s| 0.0 < s && s < 1.0)
     }
 
-    /// Returns the times of keys and extremes, with repetitions up to a time.
     pub fn times(&self, until: f32) -> Vec<f32> {
         let mut times: Vec<f32> = self.keys.iter().map(|key| key.time).collect();
         let period = times[times.len() - 1];
@@ -175,14 +170,12 @@ impl Motion {
         times
     }
 
-    /// Returns a motion that stays at the start.
     pub fn frozen(&self) -> Self {
         let (at, numbers) = self.at(0.0);
         let time = 0.0;
         Self { of: self.of.clone(), keys: vec![Key { at, time, numbers }], ..*self }
     }
 
-    /// Returns the last key's time.
     pub fn end(&self) -> f32 {
         self.keys.last().map_or(0.0, |key| key.time)
     }

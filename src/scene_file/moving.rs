@@ -21,7 +21,6 @@ impl Moving {
         Scene::deserialize(&self.tree_at(time)?)
     }
 
-    /// Returns the scene if it is valid.
     pub fn valid(&self, time: f32) -> Result<Scene, Mistake> {
         let scene = self.scene(time)?;
         match scene.validate() {
@@ -30,7 +29,7 @@ impl Moving {
         }
     }
 
-    /// Blames a motion, or at the start the value in the file if no motion sets it.
+    /// Blames a motion, or at the start the value in the file if it has no motion.
     pub fn mistake(&self, time: f32, error: &RangeError) -> Mistake {
         let text = error.to_string();
         let path = text.split(" is ").next().unwrap_or_default();
@@ -101,7 +100,7 @@ impl Moving {
     }
 }
 
-/// Rotates the axes of a block by its `turn`: radians about its z axis first, then x, then y.
+/// Rotates a block's axes by its `turn` in radians: about its z axis, then x, then y.
 fn turn(block: &mut Node) -> Result<(), Mistake> {
     if let Some(axes) = block.get_mut("axes")
         && axes.parts.len() == 3

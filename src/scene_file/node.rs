@@ -28,9 +28,7 @@ pub enum Kind {
     Number(f32),
     /// A name, a boolean or quoted text, verbatim.
     Word(String),
-    /// A list or a tuple.
     List,
-    /// A struct or a table.
     #[default]
     Struct,
 }
@@ -59,7 +57,6 @@ impl Node {
         }
     }
 
-    /// Copies a value, except its name.
     pub fn copy(&mut self, other: &Self) {
         let name = std::mem::take(&mut self.name);
         *self = other.clone();
@@ -100,7 +97,6 @@ impl Node {
     }
 }
 
-/// Returns the names and indices of a path.
 pub fn steps(path: &str) -> impl Iterator<Item = &str> {
     let steps = path.split(['.', '[']);
     steps.map(|step| step.trim_end_matches(']').trim_matches('"'))
@@ -234,7 +230,6 @@ impl de::Error for Mistake {
     }
 
     fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
-        // Fields of files only.
         let own: &[&str] = match known {
             ["camera", ..] => &["length", "materials", "motions"],
             ["of", ..] => &["keys"],

@@ -3,7 +3,7 @@ use eightfold_tracer::scene::{Caption, Scene};
 
 pub(super) struct Cue {
     pub text: &'static str,
-    /// The scene's beat, counted from 0, at which the text begins to fade in.
+    /// The scene's beat, from 0, at which the text begins to fade in.
     pub first: f32,
     pub beats: f32,
     /// See [`Caption::middle`].

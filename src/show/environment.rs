@@ -23,7 +23,6 @@ pub(super) struct Environment {
     pub softboxes: &'static [Softbox],
     /// In radians, see [`Camera::field_of_view`](eightfold_tracer::scene::Camera::field_of_view).
     pub field_of_view: f32,
-    /// Adds objects and moves lights.
     pub add: fn(Now, &mut Scene),
 }
 
@@ -47,17 +46,14 @@ impl Environment {
     };
 }
 
-/// A time in an environment.
 #[derive(Clone, Copy)]
 pub(super) struct Now {
     /// The bar of the show in which the environment was first shown.
     pub first: u32,
-    /// Beats since then.
     pub beat: f32,
 }
 
 impl Now {
-    /// Returns the notes of a track of the song, counted from the environment's start.
     pub fn cue(self, track: Track) -> Cue {
         sound::cue(track, self.first, self.beat)
     }

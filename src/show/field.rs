@@ -12,8 +12,8 @@ const CELL: f32 = 4.0;
 const RADIUS: (f32, f32) = (0.2, 0.2);
 const SEED: u32 = 2008;
 
-/// Returns the field at `time` seconds with `count` spheres, at most [`MAX_SPHERES`], that do not touch. A sphere is plastic with
-/// probability 0.6, a mirror with 0.2 and glass with 0.2. Equal counts give equal spheres.
+/// Returns a field of `count` spheres, at most [`MAX_SPHERES`], that do not touch: plastic with probability 0.6, mirrors with 0.2,
+/// glass with 0.2. Equal counts give equal spheres.
 #[must_use]
 pub fn field(count: usize, time: f32) -> Scene {
     let count = count.min(MAX_SPHERES);

@@ -1,6 +1,4 @@
 //! The show, a function from time to a scene, and two scenes for measurements: the model scene and the field.
-//!
-//! A new scene of the show needs a file in `scenes`, an entry in the list there, and bars in the song.
 
 mod captions;
 mod environment;

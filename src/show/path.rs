@@ -2,7 +2,6 @@ use eightfold_tracer::maths::{cos, sin};
 use eightfold_tracer::scene::{Camera, Scene};
 use glam::{Vec3, vec3};
 
-/// The camera at a time of a shot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     /// In scene units.
@@ -13,8 +12,7 @@ pub(super) struct View {
     tilt: [f32; 2],
 }
 
-/// The height of the disc's middle above the picture's, in half heights. All scenes begin and end with a disc at this place, so that
-/// a cut in coarse squares becomes a change of its colour.
+/// The height of the disc's middle above the picture's, in half heights. All scenes begin and end with a disc at this place.
 pub(super) const DISC: f32 = 0.08;
 
 pub(super) const fn view(eye: [f32; 3], target: [f32; 3]) -> View {
@@ -29,8 +27,8 @@ impl View {
 
 /// Sets the camera to a shot at `time`, 0 to 1 from its start to its end.
 ///
-/// Views are evenly spaced in time, on a Catmull-Rom spline with continuous speed. The first and last view count twice: the camera
-/// starts and arrives at about half of its speed, and does not stand still at a cut.
+/// Views are evenly spaced in time, on a Catmull-Rom spline. The first and last view count twice, so at a cut the camera keeps
+/// about half of its speed.
 pub(super) fn move_camera(views: &[View], time: f32, field_of_view: f32, scene: &mut Scene) {
     let last = views.len() - 1;
     let time = time * last as f32;
@@ -47,7 +45,7 @@ pub(super) fn move_camera(views: &[View], time: f32, field_of_view: f32, scene: 
     }
     let ahead = target - eye;
     let right = ahead.cross(up);
-    // The length of `ahead.cross(right)` is the product of theirs, since they are perpendicular.
+    // The factors are perpendicular, so lengths multiply.
     let half_height = sin(0.5 * field_of_view) / cos(0.5 * field_of_view);
     let down = ahead.cross(right) * (DISC * half_height / right.length());
     scene.camera = Camera { up, ..Camera::new(eye, target + down, field_of_view) };
@@ -56,7 +54,6 @@ pub(super) fn move_camera(views: &[View], time: f32, field_of_view: f32, scene: 
 }
 
 /// Returns the weights of four consecutive views of the uniform Catmull-Rom spline at `u`, 0 to 1 between the second and the third.
-/// The cubic passes through these two; its slope at each is half the difference of its neighbours.
 fn catmull_rom(u: f32) -> [f32; 4] {
     [
         ((2.0 - u) * u - 1.0) * u * 0.5,
@@ -113,7 +110,7 @@ mod tests {
             core::array::from_fn::<f32, 4, _>(|i| (to[i] - from[i]) / STEP)
         };
         let (arriving, leaving) = (slope(1.0 - STEP), slope(0.0));
-        // When the camera passes the third view, the first one drops out and a fifth comes in.
+        // The first view drops out at the third, where a fifth comes in.
         assert!(arriving[0].abs() < 0.01 && leaving[3].abs() < 0.01);
         for i in 1..4 {
             assert!((arriving[i] - leaving[i - 1]).abs() < 0.01, "view {i}");

@@ -34,7 +34,6 @@ pub(super) fn add_stars(scene: &mut Scene) {
 
 /// The sizes of a letter in scene units.
 pub(super) struct Size {
-    /// The distance of the font's grid points.
     pub step: f32,
     /// Half the width of a stroke.
     pub half_width: f32,
@@ -57,7 +56,7 @@ pub(super) fn add_letter(
     for (from, to) in strokes(letter) {
         let along = to - from;
         let length = along.length();
-        // Slanted strokes meet others at 45 degrees; the corners of the rest are square.
+        // Slanted strokes meet at 45 degrees; other corners are square.
         let mitre = if along.x * along.y == 0.0 { 1.0 } else { 0.4 };
         let [x, y] = [along.x / length, along.y / length];
         let middle = (from + to) * 0.5;

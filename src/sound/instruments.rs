@@ -11,7 +11,7 @@ pub(super) enum Notes {
     Root,
     /// A note of the theme, this number of semitones down.
     Theme(u8),
-    /// A note of the bar's chord, this number of semitones up: digits 1 to 4 count from its root, 5 to 8 an octave higher, and so on.
+    /// A note of the bar's chord, this number of semitones up: digits 1 to 4 count from its root, 5 to 8 an octave higher.
     Tone(u8),
     /// The note of [`Notes::Tone`], and the three above it.
     Chord(u8),
@@ -23,7 +23,7 @@ pub(super) struct Instrument {
     pub saw: f32,
     pub sine: f32,
     pub noise: f32,
-    /// The oscillators' pitches relative to the note's. The higher ones decay faster; the first is the lowest.
+    /// The oscillators' pitches relative to the note's; the first is the lowest. The higher ones decay faster.
     pub partials: Vec4,
     /// The outermost oscillators' deviation, as a fraction of the pitch.
     pub detune: f32,
@@ -52,7 +52,7 @@ pub(super) struct Instrument {
     pub damping: f32,
     /// The fraction of high pass, 0 to 1; the rest is low pass.
     pub high: f32,
-    /// The share of each side that the other one also plays: at 1 both are the same.
+    /// The share of each side that the other one also plays; at 1 left and right are equal.
     pub centre: f32,
     /// The fraction of the interval to its note that the pitch glides in each [chunk](super::CHUNK).
     pub glide: f32,
@@ -63,20 +63,17 @@ pub(super) struct Instrument {
     pub duck: f32,
 }
 
-/// The factor on all amplitudes, for a soundtrack between -14 and -12 LUFS, which a test checks.
+/// The factor on all amplitudes, for a soundtrack between -14 and -12 LUFS.
 pub(super) const LOUDNESS: f32 = 0.47;
 
-/// Converts a frequency in Hz to an angle.
 const fn hz(frequency: f32) -> f32 {
     frequency * PI / RATE as f32
 }
 
-/// Converts a time constant in seconds to its inverse, in 1 / samples.
 const fn s(time: f32) -> f32 {
     1.0 / (time * RATE as f32)
 }
 
-/// The attack of a struck instrument.
 pub(super) const STROKE: f32 = s(0.001);
 
 const SILENT: Instrument = Instrument {
@@ -129,7 +126,6 @@ const PAD: Instrument = Instrument {
     ..SILENT
 };
 
-/// In the order of [`Track`](super::song::Track).
 pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Kick.
     Instrument {

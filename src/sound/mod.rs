@@ -1,6 +1,4 @@
-//! The soundtrack: a song and its synthesizer, in stereo at 48 kHz.
-//!
-//! A sample depends only on its position in the song, and not on the number of samples that are requested at once.
+//! The soundtrack: a song and its synthesizer, in stereo at 48 kHz. A sample depends only on its position in the song.
 
 mod cue;
 mod instruments;
@@ -31,8 +29,8 @@ pub const STEPS_PER_BAR: u32 = 16;
 
 const STEPS_PER_BEAT: u32 = STEPS_PER_BAR / grid::BEATS_PER_BAR;
 
-/// The length of the song in bars.
+/// The song's length in bars.
 pub const BARS: u32 = song::BARS as u32;
 
-/// The length of the song in samples.
+/// The song's length in samples.
 pub const SONG_LENGTH: u32 = STEP * STEPS_PER_BAR * BARS;

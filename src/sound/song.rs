@@ -1,17 +1,12 @@
-//! The song: each instrument's notes.
-//!
-//! It is in A minor, the finale in A major. Every scene plays the [`THEME`] at a speed of its own: crotchets on the chimes, a note
-//! more in each bar of the method, one note per bar in the bass.
-//!
-//! The song is written as text, which the compiler parses. Spaces separate scenes and beats for the reader; those of the harmony
-//! also mark the cuts, before which all instruments rest.
+//! The song: each instrument's notes, as text that the compiler parses. Spaces separate scenes and beats for the reader; the
+//! harmony's also mark the cuts, before which all instruments rest. `docs/sound.md` describes the music.
 
 use super::STEPS_PER_BAR;
 
 /// An instrument, which plays one note or chord at a time.
 #[derive(Clone, Copy, Debug)]
 pub enum Track {
-    /// The bounces of the glass ball at 12 s, the landings at 56 s, three, three and two quavers at 80 s, the turns at 92 s.
+    /// Moves the picture: bounces at 12 s, landings at 56 s, the sun at 80 s, turns at 92 s.
     Kick,
     /// On the beats between.
     Clap,
@@ -23,31 +18,31 @@ pub enum Track {
     Tom,
     /// Plucked at 12 s, driven at 80 s.
     Bass,
-    /// Three notes of the theme at the beginning, the roots of the chords in the calm scenes.
+    /// The first notes of the theme, then roots of chords.
     Sub,
     /// Chords in calm scenes.
     Vowel,
     /// Chords.
     Pad,
-    /// The same chords.
+    /// The pad's chords.
     SecondPad,
     /// Sixteenths, in the climax.
     Arpeggio,
-    /// The theme in minims: forwards and backwards, then in A major, its last note held for five beats.
+    /// The theme in minims: forwards and backwards, then in A major.
     Strings,
     /// The theme in the climax.
     Lead,
-    /// The ball lands on a pipe with every crotchet from 56 s.
+    /// The ball lands on a pipe with every note from 56 s.
     Chime,
-    /// The theme in quavers, the first voice of the canon at 76 s, and the last note.
+    /// The theme in quavers, and the last note.
     Marimba,
-    /// A note more in each bar of the method; sixteenths at the end, while the squares of the picture double.
+    /// A note more in each bar of the method; sixteenths at the end.
     Square,
-    /// 1, 2, 4 and 8 bubbles, then their pops, two beats after the marimba.
+    /// Bubbles, then their pops, in canon with the marimba.
     Pop,
-    /// It grows for two bars, up to a quaver before a cut.
+    /// Grows for two bars, up to a quaver before a cut.
     Riser,
-    /// Where a scene begins; in the climax for each turn.
+    /// Where a scene begins.
     Boom,
 }
 
@@ -101,14 +96,12 @@ static GAIN: [u8; BARS] = indices_of(
 /// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
 /// [`Notes`](super::instruments::Notes) defines; 0 starts none.
 struct Part {
-    /// Each bar's pattern, counted from 1; 0 is silence.
     bars: [u8; BARS],
     patterns: &'static [[u8; STEPS]],
 }
 
 const STEPS: usize = STEPS_PER_BAR as usize;
 
-/// In the order of [`Track`].
 #[rustfmt::skip]
 static PARTS: [Part; TRACKS] = [
     // Kick.
@@ -310,8 +303,7 @@ static PARTS: [Part; TRACKS] = [
 
 const DIGITS: &[u8] = b"0123456789abcdef";
 
-/// Returns a track's digit at a sixteenth of the song: the loudness of a drum, 1 to 15, or a note, such as one of the [`THEME`], 1 to 8;
-/// 0 if none starts.
+/// Returns a track's digit at a sixteenth of the song; 0 if no note starts.
 pub(super) fn digit(track: usize, step: u32) -> u8 {
     let part = &PARTS[track];
     match part.bars.get((step / STEPS_PER_BAR) as usize) {
@@ -324,17 +316,14 @@ pub(super) fn mood(bar: u32) -> (f32, u8) {
     (f32::from(LIGHT[bar as usize]) / 15.0, GAIN[bar as usize])
 }
 
-/// Returns the notes of a bar's chord.
 pub(super) fn chord(bar: u32) -> [u8; 4] {
     CHORDS[usize::from(HARMONY[bar as usize])]
 }
 
-/// Whether a bar is the last before a cut.
 pub(super) fn is_last(bar: u32) -> bool {
     LAST[bar as usize]
 }
 
-/// Returns the MIDI note of a digit of the theme in a bar.
 pub(super) fn theme(digit: u8, bar: u32) -> u8 {
     let i = usize::from(digit) - 1;
     THEME[i] + if bar >= MAJOR { RAISED[i] } else { 0 }

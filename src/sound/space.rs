@@ -7,7 +7,6 @@ const ECHO: usize = 1 << 15;
 /// The echo's delay in samples: three sixteenths, between the beats.
 const DELAY: usize = 3 * STEP as usize;
 
-/// The amplitude of an echo relative to the previous one.
 const FEEDBACK: f32 = 0.5;
 
 /// The delays in samples of allpass filters before the reverberation, 2 to 14 ms, which multiply its echoes.
@@ -28,10 +27,9 @@ const LENGTHS: [usize; 6] = [1433, 1801, 2269, 2749, 3323, 4001];
 /// The feedback of the delays. With 54 ms per round on average, the sound falls by 60 dB in 2.5 s.
 const DECAY: f32 = 0.86;
 
-/// The coefficient of the one-pole low pass in each delay's feedback: 5 kHz.
+/// The coefficient of the one-pole low pass in each delay: 5 kHz.
 const WALL: f32 = 0.5;
 
-/// The amplitudes of the taps on each side.
 const LEFT: Vec4 = vec4(0.5, 0.0, 0.5, 0.0);
 const RIGHT: Vec4 = vec4(0.0, 0.5, 0.0, 0.5);
 
@@ -78,7 +76,7 @@ impl Space {
             *wall += (sent + (tap + reflected) * DECAY - *wall) * WALL;
             self.room[position % ROOM][line] = wall.yzwx();
         }
-        // Alternate signs on the right make both sides independent.
+        // Alternate signs on the right make left and right independent.
         mix.dry + echo + taps * LEFT + difference * RIGHT
     }
 }

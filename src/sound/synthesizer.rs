@@ -8,13 +8,13 @@ use glam::{Vec4, Vec4Swizzles};
 /// The delay of every other sixteenth, in chunks: a slight swing.
 const SWING: u32 = 8;
 
-/// The fraction of the difference to the bar's brightness that each chunk adds: 63 % in a second.
+/// The share of the difference to the bar's brightness that each chunk adds: 63 % in a second.
 const BRIGHTENING: f32 = 0.001;
 
-/// The fraction of the difference to the bar's amplification that each chunk adds: 63 % in 25 ms.
+/// The share of the difference to the bar's amplification that each chunk adds: 63 % in 25 ms.
 const SWELLING: f32 = 0.04;
 
-/// The ratio of amplitudes for each step of a bar's amplification, the sixth root of 2: 1 dB.
+/// The ratio of amplitudes for 1 dB, the sixth root of 2.
 const DECIBEL: f32 = 1.122_462;
 
 /// The deviation of the notes' amplitudes, as players have it: up to 1 dB.
@@ -29,7 +29,6 @@ const CEILING: f32 = 0.82;
 /// A synthesizer of the song, with 1 MB of memory, initially zero.
 pub struct Synthesizer {
     mood: Mood,
-    /// The factor on all sound.
     gain: f32,
     /// The last sample's noise.
     noise: Vec4,
@@ -80,8 +79,8 @@ impl Synthesizer {
         }
     }
 
-    /// Moves to a position in samples from the song's start. Sound depends on all sound before it, so this synthesizes the song up
-    /// to there, which takes a few milliseconds per second of sound.
+    /// Moves to a position in samples from the song's start. Each sample depends on all before it, so this synthesizes the song up
+    /// to there, a few milliseconds per second of sound.
     pub fn seek(&mut self, position: u32) {
         *self = const { Self::new() };
         for _ in 0..position % SONG_LENGTH {

@@ -1,4 +1,4 @@
-//! Instruments and effects alone.
+//! Single instruments and effects.
 
 extern crate std;
 
@@ -11,7 +11,6 @@ use glam::Vec4;
 use rustfft::{FftPlanner, num_complex::Complex};
 use std::{boxed::Box, vec::Vec};
 
-/// Plays a second of a note.
 fn play(track: Track, digit: u8, bar: u32) -> Vec<[f32; 2]> {
     let instrument = &INSTRUMENTS[track as usize];
     let mood = Mood { kick: Vec4::ZERO, next_kick: Vec4::ZERO, light: Vec4::ONE, rest: false };

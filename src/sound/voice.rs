@@ -18,7 +18,7 @@ pub(super) struct Mix {
     pub echo: Vec4,
     /// The reverberation's input.
     pub room: Vec4,
-    /// Noise from -1 to 1, the same for all voices.
+    /// Noise from -1 to 1, common to all voices.
     pub noise: Vec4,
 }
 
@@ -78,7 +78,7 @@ impl Voice {
         age: 0.0,
     };
 
-    /// Starts the note of a pattern's digit, 1 to 15, in a bar, with an amplitude.
+    /// Starts the note of a pattern's digit, 1 to 15, in a bar.
     pub fn start(&mut self, instrument: &Instrument, digit: u8, bar: u32, amplitude: f32) {
         let chord = song::chord(bar);
         let tone = |number: u8| chord[usize::from(number % 4)] + number / 4 * 12;

@@ -1,10 +1,8 @@
 //! The show for browsers.
 //!
-//! Each worker, the sound and the page have an instance of this module. An instance has one thread, so the mutexes never wait.
-//! Workers draw shares of a frame's bands (`share`), and exchange the rows that antialiasing needs.
-//!
-//! The interface is `extern "C"` and a view of memory, as only numbers, pixels and samples cross it; wasm-bindgen would add a
-//! script to load. Names must differ from the C library's, for tests on other systems.
+//! Each worker, the sound and the page have an instance of this module. An instance has one thread, so the mutexes never wait. Only
+//! numbers, pixels and samples cross the interface, so `extern "C"` suffices; wasm-bindgen would add a script to load. Names must
+//! differ from the C library's, for tests on other systems.
 
 mod inspector;
 mod share;
@@ -81,8 +79,8 @@ fn state() -> MutexGuard<'static, State> {
     STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns the page's constants as zero-terminated JSON: the show's length and its scenes' starts in seconds, the names of the qualities
-/// from the most accurate to the fastest, the default quality, the number of probes per frame, and the sampling rate.
+/// Returns zero-terminated JSON: the show's length and its scenes' starts in seconds, the names of the qualities from the most
+/// accurate to the fastest, the default quality, the number of probes per frame, and the sampling rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
@@ -166,7 +164,6 @@ pub extern "C" fn set_file(time: f32) {
     }
 }
 
-/// Sets the scene's overlay, see [`Method`].
 #[unsafe(no_mangle)]
 pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f32) {
     let scene = &mut workspace().scene;
@@ -181,8 +178,9 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) {
     state().quality = if is_reference { quality.reference() } else { *quality };
 }
 
-/// Draws the bands that begin in rows `from..to`, or none or all of a kaleidoscope, in one pass of the frame, see `share`. `before` is the number of points in the
-/// previous passes of all workers. The seed selects the probed pixels. Returns the frame's number of passes.
+/// Draws the bands that begin in rows `from..to` in one pass of the frame, see `share`; a kaleidoscope's bands are drawn by the
+/// worker of its first row. `before` is the number of points in the previous passes of all workers. The seed selects the probed
+/// pixels. Returns the frame's number of passes.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
     from: usize,
@@ -247,7 +245,6 @@ pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const 
     let (space, state) = (&mut *workspace(), &mut *state());
     let inspector = Inspector::new(x, y);
     let frame = Frame::new(state.width, state.height, &mut state.pixels);
-    // Scenes are valid here: from the show, or from a validated file.
     let mut share = Share::new(&mut space.worker, from..to, 0, Counts::NONE);
     let mut renderer = Renderer::narrow(Level::baseline(), &mut space.memory);
     let _ = renderer.render_observed(&space.scene, &state.quality, frame, &mut share, &inspector);

@@ -2,8 +2,8 @@ use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
 
-/// Returns the rows in which a worker's bands begin, of the rows that it got. Kaleidoscopes of four sectors or more copy pixels from
-/// other rows, so the first worker draws the picture.
+/// Returns the rows in which a worker's bands begin. Kaleidoscopes of four sectors or more copy pixels between rows, so the first
+/// worker draws the whole picture.
 pub fn rows_of(scene: &Scene, rows: Range<usize>, height: usize) -> Range<usize> {
     match (scene.sectors >= 4.0, rows.start) {
         (false, _) => rows,
@@ -12,13 +12,11 @@ pub fn rows_of(scene: &Scene, rows: Range<usize>, height: usize) -> Range<usize>
     }
 }
 
-/// Draws a worker's bands in one of a frame's passes.
+/// Draws a worker's bands in one of a frame's passes: drawing, antialiasing (if enabled), and captions (if any).
 ///
-/// The passes are: drawing; antialiasing, if enabled; captions, if any. Each needs the pixels of the previous pass, and
-/// antialiasing also needs a row of each neighbour.
+/// Each needs the pixels of the previous pass, and antialiasing also needs a row of each neighbour.
 pub struct Share<'a> {
     pub worker: &'a mut Worker,
-    /// The rows in which its bands begin.
     pub rows: Range<usize>,
     pub pass: usize,
     /// The previous passes' work of all workers, for the captions.
@@ -83,7 +81,7 @@ mod tests {
             }
         }
 
-        /// Draws some rows in a pass. Returns the number of passes, the rows of its bands, and its points.
+        /// Returns the number of passes, the rows of its bands, and its points.
         fn draw(
             &mut self,
             scene: &Scene,
@@ -101,7 +99,6 @@ mod tests {
         }
     }
 
-    /// Draws a frame in parts whose bands begin in these rows, as a page's workers do.
     fn in_parts(scene: &Scene, quality: &Quality, cuts: &[usize]) -> Vec<u32> {
         let mut parts: Vec<Part> = cuts[1..].iter().map(|_| Part::new()).collect();
         let (mut pass, mut passes, mut before) = (0, 1, Counts::NONE);

@@ -20,7 +20,7 @@ impl Clock {
         now() - self.start
     }
 
-    /// Sleeps until `time` nanoseconds after the start, or until a signal arrives. Returns immediately if that is past.
+    /// Sleeps until `time` nanoseconds after the start, or until a signal arrives.
     pub fn sleep_until(&self, time: u64) {
         sleep_until(self.start + time);
     }
@@ -31,7 +31,7 @@ pub(crate) fn sleep(time: u64) {
     sleep_until(now() + time);
 }
 
-/// Waits while `number` is `value`, for at most three seconds, the time that a network device may need to open. Returns the number.
+/// Waits while `number` is `value`, for at most three seconds, which a network device may need to open. Returns the number.
 pub(crate) fn wait_while(number: &AtomicU64, value: u64) -> u64 {
     let clock = Clock::start();
     loop {

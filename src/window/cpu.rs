@@ -6,8 +6,8 @@ pub struct Isa {
     pub level: Level,
 }
 
-/// Whether the intro has kernels by the baseline of its processor. In the builds of 64 kB they would add 7,011 packed bytes, for
-/// processors before 2013 and small ones up to 2021.
+/// Whether the intro has kernels by the baseline of its processor. They would add 7,011 packed bytes for processors before 2013 and
+/// small ones up to 2021.
 pub const HAS_BASELINE: bool = cfg!(any(
     feature = "sse2",
     feature = "portable",
@@ -32,7 +32,6 @@ pub fn shipped() -> impl Iterator<Item = Isa> {
     avx2().into_iter().chain(baseline)
 }
 
-/// Returns the intro's instruction set of this name, if this machine has it.
 #[must_use]
 pub fn named(name: &[u8]) -> Option<Isa> {
     shipped().find(|isa| isa.name.as_bytes() == name)
@@ -62,9 +61,7 @@ fn baseline() -> Isa {
     }
 }
 
-/// Features of x86-64 processors, from CPUID.
-///
-/// `Level::new()` gives the same answer, but queries all features through std, for 1,499 packed bytes.
+/// Features of x86-64 processors, from CPUID. `Level::new()` asks std, for 1,499 packed bytes.
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
     use core::arch::{

@@ -1,19 +1,6 @@
 //! Safe functions for the operating system.
 //!
-//! | purpose | module |
-//! | --- | --- |
-//! | the C `main` and the arguments | [`main!`], [`arguments`] |
-//! | output of frames | [`render_target`], [`window`], [`terminal`] |
-//! | keyboard and mouse events | [`input`] |
-//! | sound and its clock | [`sound`] |
-//! | time and sleep | [`clock`] |
-//! | a thread pool for the work of a frame | [`pool`] |
-//! | enlarged pictures | [`enlarge`] |
-//! | the best instruction set | [`cpu`] |
-//! | static memory | [`static_cell`] |
-//! | lines on standard output and error | [`mod@line`] |
-//!
-//! Three backends have the same modules `window`, `threads`, `clock`, `memory` and `arguments`:
+//! Three backends have the modules `window`, `threads`, `clock`, `memory` and `arguments`:
 //!
 //! - The small one, on Xlib and libc, for the 64 kB intro on x86-64 Linux.
 //! - The one for the 64 kB intro on Windows (feature `windows`), compiled for x86-64 Linux.

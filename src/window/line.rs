@@ -5,9 +5,8 @@
 use crate::system;
 pub use crate::system::{ERROR, OUTPUT, write};
 
-/// A buffered writer to a file descriptor.
-///
-/// It writes when its buffer is full and when it is [flushed](Writer::flush), but not when it is dropped. It stops after an error.
+/// A buffered writer to a file descriptor. It writes when it is full or [flushed](Writer::flush), but not when it is dropped. It
+/// stops after an error.
 pub struct Writer {
     file: i32,
     has_failed: bool,
@@ -90,13 +89,11 @@ pub fn complaint() -> Writer {
     errors
 }
 
-/// Writes an error message of two parts.
 #[inline(never)]
 pub fn complain(what: &str, then: &str) {
     complaint().text(what).text(then).text("\n").flush();
 }
 
-/// Returns bytes as text if they are ASCII.
 #[must_use]
 pub fn ascii(bytes: &[u8]) -> Option<&str> {
     // `[u8]::is_ascii`, which is faster, takes 267 more packed bytes.

@@ -12,7 +12,6 @@ use core::{
 
 use crate::line::ascii;
 
-/// Defines a structure of a library's functions, and its [`Table`].
 macro_rules! loaded {
     (static $table:ident: $functions:ident = $library:literal; $( fn $name:ident($($argument:ty),* $(,)?) -> $result:ty; )*) => {
         #[repr(C)]
@@ -27,7 +26,6 @@ macro_rules! loaded {
 
 pub(crate) use loaded;
 
-/// Functions of a library, filled once.
 pub struct Table<T> {
     library: &'static CStr,
     names: &'static str,

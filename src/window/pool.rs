@@ -1,7 +1,5 @@
-//! A thread pool for the work of a frame.
-//!
-//! The threads start once. A run costs a few atomic operations: the caller works too, closes the run when the last item is taken,
-//! and waits only for threads that have entered.
+//! A thread pool for the work of a frame. A run costs a few atomic operations: the caller works too, closes the run when the last
+//! item is taken, and waits only for threads that have entered.
 
 use core::{
     cell::UnsafeCell,
@@ -23,7 +21,7 @@ use crate::backend::threads::{Thread, spawn, wait, wake};
 /// frame.
 const SPINS: u32 = 1000;
 
-/// A thread pool. Its threads end when it is dropped.
+/// A pool whose threads end when it is dropped.
 pub struct Pool {
     shared: Box<Shared>,
     /// The first `count` are initialised.
@@ -111,7 +109,6 @@ impl Pool {
         });
     }
 
-    /// Runs a job on every row of a picture, with its number.
     pub fn rows(
         &mut self,
         pixels: &mut [u32],
@@ -132,9 +129,8 @@ impl Pool {
         });
     }
 
-    /// Runs the work on the caller's thread, with number 0, and on all threads that enter in time.
-    ///
-    /// Not inlined, as it has two callers and is large.
+    /// Runs the work on the caller's thread, with number 0, and on all threads that enter in time. It has two callers and is too
+    /// large to inline.
     #[inline(never)]
     fn work(&mut self, work: Work<'_>) {
         let shared = &*self.shared;
@@ -196,7 +192,6 @@ impl Shared {
         }
     }
 
-    /// Waits for a run other than `seen`.
     fn wait(&self, seen: u32) -> u32 {
         for _ in 0..SPINS {
             let run = self.run.load(Acquire);
@@ -214,7 +209,6 @@ impl Shared {
         self.run.load(Acquire)
     }
 
-    /// Enters the run if it is still open, does the work and leaves.
     fn take_part(&self, thread: usize) {
         let enter = |inside| (inside & OPEN != 0).then_some(inside + 1);
         if self.inside.fetch_update(Acquire, Relaxed, enter).is_err() {

@@ -19,7 +19,6 @@ pub trait RenderTarget {
     /// If `width * height` is above [`MOST_PIXELS`].
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32];
 
-    /// Shows the frame, and handles the viewer's input.
     fn show(&mut self) -> Next;
 }
 
@@ -41,7 +40,6 @@ pub enum Next {
     End(i32),
 }
 
-/// A target that discards frames.
 pub struct Headless {
     size: (usize, usize),
     pixels: &'static mut [u32],
@@ -68,8 +66,7 @@ impl RenderTarget for Headless {
     }
 }
 
-/// Returns the size of the picture for a target: the target's size, or the largest within `most` of the same aspect ratio. No side
-/// is 0.
+/// Returns the target's size, or the largest size within `most` of its aspect ratio. No side is 0.
 pub fn fit((width, height): (usize, usize), most: (usize, usize)) -> (usize, usize) {
     if width <= most.0 && height <= most.1 {
         (width.max(1), height.max(1))

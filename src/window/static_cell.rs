@@ -5,8 +5,7 @@ use core::{
 
 /// A value in a `static` that is borrowed once, for the rest of the program.
 ///
-/// Zeroed values take no space in the executable, and memory only for the pages that are written. `Box::new` would copy the value
-/// from the stack.
+/// Zeroed values take no space in the executable. `Box::new` would copy the value from the stack.
 pub struct StaticCell<T> {
     taken: AtomicBool,
     value: UnsafeCell<T>,

@@ -86,7 +86,6 @@ fn motion(random: &mut Random) -> String {
     format!("(of: \"{path}\", between: {between}, repeat: {repeat}, keys: [{keys}])")
 }
 
-/// Scenes of random motions that are read are valid at all times, and many are refused.
 #[test]
 fn random_motions_are_refused_or_valid() {
     let [mut read_count, mut refused] = [0; 2];

@@ -75,7 +75,7 @@ fn add(now: Now, scene: &mut Scene) {
         let centre = vec3(14.0 * fraction(spread) - 7.0, 8.0 * up - 3.4, -8.0);
         add_sphere(centre, 0.03 + 0.05 * fraction(spread * 3.0), &SPECK, scene);
     }
-    // A world grows in the first bubble, and is left when it bursts.
+    // A world grows in the first bubble.
     let world = smooth_step((now.beat - 14.0) / 7.0);
     if world > 0.0 {
         add_sphere(Vec3::ZERO, 0.75 * world, &GIANT, scene);
@@ -99,7 +99,6 @@ fn add(now: Now, scene: &mut Scene) {
     }
 }
 
-/// Adds a bubble, whose film flows.
 fn add_bubble(centre: Vec3, radius: f32, number: f32, now: Now, scene: &mut Scene) {
     let film_thickness = 220.0 + 70.0 * sin(0.4 * now.beat + 2.0 * number);
     add_sphere(centre, radius, &Material { film_thickness, ..FILM }, scene);

@@ -20,7 +20,6 @@ static ENVIRONMENT: Environment = Environment {
     floor: Some(&PAPER),
     lights: &[
         Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.55, 0.48, 0.38]) },
-        // The glow of the struck pipe's bore.
         Light { glow: 0.8, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
     ],
     softboxes: &[

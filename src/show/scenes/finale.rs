@@ -95,7 +95,7 @@ fn add(now: Now, scene: &mut Scene) {
     }
 }
 
-/// Leaves one gold square, which dies with the last note.
+/// Leaves one gold square until the last note.
 fn end(beats: f32, scene: &mut Scene) {
     scene.planes.clear();
     scene.lights.clear();

@@ -65,7 +65,7 @@ fn add(now: Now, scene: &mut Scene) {
     // Each boom doubles the sectors: 1, 2, 4, 8.
     scene.sectors = (1 << now.cue(Track::Boom).count >> 1) as f32;
     let kick = now.cue(Track::Kick);
-    // A sixteenth of a turn per kick: balls stand beside a mirror, or on it.
+    // A sixteenth of a turn per kick: balls stand next to a mirror, or on it.
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
     // The marble of the floor moves along.
     scene.planes[0].centre = around(turns) * 9.0;

@@ -26,7 +26,7 @@ const SCENES: &[(&str, ShowScene)] = &[
     ("finale", finale::SCENE),
 ];
 
-/// The names of the show's scenes, in order.
+/// The scenes' names, in order.
 pub const NAMES: [&str; SCENES.len()] = {
     let mut names = [""; SCENES.len()];
     let mut i = 0;
@@ -59,12 +59,12 @@ pub const CUTS: [u32; ALL.len()] = {
     cuts
 };
 
-/// The length of the show in bars.
+/// The show's length in bars.
 pub const BARS: u32 = CUTS[ALL.len() - 1] + ALL[ALL.len() - 1].bars();
 
 const _: () = assert!(BARS == sound::BARS, "the song has as many bars as the show's scenes");
 
-/// The length of the show in seconds.
+/// The show's length in seconds.
 pub const LENGTH: f32 = BAR * BARS as f32;
 
 /// Returns the bar at which a named scene begins.

@@ -40,7 +40,7 @@ impl InputCallback for KeyQueue {
     }
 }
 
-/// Returns a key's number. `minifb` numbers digits and letters consecutively.
+/// `minifb` numbers digits and letters consecutively.
 fn number(key: Key) -> c_uint {
     let character = match (key, key as u8) {
         (Key::Escape, _) => return input::ESCAPE,

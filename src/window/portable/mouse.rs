@@ -51,7 +51,7 @@ impl Mouse {
     }
 }
 
-/// Returns `minifb`'s value for a notch of the wheel away from the user.
+/// A notch of the wheel away from the user, in `minifb`'s unit.
 fn notch() -> f32 {
     if cfg!(not(target_os = "linux")) {
         1.0

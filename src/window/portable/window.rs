@@ -15,7 +15,7 @@ use crate::{
 /// For the intro's help.
 pub const KEYS: &str = "H hud, Esc or Q quit";
 
-/// A window for frames. `minifb` has no fullscreen; the desktop may have one.
+/// `minifb` has no fullscreen; the desktop may have one.
 pub struct Window {
     shown: minifb::Window,
     frame: &'static mut [u32],
@@ -26,10 +26,6 @@ pub struct Window {
 }
 
 impl Window {
-    /// Opens a window with an inner size in pixels.
-    ///
-    /// # Errors
-    /// If there is no display.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
         // On X `minifb` fails if this variable names an input method that is not running.
         // SAFETY: no other thread of this crate reads the environment.
@@ -49,10 +45,7 @@ impl Window {
         Ok(Window { shown, frame: pixels(), drawn: (0, 0), keys, mouse: None, inputs: Vec::new() })
     }
 
-    /// Like [`Window::open`]: `minifb` does not know the monitor's size.
-    ///
-    /// # Errors
-    /// If there is no display.
+    /// `minifb` does not know the monitor's size.
     pub fn open_on_monitor(
         title: &CStr,
         width: usize,
@@ -65,7 +58,6 @@ impl Window {
         self.shown.set_title(&title.to_string_lossy());
     }
 
-    /// Ignored.
     pub fn set_fullscreen(&mut self, _: bool) {}
 }
 
@@ -74,7 +66,6 @@ impl Window {
         self.mouse = Some(Mouse::default());
     }
 
-    /// Returns the events since the last call or [`Window::listen`], in order.
     pub fn inputs(&mut self) -> Vec<Input> {
         take(&mut self.inputs)
     }

@@ -1,8 +1,8 @@
 //! Copies pixels to a window.
 //!
-//! Copying a frame pixel by pixel (`minifb`) and through a socket (Xlib) takes a third of a frame's time at 1024x768. So
-//! the tracer draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Other
-//! displays get frames through the socket.
+//! Copying a frame pixel by pixel (`minifb`) and through a socket (Xlib) takes a third of a frame's time at 1024x768. So the tracer
+//! draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Displays without MIT-SHM get
+//! frames through the socket.
 
 use core::{
     ffi::{c_int, c_uint, c_ulong},
@@ -70,7 +70,6 @@ impl Frames {
         &mut self.frames[0][..width * height]
     }
 
-    /// Shows the frame in a window of this size, stretched and converted to the server's colours if necessary.
     pub fn show(&mut self, top: &Toplevel, (width, height): (usize, usize)) {
         // SAFETY: the image belongs to this structure.
         let masks = x11::masks(unsafe { &*self.image });
@@ -91,8 +90,7 @@ impl Frames {
         }
     }
 
-    /// Stretches the frame to a window's size and writes `rows` of the result, with the channel `masks`, to the other frame's
-    /// memory.
+    /// Stretches the frame to a window's size and writes `rows` of it, with the channel `masks`, to the other frame's memory.
     fn stretch(
         &mut self,
         (width, height): (usize, usize),
@@ -137,7 +135,7 @@ impl Frames {
         }
     }
 
-    /// Allocates shared memory for two frames, and attaches the server to it if possible.
+    /// Allocates shared memory for two frames, if the server can attach it.
     fn share(&mut self, top: &Toplevel) -> Option<&'static mut [u32]> {
         let shared = XEXT.open()?;
         let size = 2 * MOST_PIXELS * size_of::<u32>();
@@ -146,7 +144,7 @@ impl Frames {
         unsafe {
             let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
             let memory = libc::shmat(id, null(), 0);
-            // Delete the segment after the last detach. Until then, Linux lets others attach.
+            // Delete the segment after the last detach. Until then, Linux lets other processes attach.
             libc::shmctl(id, libc::IPC_RMID, null_mut());
             if memory.addr() == usize::MAX {
                 return None;
@@ -163,8 +161,7 @@ impl Frames {
                 (shared.XShmAttach)(top.display, segment);
                 finish(top);
             }
-            // Both this process and the server should be attached. In a container this id may name no segment of the
-            // server, or another one.
+            // Check that both processes are attached: in a container the server may have no segment or another one with this id.
             let mut state: libc::shmid_ds = zeroed();
             libc::shmctl(id, libc::IPC_STAT, &mut state);
             if state.shm_nattch > 1 {

@@ -61,7 +61,6 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: boo
     inputs.push(Input::Mouse(mouse));
 }
 
-/// Maps an X11 button number.
 fn button(number: u32) -> Option<Button> {
     Some(match number {
         1 => Button::Left,

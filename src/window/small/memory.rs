@@ -2,12 +2,10 @@ use core::{ptr::null_mut, slice};
 
 use crate::{enlarge::MOST_SMALL, line, render_target::MOST_PIXELS};
 
-/// Returns zeroed memory for a frame, see [`allocate`].
 pub fn pixels() -> &'static mut [u32] {
     allocate(MOST_PIXELS)
 }
 
-/// Returns zeroed memory for a small picture.
 pub fn small() -> &'static mut [u32] {
     allocate(MOST_SMALL)
 }

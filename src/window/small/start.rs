@@ -2,8 +2,8 @@
 
 use core::arch::global_asm;
 
-// The dynamic linker jumps here after initialising libc, with the number of arguments and the arguments on the stack. The rest of
-// `__libc_start_main` would take 100 packed bytes. Unpacked programs start with that function instead.
+// The dynamic linker jumps here after initialising libc, with the arguments on the stack. The rest of `__libc_start_main` would
+// take 100 packed bytes. Unpacked programs start with that function instead.
 global_asm!(
     ".section .text.eightfold_start, \"ax\"",
     ".globl eightfold_start",

@@ -47,7 +47,6 @@ fn futex(word: &AtomicU32, operation: i32, value: u32) {
     unsafe { libc::syscall(libc::SYS_futex, word.as_ptr(), operation, value, no_limit) };
 }
 
-/// Returns the number of processors for this process, at least 1.
 #[must_use]
 pub fn processors() -> usize {
     // Bits for 8192 processors, more than `cpu_set_t` has.

@@ -19,7 +19,7 @@ use crate::{
 /// For the intro's help.
 pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
 
-/// A window for frames. A key that is pressed and released between two frames counts.
+/// A key that is pressed and released between two frames counts.
 pub struct Window {
     top: Toplevel,
     delete: xlib::Atom,
@@ -30,28 +30,22 @@ pub struct Window {
     listener: Option<&'static mut Listener>,
 }
 
-/// Frames between two looks at the monitor in fullscreen, each of which waits for the server four times: a quarter of a second.
+/// Frames between two looks at the monitor in fullscreen: a quarter of a second. Each look waits for the server four times.
 const LOOK: u8 = 16;
 
 /// The height of a window's title bar in common window managers, rounded up.
 const TITLE_BAR: c_int = 32;
 
-/// The maximum side of a window in pixels in the X protocol.
+/// The maximum side of a window in the X protocol.
 const MAX_SIDE: c_int = 32_767;
 
 impl Window {
-    /// Opens a window with an inner size in pixels.
-    ///
-    /// # Errors
-    /// The reason why the display cannot be opened.
+    /// Opens a window with an inner size in pixels, or returns the reason for a failure.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
         Window::open_sized(title, (width, height), false)
     }
 
     /// Like [`Window::open`], but on a small monitor the window is smaller, with the same aspect ratio.
-    ///
-    /// # Errors
-    /// The reason why the display cannot be opened.
     pub fn open_on_monitor(
         title: &CStr,
         width: usize,
@@ -137,13 +131,11 @@ impl Window {
 }
 
 impl Window {
-    /// Starts to record keys and the mouse, and keeps the pointer visible in fullscreen.
     pub fn listen(&mut self) {
         self.top.no_pointer = 0;
         self.listener = Some(Listener::start(&self.top));
     }
 
-    /// Returns the events since the last call or [`Window::listen`], in order.
     pub fn inputs(&mut self) -> Vec<Input> {
         let listener = self.listener.as_mut();
         listener.map(|listener| listener.take()).unwrap_or_default()

@@ -27,7 +27,6 @@ loaded! {
     fn snd_pcm_writei(*mut Pcm, *const c_void, c_ulong) -> c_long;
 }
 
-/// A device that plays 48 kHz stereo, open as long as the process lasts.
 pub struct Device {
     alsa: &'static Alsa,
     pcm: *mut Pcm,
@@ -64,8 +63,7 @@ impl Device {
     /// Opens a device by its name in ALSA's configuration, with a buffer of `latency` microseconds, or returns the reason for a
     /// failure.
     ///
-    /// ALSA's plug-in `plug` converts for devices with another format, rate or number of channels. Every system's configuration
-    /// defines it.
+    /// ALSA's plug-in `plug` converts for devices with another format, rate or number of channels.
     pub fn open(name: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         let alsa = ALSA.open().ok_or_else(why_not_loaded)?;
         // SAFETY: the function has the signature of ALSA's headers, except that the handler has fewer parameters than ALSA passes; on
@@ -100,9 +98,8 @@ impl Device {
         }
     }
 
-    /// Writes samples to the device, and waits while its buffer is full. Returns false if the device is lost.
-    ///
-    /// After an underrun or a suspend, drops samples and continues with the next ones.
+    /// Writes samples, and waits while the buffer is full. Returns false if the device is lost. After an underrun or a suspend,
+    /// drops samples and continues with the next ones.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         if !self.is_short {
             return self.put(samples.as_ptr().cast(), samples.len());

@@ -1,6 +1,4 @@
-//! Sound through `cpal`, on macOS.
-//!
-//! The system requests samples on a thread of its own; they come from a queue that [`Device::write`] fills.
+//! Sound through `cpal`, on macOS, whose thread requests samples from the queue that [`Device::write`] fills.
 
 use core::ffi::CStr;
 use std::{
@@ -41,7 +39,6 @@ pub struct Device {
 }
 
 impl Device {
-    /// Opens the desktop's default device, with a buffer of `latency` microseconds, or returns the reason for a failure.
     pub fn open(_: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         let device =
             cpal::default_host().default_output_device().ok_or("sound device is missing")?;
@@ -99,7 +96,7 @@ impl Device {
 }
 
 impl Queue {
-    /// Fills a device's buffer, which is heard from the clock's time `heard` on, and pads it with silence.
+    /// Fills a buffer that is heard from the clock's time `heard` on, and pads it with silence.
     fn give(&mut self, room: &mut [f32], heard: i64, rate: i64) {
         if !self.samples.is_empty() {
             let played = self.taken * (SECOND as i64 / 1000) / (rate / 1000);

@@ -1,8 +1,7 @@
 /// Converts a clock's time to the sound's time: smooth, monotonic, close to the audible sound.
 ///
 /// A device reports its position in steps, with jitter, and on its own quartz. So the time follows the clock, and is pulled to the
-/// device's position within a quarter of a second at 60 frames per second. After an underrun or a stop of the process the time
-/// waits for the written samples.
+/// device's position within a quarter of a second.
 #[derive(Default)]
 pub struct Heard {
     /// The time's lead over the clock, in nanoseconds.
@@ -11,18 +10,18 @@ pub struct Heard {
     time: i64,
 }
 
-/// The fraction of a difference that each frame corrects is 1 / `PULL`.
+/// Each frame corrects 1 / `PULL` of a difference.
 const PULL: i64 = 16;
 
 /// The least difference that means lost sound rather than jitter: 50 ms.
 const LOST: u64 = 50_000_000;
 
-/// The maximum progress of a frame without sound, as on a device that hangs: 50 ms, the clock's pace at 20 fps or more.
+/// The maximum progress of a frame without sound, as on a device that hangs: 50 ms, so 20 fps keep the clock's pace.
 const MAX_UNHEARD: i64 = 50_000_000;
 
 impl Heard {
-    /// Returns the sound's time at a time of the clock. `ahead` is the device's last known lead over the clock, `written` the end
-    /// of the written sound. All are in nanoseconds.
+    /// Returns the sound's time at a time of the clock. `ahead` is the device's lead over the clock, `written` the end of the
+    /// written sound. All are in nanoseconds.
     pub fn time(&mut self, clock: i64, ahead: i64, written: i64) -> u64 {
         let step = ahead - self.ahead;
         let pull = if step.unsigned_abs() > LOST { 1 } else { PULL };

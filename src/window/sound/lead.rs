@@ -3,8 +3,8 @@
 use super::RATE;
 use crate::clock::SECOND;
 
-/// The buffer's length in microseconds, for threads that wake up late. Below 320 ms PulseAudio drops out without reporting it,
-/// because its devices take more at once: 4 s of sound take 6 s.
+/// The buffer's length in microseconds, for threads that wake up late. Below 320 ms PulseAudio drops out without reporting it: 4 s
+/// of sound take 6 s.
 pub const LATENCY: u32 = 400_000;
 
 /// The least average interval between written samples, in nanoseconds, half a percent below the nominal one since devices may be
@@ -12,23 +12,21 @@ pub const LATENCY: u32 = 400_000;
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
 /// The maximum lead over [`PACE`] in nanoseconds: the buffer, and half of it to catch up. Beyond it the thread sleeps until half
-/// the lead is left: waking up for each chunk would take four times as long as the synthesis.
+/// the lead is left; waking up for each chunk takes four times as long as the synthesis.
 const SLACK: u64 = LATENCY as u64 * 1500;
 
-/// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz, rounded to a power of two. A null device reports
+/// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz. A null device reports
 /// everything as played, and cannot serve as a clock.
 const FASTEST: u64 = 1024;
 
 #[derive(Default)]
 pub struct Lead {
-    /// The number of written samples.
     samples: u64,
     /// The time from which the last of them is due by [`PACE`].
     paced: u64,
 }
 
 impl Lead {
-    /// Counts written samples.
     pub fn count(&mut self, samples: u64) {
         self.samples += samples;
         self.paced += samples * PACE;
@@ -39,8 +37,7 @@ impl Lead {
         nanoseconds(self.samples as i64)
     }
 
-    /// Returns the lead of the heard sound over the clock in nanoseconds. `delay` is the number of written samples that have not been
-    /// heard.
+    /// Returns the lead of the heard sound over the clock in nanoseconds. `delay` is the number of written samples that wait.
     pub fn ahead(&self, now: u64, delay: i64) -> i64 {
         let heard = nanoseconds(self.samples as i64 - delay);
         (heard - now as i64).min((now / FASTEST) as i64)

@@ -1,7 +1,7 @@
 //! Sound and its clock.
 //!
 //! A thread writes samples to the device up to 400 ms before they are heard, so slow frames do not interrupt the sound. Pictures
-//! are drawn for the [time](Player::time) that is heard.
+//! follow the [time](Player::time) that is heard.
 
 #[cfg_attr(feature = "windows", path = "waveout.rs")]
 #[cfg_attr(all(target_os = "linux", not(feature = "windows")), path = "alsa.rs")]
@@ -27,7 +27,6 @@ use crate::{
     line, system,
 };
 
-/// Samples per second and channel.
 pub const RATE: u32 = 48_000;
 
 pub trait Source: Send {
@@ -62,7 +61,6 @@ struct Work {
 }
 
 impl Player {
-    /// Returns the clock, which started with the show.
     #[must_use]
     pub fn clock(&self) -> Clock {
         self.clock
@@ -78,8 +76,7 @@ impl Player {
         Player { clock, heard: Heard::default(), last: 0, stops: system::stops(), stopped: 0 }
     }
 
-    /// Plays a source until the process ends: on Linux on an ALSA device, whose name may be `default`, elsewhere on the default
-    /// device.
+    /// Plays a source until the process ends, on an ALSA device (Linux) or the default device (elsewhere).
     ///
     /// If the device is missing, refuses the format, or does not open within three seconds, the clock sets the time, and standard
     /// error has the reason.
@@ -96,7 +93,7 @@ impl Player {
         }
     }
 
-    /// Returns the nanoseconds of the show until now. If the device is lost, the time continues with the clock.
+    /// Returns the nanoseconds of the show until now, by the clock if the device is lost.
     pub fn time(&mut self) -> u64 {
         let (ahead, written) = (AHEAD.load(Relaxed), WRITTEN.load(Relaxed));
         let now = self.clock.time();
@@ -116,7 +113,6 @@ fn say_silent(why: &str) {
     line::complain(why, "; playing silently");
 }
 
-/// Waits until [`play`] has opened the device or failed, or for three seconds. Returns [`OPENED`].
 fn wait_for_device() -> u64 {
     let opened = clock::wait_while(&OPENED, OPENING);
     if opened != OPENING {

@@ -55,7 +55,6 @@ pub struct Device {
 }
 
 impl Device {
-    /// Opens the desktop's default device, or returns the reason for a failure.
     pub fn open(_: &CStr, rate: u32, _: u32) -> Result<Device, &'static str> {
         const FLOAT: u16 = 3;
         const SIDES: u16 = 2;
@@ -90,7 +89,6 @@ impl Device {
         samples.iter().all(|&sample| self.add(sample))
     }
 
-    /// Adds a sample to the next buffer, and queues the buffer when it is full.
     fn add(&mut self, sample: [f32; 2]) -> bool {
         let (number, place) = (self.written / LENGTH % COUNT, self.written % LENGTH);
         let buffer = &mut self.buffers[number];

@@ -1,5 +1,5 @@
-//! The terminal as a target for frames: two pixels in each cell, one above the other, in 24-bit colour, or in 256 colours in GNU
-//! screen. Locales other than UTF-8 get one colour a cell; terminals without colours get characters by brightness.
+//! The terminal as a target for frames: two pixels in each cell, in 24-bit colour, in 256 colours (GNU screen), in ASCII with one
+//! colour a cell (locales other than UTF-8), or as characters by brightness (terminals without colours).
 
 use core::{
     cell::UnsafeCell,
@@ -40,14 +40,14 @@ const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 /// Reverts [`ENTER`] and resets the colours.
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
-/// Signals that do not end a process, and keep their action. (SIGKILL and SIGSTOP cannot be handled.)
+/// Signals that do not end a process.
 const HARMLESS: u64 =
     bits(&[SIGPIPE, SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH]);
 
 /// Signals of errors in the process, which cannot continue.
 const MISTAKES: u64 = bits(&[SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS]);
 
-/// Returns a set of signals. Bit 0 is unused, and stands for signal 64.
+/// Returns a set of signals. Bit 0 stands for signal 64.
 const fn bits(signals: &[c_int]) -> u64 {
     let (mut set, mut i) = (0, 0);
     while i < signals.len() {
@@ -71,7 +71,6 @@ pub struct Terminal {
     is_plain: bool,
 }
 
-/// Returns a variable's value, empty if it is unset.
 #[inline(never)]
 fn variable(name: &CStr) -> &'static [u8] {
     // SAFETY: the environment is constant, and its values are strings.
@@ -85,15 +84,14 @@ fn variable(name: &CStr) -> &'static [u8] {
 }
 
 impl Terminal {
-    /// Returns whether standard output is a terminal that [`Terminal::open`] takes over. `TERM=dumb` is not: it has neither colours
-    /// nor cursor positions.
+    /// Returns whether standard output is a terminal with colours or cursor positions, unlike `TERM=dumb`.
     #[must_use]
     #[inline(never)]
     pub fn is_there() -> bool {
         line::is_terminal(line::OUTPUT) && variable(c"TERM") != b"dumb"
     }
 
-    /// Returns whether the locale's characters are UTF-8. The first variable that is not empty sets the locale.
+    /// The first variable that is not empty sets the locale.
     #[must_use]
     pub fn is_utf8() -> bool {
         for name in [c"LC_ALL", c"LC_CTYPE", c"LANG"] {
@@ -120,14 +118,14 @@ impl Terminal {
         const MONO: u64 = u64::from_be_bytes(*b"-mono\0\0\0");
         const SCREEN: u64 = u64::from_le_bytes(*b"\0\0screen");
         const MUX: u32 = u32::from_le_bytes(*b"tmux");
-        // The first characters from the lowest byte up, and the last ones from the highest byte down.
+        // Join the first characters from the lowest byte up, and the last ones from the highest byte down.
         let join = |word, &byte: &u8| word << 8 | u64::from(byte);
         let [start, end] = [name.iter().rev().fold(0, join), name.iter().fold(0, join)];
         // Monochrome are DEC's terminals such as `vt100`, unlike `vte`, and variants such as `xterm-mono` and `linux-m`.
         let is_dec = start as u16 == VT && (start as u32) << 8 != VTE;
         let has_colours = !(is_dec || end as u16 == M || end << 24 == MONO);
-        // GNU screen misreads the parts of a 24-bit colour as commands. tmux, which may have the same TERM, converts colours. COLORTERM is
-        // no sign: programs in GNU screen inherit it from the outer terminal.
+        // GNU screen misreads the parts of a 24-bit colour as commands; tmux, which may have the same TERM, converts colours.
+        // Programs in GNU screen inherit COLORTERM from the outer terminal.
         let is_screen = screen || start << 16 == SCREEN && !tmux;
         let terminal = Terminal {
             keys: KeyParser::default(),
@@ -195,7 +193,7 @@ impl Terminal {
     }
 }
 
-/// Returns the number of a similar colour: from 16 on, six levels for each channel.
+/// Returns the number of a similar colour: six levels for each channel, from 16 on.
 fn coarse(colour: u32) -> u64 {
     let [_, channels @ ..] = colour.to_be_bytes();
     // The levels are 0, 95, 135, 175, 215 and 255.
@@ -243,10 +241,10 @@ impl Drop for Terminal {
     }
 }
 
-/// Recognises Esc, Ctrl-C, Q and H. Many other keys send sequences that begin with Esc, and so do keys with Alt.
+/// Recognises Esc, Ctrl-C, Q and H. Sequences of many other keys begin with Esc, too.
 #[derive(Default)]
 struct KeyParser {
-    /// The last byte was Esc. The next bytes, if any, show whether it begins a sequence.
+    /// The last byte was Esc, which may begin a sequence.
     open: bool,
     toggles: bool,
 }

@@ -29,8 +29,7 @@ pub unsafe fn start() {
     unsafe {
         libc::mallopt(libc::M_ARENA_MAX, 1)
     };
-    // Opens closed standard streams for reading, so that later files get other numbers. The first descriptor above 2 shows that all
-    // three are open.
+    // Opens closed standard streams for reading, so that later files get numbers above 2.
     while (0..=2).contains(&open(c"/dev/null")) {}
     // SAFETY: zero is valid for both fields of the limit, which outlives the call.
     unsafe {
@@ -116,8 +115,7 @@ pub fn error() -> c_int {
     std::io::Error::last_os_error().raw_os_error().unwrap_or(0)
 }
 
-/// Waits for any of `events`, such as `POLLIN`, for at most `milliseconds`, or indefinitely if negative. Returns whether one
-/// occurred.
+/// Waits for `events`, such as `POLLIN`, for at most `milliseconds`, or indefinitely if negative. Returns whether one occurred.
 pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
     let mut ready = libc::pollfd { fd: file, events, revents: 0 };
     // SAFETY: there is one entry.

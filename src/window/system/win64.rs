@@ -47,7 +47,7 @@ pub fn is_terminal(stream: i32) -> bool {
     unsafe { GetConsoleMode(GetStdHandle(stream), &mut 0) != 0 }
 }
 
-/// Writes all bytes to a stream. Returns false on an error. Ignores a missing stream, as after a double click.
+/// Returns false on an error. Ignores a missing stream, as after a double click.
 pub fn write(stream: i32, bytes: &[u8]) -> bool {
     /// The error of a missing stream, whose handle may be stale.
     const INVALID_HANDLE: u32 = 6;

@@ -5,7 +5,7 @@ use eightfold_window::{
     pool::Pool,
 };
 
-/// Canvases whose sides 2 and 3 divide, or not; single pixels, rows and columns; the widest.
+/// Sides that 2 and 3 divide, or not; single pixels, rows and columns; the widest.
 const SIZES: [[usize; 2]; 9] =
     [[1, 1], [2, 3], [1, 40], [41, 1], [12, 12], [13, 11], [64, 50], [3839, 7], [3840, 6]];
 

@@ -38,7 +38,7 @@ impl Source for Numbers {
     }
 }
 
-/// Plays. Prints the number of allocations meanwhile, then the clock's and the player's time for each frame.
+/// Prints the number of allocations while it plays, then the clock's and the player's time for each frame.
 fn play(seconds: u64) {
     let numbers = Box::leak(Box::new(Numbers { next: 0, chunk: [[0.0; 2]; CHUNK] }));
     let frames = seconds * FPS;
@@ -91,7 +91,7 @@ fn play_on(
     times(output.expect("a shell"), why_silent)
 }
 
-/// Like [`play_on`]. Compares the player's pace with the clock's.
+/// Plays, and compares the player's pace with the clock's.
 fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
     let times = play_on(folder, configuration, command, why_silent);
     let ((first, start), (last, end)) = (times[0], times[times.len() - 1]);

@@ -6,7 +6,7 @@ const MILLISECOND: u64 = SECOND / 1000;
 /// The maximum duration of a sleep in milliseconds: a day.
 const LONGEST: u64 = 86_400_000;
 
-/// Sleeps until a time, and up to 2 ms longer, as Windows sleeps in milliseconds.
+/// Sleeps up to 2 ms longer, as Windows sleeps in milliseconds.
 pub fn sleep_until(end: u64) {
     loop {
         let left = end.saturating_sub(now());

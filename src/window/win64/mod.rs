@@ -1,7 +1,6 @@
-//! The 64 kB backend for Windows: code compiled for x86-64 Linux that calls only functions of Windows.
-//!
-//! The program is linked at fixed addresses without any library, and `src/pack` makes an `.exe` of it. Calls to Windows are `extern
-//! "win64"`, and Windows calls only the entry points of the program and of its threads.
+//! The 64 kB backend for Windows: code compiled for x86-64 Linux that calls only functions of Windows. The program is linked at
+//! fixed addresses without any library, and `src/pack` makes an `.exe` of it. Windows calls only the entry points of the program
+//! and of its threads.
 
 #[path = "../abort.rs"]
 mod abort;

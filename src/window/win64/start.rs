@@ -2,9 +2,8 @@
 
 use core::arch::global_asm;
 
-// The unpacker starts the first with `LoadLibraryA` in `rcx` and `GetProcAddress` in `rdx`.
-//
-// The others are C's, in string instructions of the processor. Whole frames are never copied.
+// The unpacker starts the first with `LoadLibraryA` in `rcx` and `GetProcAddress` in `rdx`. The C functions consist of string
+// instructions; whole frames are never copied.
 global_asm!(
     ".section .text.eightfold_start, \"ax\"",
     ".globl eightfold_start",

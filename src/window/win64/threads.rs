@@ -71,10 +71,9 @@ pub fn wake(word: &AtomicU32) {
     unsafe { WakeByAddressAll(word.as_ptr()) };
 }
 
-/// Returns the number of processors for this process, from 1 to 64 (one processor group).
+/// Returns 1 to 64 (one processor group).
 #[must_use]
 pub fn processors() -> usize {
-    /// The handle of this process.
     const OWN: usize = usize::MAX;
     let [mut own, mut all] = [0_usize; 2];
     // SAFETY: the results are writable.

@@ -46,7 +46,6 @@ const FRAME: isize = WS_OVERLAPPEDWINDOW as isize;
 /// The key repeats.
 const REPEATED: isize = 1 << 30;
 const ESCAPE_KEY: usize = VK_ESCAPE as usize;
-// Letters have the codes of capitals, with or without Shift.
 const F_KEY: usize = b'F' as usize;
 const H_KEY: usize = b'H' as usize;
 const Q_KEY: usize = b'Q' as usize;
@@ -60,8 +59,8 @@ pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
 
 /// A window for frames.
 ///
-/// A separate thread handles the window's messages, changes its size and forwards its keys, so that it responds while a frame is
-/// drawn. A closed window has no size.
+/// A separate thread handles the window's messages, size and keys, so that it responds while a frame is drawn. A closed window has
+/// no size.
 pub struct Window {
     window: HANDLE,
     context: HANDLE,
@@ -75,16 +74,14 @@ struct Opening {
     title: *const c_char,
     size: (i32, i32),
     shrinks: bool,
-    /// The cursors in the window and in fullscreen.
     pointers: [HANDLE; 2],
-    /// The thread that receives keys.
     thread: u32,
     /// The window, or null if opening failed, once `is_done` is 1.
     window: AtomicPtr<c_void>,
     is_done: AtomicU32,
 }
 
-/// Opens a window, and dispatches its messages as long as the process lasts.
+/// Opens a window, and dispatches its messages until the process ends.
 extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     // SAFETY: `Window::open` passes it, and never frees it.
     let opening = unsafe { &*opening.cast::<Opening>() };
@@ -146,10 +143,8 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     none
 }
 
-/// The fullscreen state.
-///
-/// Only the window's own thread may change it: otherwise Wine may mistake the window manager's response to the new style for the
-/// response to the new size, and keep the old size.
+/// The fullscreen state. If another thread than the window's changes it, Wine may mistake the window manager's response to the new
+/// style for the response to the new size, and keep the old size.
 struct Cover {
     window: HANDLE,
     before: Option<WINDOWPLACEMENT>,
@@ -174,7 +169,7 @@ impl Cover {
                     self.before = Some(place);
                     SetWindowLongPtrA(self.window, GWL_STYLE, style & !FRAME);
                 }
-                // Again with each key, as Wine may have kept the old size nevertheless.
+                // Wine may have kept the old size.
                 let all = monitor.rcMonitor;
                 let size = [all.right - all.left, all.bottom - all.top];
                 self.place([all.left, all.top, size[0], size[1]], SWP_FRAMECHANGED);
@@ -212,18 +207,10 @@ fn inside(window: HANDLE) -> Option<RECT> {
 }
 
 impl Window {
-    /// Opens a window with an inner size in pixels.
-    ///
-    /// # Errors
-    /// If there is no desktop.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
         Window::open_sized(title, (width as i32, height as i32), false)
     }
 
-    /// Like [`Window::open`], but on a small monitor the window is smaller, with the same aspect ratio.
-    ///
-    /// # Errors
-    /// If there is no desktop.
     pub fn open_on_monitor(
         title: &CStr,
         width: usize,
@@ -283,14 +270,12 @@ impl Window {
         Ok(window)
     }
 
-    /// Makes the window cover its monitor, without frame and cursor, or restores it.
     pub fn set_fullscreen(&mut self, on: bool) {
         let key = if on { F_KEY } else { W_KEY };
         // SAFETY: it may be posted to any window.
         unsafe { PostMessageA(self.window, WM_KEYDOWN, key, 0) };
     }
 
-    /// Returns whether a window without a frame has another size than its monitor, whose mode has changed.
     fn is_misplaced(&self) -> bool {
         // SAFETY: any handle is allowed.
         let style = unsafe { GetWindowLongPtrA(self.window, GWL_STYLE) };
@@ -304,7 +289,6 @@ impl Window {
             })
     }
 
-    /// Updates the inner size. Returns false if the window has been closed.
     fn look(&mut self) -> bool {
         let inside = inside(self.window);
         let size = inside.unwrap_or_default();

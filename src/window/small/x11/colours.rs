@@ -5,7 +5,7 @@ use x11_dl::xlib::XImage;
 /// The channel masks of a frame's pixels, `0x00RRGGBB`.
 pub const MASKS: [c_ulong; 3] = [0xff_0000, 0xff00, 0xff];
 
-/// Converts a pixel to other masks, such as ten bits a channel.
+/// Converts a pixel to masks such as ten bits a channel.
 pub fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
     if masks == MASKS {
         return pixel;

@@ -1,5 +1,5 @@
-//! Fullscreen, through the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window is
-//! placed over its monitor, and follows changes of the monitor.
+//! Fullscreen through the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window
+//! covers its monitor and follows the monitor's changes.
 
 use core::{
     ffi::{c_int, c_long, c_uint},
@@ -73,7 +73,6 @@ impl Toplevel {
         self.move_to(over);
     }
 
-    /// Returns whether there is a window manager.
     pub fn is_managed(&self) -> bool {
         let (_, listening) = self.attributes(self.root);
         listening & xlib::SubstructureRedirectMask != 0
@@ -132,7 +131,7 @@ impl Toplevel {
         }
     }
 
-    /// Returns a window's position in its parent, and the events that any client selects on it: a window manager that has ended may
+    /// Returns a window's position in its parent, and the events that clients select on it. A window manager that has ended may
     /// leave properties behind, but not its selection.
     #[inline(never)]
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {

@@ -43,12 +43,11 @@ loaded! {
     fn XkbKeycodeToKeysym(*mut Display, KeyCode, c_int, c_int) -> KeySym;
 }
 
-/// Loaded libX11, a zero-sized token.
 #[derive(Clone, Copy)]
 pub struct Xlib(());
 
 impl Xlib {
-    /// Loads libX11 at the first call. Returns `None` if a function is missing.
+    /// Loads libX11 at the first call; `None` if a function is missing.
     pub fn load() -> Option<Xlib> {
         TABLE.open().map(|_| Xlib(()))
     }

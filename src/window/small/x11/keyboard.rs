@@ -11,8 +11,8 @@ pub const W: c_uint = b'w' as c_uint;
 /// Modifiers that make a key another program's command.
 const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
 
-/// Returns a pressed key's keysym without Shift, by the current layout. If the layout has no Latin letter there, F, H, Q and W
-/// are at their US positions. With Ctrl, Alt or Super the result is [`input::NONE`].
+/// Returns the keysym without Shift, by the current layout. F, H, Q and W are at their US positions if the layout has no Latin
+/// letter there. With Ctrl, Alt or Super the result is [`input::NONE`].
 pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
         return input::NONE;
@@ -39,7 +39,6 @@ pub fn typed(x: Xlib, event: &XKeyEvent) -> c_uint {
     }
 }
 
-/// US positions of other letters, and of `?`.
 const PLACES: [(c_uint, u8); 6] =
     [(26, b'e'), (33, b'p'), (39, b's'), (54, b'c'), (55, b'v'), (61, b'/')];
 

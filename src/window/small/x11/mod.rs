@@ -33,7 +33,7 @@ extern "C" fn connect(_: *mut c_void) -> *mut c_void {
     null_mut()
 }
 
-/// Opens the environment's display, or returns the reason for a failure. A second thread connects, because a server may accept and never
+/// Opens the environment's display, or returns the reason for a failure. A second thread connects, because a server may never
 /// answer.
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     errors::heed(x);
@@ -117,8 +117,8 @@ impl Toplevel {
         }
     }
 
-    /// Sets the program's class names, by which desktops find their rules, its machine and its process, which a desktop may end if
-    /// it hangs.
+    /// Sets the program's class names, machine and process: desktops find their rules by the class, and may end a process that
+    /// hangs.
     pub fn set_program(&self) {
         let mut class = xlib::XClassHint {
             res_name: c"eightfold".as_ptr().cast_mut(),

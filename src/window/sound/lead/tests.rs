@@ -1,4 +1,4 @@
-//! Picture and sound stay together on a simulated device, whose clock deviates, and which underruns.
+//! Picture and sound stay together on a simulated device whose clock deviates and which underruns.
 
 use super::super::heard::Heard;
 use super::*;
@@ -29,13 +29,12 @@ struct Device {
 }
 
 impl Device {
-    /// Returns the sample that is due at a time.
     fn due(&self, now: u64) -> u64 {
         let since = |start| u128::from(now - start) * u128::from(self.rate) / 1_000_000_000_000_000;
         self.start.map_or(0, |start| since(start) as u64)
     }
 
-    /// Writes a chunk. Returns the time at which the buffer has room for the next.
+    /// Writes a chunk. Returns the time at which the next one has room.
     fn write(&mut self, now: u64) -> u64 {
         if self.due(now) > self.written {
             // The chunk is lost, like the samples that nobody wrote.
@@ -61,8 +60,8 @@ impl Device {
     }
 }
 
-/// Plays on a device that is `fast` by parts per million. Nothing is written in `pause`, and no frame drawn in `stop`. Calls `check` with
-/// the times of each frame: of the clock, of the show, and of the heard sound. Returns the samples that were dropped.
+/// Plays on a device that is `fast` by parts per million. Nothing is written in `pause`, no frame drawn in `stop`. `check` gets
+/// each frame's time of the clock, of the show, and of the heard sound. Returns the dropped samples.
 fn play(fast: i64, pause: u64, stop: u64, check: impl Fn(u64, u64, u64)) -> u64 {
     let [pause, stop] = [pause, stop].map(|length| EVENT..EVENT + length);
     let rate = 48_000 * (1_000_000 + fast) as u64;
@@ -106,7 +105,6 @@ fn picture_follows_fast_and_slow_devices() {
     }
 }
 
-/// The picture continues meanwhile, and waits for the sound for the same time.
 #[test]
 fn picture_waits_for_the_sound_after_an_underrun() {
     let dropped = play(20, LATE, 0, |now, time, heard| {
