@@ -45,9 +45,8 @@ impl Build {
         path.map(PathBuf::from).with_context(|| format!("{name} is missing from cargo's output"))
     }
 
-    /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Its name is the packed program's in `deps`.
-    ///
-    /// Cargo reports only a copy of the latter. Equal bytes identify it, since builds for Windows are in the same folder.
+    /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Equal bytes identify the packed program in `deps`,
+    /// since cargo reports only a copy.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
         let bytes = fs::read(&copy).with_context(|| copy.display().to_string())?;
@@ -66,7 +65,6 @@ impl Build {
         bail!("{}: {program}.unpacked is missing", folder.display())
     }
 
-    /// Returns the output folder of a program's build script.
     fn script_folder(&self, program: &str) -> Result<PathBuf> {
         let package = self.artifact("bin", program).map(|artifact| &artifact["package_id"]);
         let mut scripts = self.of_reason("build-script-executed");

@@ -32,7 +32,6 @@ impl ThreadedRenderer {
         }
     }
 
-    /// Draws a frame without validation.
     pub fn draw(
         &mut self,
         level: Level,
@@ -69,7 +68,6 @@ impl ThreadedRenderer {
             .expect("a valid scene")
     }
 
-    /// Draws a frame and records its points and squares.
     pub fn trace(
         &mut self,
         level: Level,
@@ -98,7 +96,6 @@ impl ThreadedRenderer {
     }
 }
 
-/// Draws a frame with the best instruction set of this machine.
 pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Vec<u32> {
     let mut pixels = vec![0; size.area()];
     let level = cpu::best().level;

@@ -1,5 +1,5 @@
-//! FLIP: the visible difference between alternating pictures (Andersson et al., "FLIP: A Difference Evaluator for Alternating Images",
-//! 2020).
+//! FLIP: the visible difference between alternating pictures (Andersson et al., "FLIP: A Difference Evaluator for Alternating
+//! Images", 2020).
 
 use eightfold_harness::picture::rgb;
 use nv_flip::{FlipImageRgb8, flip};

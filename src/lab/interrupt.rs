@@ -7,12 +7,10 @@ use std::sync::{Arc, LazyLock};
 
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// The exit code of an interrupted program in shells.
 const EXIT_CODE: u8 = 128 + SIGINT as u8;
 
-/// Makes the first signal set a flag and the second end the program. Panics if the system refuses.
-///
-/// A second SIGHUP has no effect: both a terminal that closes and its shell send one.
+/// Makes the first signal set a flag and the second end the program, except a second SIGHUP: a terminal that closes and its shell
+/// each send one.
 pub fn listen() {
     for signal in [SIGINT, SIGTERM] {
         let exits = flag::register_conditional_shutdown(signal, EXIT_CODE.into(), STOPPED.clone());
@@ -24,7 +22,6 @@ pub fn listen() {
     }
 }
 
-/// Returns whether the program runs under `nohup`.
 fn ignores_hang_up() -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
@@ -36,7 +33,6 @@ pub fn is_stopped() -> bool {
     STOPPED.load(SeqCst)
 }
 
-/// Returns an error after a signal.
 pub fn check(results: &str) -> Result<(), Exit> {
     if is_stopped() {
         return Err(Exit::new(EXIT_CODE, format!("interrupted; {results}")));

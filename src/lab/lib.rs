@@ -1,4 +1,4 @@
-//! Draws frames, and measures speed against accuracy. Each command of `cargo lab` is a module; commands and tests share the others.
+//! Draws frames, and measures speed against accuracy. Each command of `cargo lab` is a module.
 
 pub mod arguments;
 pub mod bench;

@@ -6,7 +6,6 @@ use eightfold_lab::{bench, capture, figures, render, size, trade, truth, view};
 use std::error::Error;
 use std::process::ExitCode;
 
-/// The most letters of a value in a message.
 const MAX_VALUE: usize = 60;
 
 /// Draws Eightfold's frames, and measures their speed and error

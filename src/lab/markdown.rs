@@ -10,7 +10,6 @@ pub fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
     }
 }
 
-/// The title, and the cell of a row.
 pub type Column<R> = (&'static str, fn(&R) -> String);
 
 /// Aligns columns in plain text, too.

@@ -26,7 +26,6 @@ pub struct ShotArguments {
     pub isa: Option<Isa>,
 }
 
-/// Measures every shot in every size, with every number of threads and every technique.
 pub struct Measurement {
     pub shots: Vec<Shot>,
     pub isa: Isa,
@@ -45,7 +44,6 @@ pub struct Shot {
 
 /// Seconds per frame on most screens.
 const FRAME: f32 = 1.0 / 60.0;
-/// Frames of a view after the first.
 const FOLLOWING: usize = 10;
 
 impl Shot {
@@ -92,8 +90,8 @@ pub struct Run {
 }
 
 impl Measurement {
-    /// Settings and techniques take turns frame by frame, so a drift of the machine's speed affects all alike. After Ctrl-C only the
-    /// first frame of each shot is drawn.
+    /// Settings and techniques take turns, so a drift of the machine's speed affects all of them. After Ctrl-C only the first frame
+    /// of each shot is drawn.
     pub fn run(&self) -> Vec<Setting> {
         let mut settings = self.settings();
         let renderers = self.threads.iter().map(|&count| ThreadedRenderer::new(count));

@@ -42,7 +42,6 @@ pub fn check(name: &Path) -> Result<()> {
     part(name).map(drop)
 }
 
-/// Returns a temporary file next to `name`, with its extension.
 pub fn part(name: &Path) -> Result<NamedTempFile> {
     let folder = name.parent().filter(|folder| *folder != Path::new(""));
     let suffix = format!(".{}", name.extension().unwrap_or_default().display());

@@ -19,7 +19,6 @@ pub struct Chart {
 pub struct Series {
     pub name: String,
     pub points: Vec<(f64, f64)>,
-    /// Texts at points, or empty.
     pub labels: Vec<String>,
     pub has_line: bool,
 }

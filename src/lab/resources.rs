@@ -14,7 +14,7 @@ pub fn complain(message: &str) {
     let _ = writeln!(stderr(), "{}", one_line(message));
 }
 
-/// Ends the process at a panic, or if the stack is too small.
+/// Ends the process with a message at a panic, or if the stack is too small.
 pub fn start() {
     panic::set_hook(Box::new(|panic| {
         let why = panic.payload_as_str().unwrap_or("the lab failed");

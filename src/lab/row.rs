@@ -95,7 +95,6 @@ pub fn quartile(run: &Run) -> f64 {
     percentile(&run.times, 25)
 }
 
-/// Returns the mean frame time of the slowest second.
 fn worst_second(shot: &Shot, times: &[f64]) -> f64 {
     let start = shot.scene.start().unwrap_or(0.0);
     let seconds = shot.times.iter().map(|time| (start + time).floor());
@@ -162,8 +161,7 @@ const RACES: [Column<Race>; 8] = [
     }),
 ];
 
-/// Compares qualities with the checkerboard, and with enlarged frames of equal time: interpolated between measured ones, or the smallest
-/// if all are slower.
+/// Compares qualities with the checkerboard and with enlarged frames of equal time, interpolated between measured sizes.
 pub fn races(rows: &[Row]) -> String {
     let setting = |row: &Row| (row.scene.clone(), row.width, row.height, row.threads);
     let settings = rows.chunk_by(|a, b| setting(a) == setting(b));

@@ -34,7 +34,6 @@ pub enum SceneName {
     /// Index in [`show::NAMES`].
     ShowScene(usize),
     Model,
-    /// A number of small spheres.
     Field(usize),
     File(&'static SceneFile),
 }
@@ -62,7 +61,7 @@ impl SceneName {
         }
     }
 
-    /// Omits overlays that differ between qualities and would count as errors: the method's, and captions that count points.
+    /// Omits overlays that would count as errors: the method's, and captions that count points.
     pub fn without_overlay(self, time: f32) -> Scene {
         let mut scene = self.at(time);
         scene.method = Method::default();

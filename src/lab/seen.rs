@@ -22,7 +22,7 @@ pub struct Seen {
     pub flips_to_64: Vec<f64>,
 }
 
-/// Adds the errors of a view with consecutive frames of `scenes`. The first technique is the reference.
+/// Adds the errors of a view with consecutive frames of `scenes`, relative to the first technique.
 pub fn look(
     techniques: &[Technique],
     level: Level,

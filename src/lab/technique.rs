@@ -84,7 +84,7 @@ impl Technique {
                 counts
             }
             Sampling::Checkerboard => {
-                // Two frames of half the side: the upper left, then the lower right pixel of each 2x2.
+                // Draw the upper left, then the lower right pixels of each 2x2 as frames of half the side.
                 let part = Size::new(size.width.div_ceil(2), size.height.div_ceil(2));
                 small.resize(part.area(), 0);
                 let mut counts = Counts::NONE;

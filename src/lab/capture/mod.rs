@@ -68,7 +68,7 @@ pub struct Arguments {
 }
 
 const FRAME: RangeInclusive<usize> = 0..=*arguments::FRAMES.end();
-/// 16x16 samples: as many as a channel has levels.
+/// 16x16 samples, for the 256 levels of a channel.
 const MAX_SUPERSAMPLE: usize = 16;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -111,7 +111,7 @@ fn write_files(recorder: &mut Recorder<'_>, frames: Range<usize>, folder: &Path)
     })
 }
 
-/// Splits the range into equal parts and shows the middle frame of each.
+/// Shows the middle frame of each of equal parts.
 fn write_sheet(recorder: &mut Recorder<'_>, range: &Range<usize>, name: &Path) -> Result<()> {
     output::check(name)?;
     let Arguments { fps, frames, .. } = *recorder.arguments;

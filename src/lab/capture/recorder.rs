@@ -13,7 +13,6 @@ use eightfold_window::cpu;
 use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// Default supersampling of blurred frames.
 const BLURRED: usize = 4;
 
 pub struct Recorder<'a> {

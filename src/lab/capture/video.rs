@@ -79,7 +79,7 @@ pub fn write(recorder: &mut Recorder<'_>, frames: Range<usize>, name: &Path) -> 
     output::persist(out, name)
 }
 
-/// Returns ffmpeg's first line, which the others follow from, without the address of its part.
+/// Returns ffmpeg's first line, the cause of the rest, without the address of its part.
 fn cause(text: &str) -> &str {
     let line = text.lines().find(|line| !line.trim().is_empty());
     let line = line.unwrap_or("cause is unknown");

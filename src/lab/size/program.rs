@@ -36,7 +36,6 @@ impl Program {
     }
 }
 
-/// Only loaded sections have an address.
 fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
     let is_zero =
         matches!(section.kind(), SectionKind::UninitializedData | SectionKind::UninitializedTls);
@@ -67,8 +66,8 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     symbols.into_values().collect()
 }
 
-/// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name; shared
-/// symbols follow another name or, for Windows, the last crate's.
+/// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name;
+/// shared symbols may follow another name.
 fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     (file.contains("-cgu.") && name != LAST).then_some(name)

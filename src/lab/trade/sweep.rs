@@ -17,7 +17,6 @@ const EDGES: [u8; 5] = [4, 8, 12, 16, 40];
 const CONTRIBUTIONS: [f32; 6] = [0.0, 0.003, 0.02, 0.05, 0.1, 0.2];
 const FOLLOWED: [(u32, f32); 5] = [(5, 0.01), (5, 0.02), (4, 0.02), (3, 0.05), (2, 0.1)];
 
-/// Returns distinct techniques, the named ones first.
 pub fn techniques(antialias: bool) -> Vec<Technique> {
     let named = Preset::ALL.map(|preset| Technique::named(preset, antialias));
     let mut all = named.to_vec();

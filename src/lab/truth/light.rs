@@ -1,5 +1,5 @@
-//! Lights have no falloff: at any distance, colour c gives a surface that faces the light the irradiance pi c. So a sphere of radius
-//! R at path length D, via mirrors and glass, has the radiance c (D / R)^2.
+//! Lights have no falloff: at any distance, colour c gives a surface that faces the light the irradiance pi c. So a sphere of
+//! radius R at path length D, via mirrors and glass, has the radiance c (D / R)^2.
 
 use eightfold_oracle::geometry::{Ray, sphere};
 use eightfold_oracle::light::{cone, reach};
@@ -67,7 +67,6 @@ impl<'a> SphereLight<'a> {
             * self.light.colour.as_dvec3()
     }
 
-    /// Returns the light's distance and colour along a camera ray.
     pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
         let radius = f64::from(self.light.drawn_radius);
         let is_drawn = radius > 0.0 && !self.light.parallel;

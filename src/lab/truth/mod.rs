@@ -117,7 +117,6 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
 pub struct Comparison {
     /// The RMS difference, noise included.
     pub error: f64,
-    /// The RMS of the standard errors.
     pub noise: f64,
 }
 

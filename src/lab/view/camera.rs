@@ -6,7 +6,6 @@ const STEEPEST: f32 = 0.998;
 
 const NOTCH: f32 = 1.1;
 
-/// Rotates about the target, by angles in radians.
 pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     let up = camera.up.normalize();
     let around = Quat::from_axis_angle(up, -left) * (camera.eye - camera.look_at);
@@ -17,7 +16,7 @@ pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     camera.eye = camera.look_at + if is_too_steep { around } else { over };
 }
 
-/// Moves sideways by pixels of a picture of this size, so that the target follows the pointer.
+/// Moves the camera sideways by pixels of a picture of this size, so that the target follows the pointer.
 pub fn pan(camera: &mut Camera, by: Vec2, (width, height): (usize, usize)) {
     let picture = camera.raster(width, height);
     let distance = (camera.look_at - camera.eye).length();

@@ -14,7 +14,6 @@ pub struct FrameViewer {
     isa: Isa,
     drawn: Option<(Controls, u64, Size)>,
     probes: Probes,
-    /// The seed of the probes.
     number: u32,
     pub picture: Vec<u32>,
     pub figures: Figures,
@@ -43,8 +42,8 @@ impl FrameViewer {
         }
     }
 
-    /// Returns false if nothing changes. While the scene plays, probes estimate the error. While it is paused, the next call
-    /// measures the error against an exhaustive frame, so that the picture appears earlier.
+    /// Returns false if nothing changes. A paused frame is first shown with its probes' estimate, and compared with an exhaustive
+    /// frame in the next call.
     pub fn draw(&mut self, controls: &Controls, subject: &Subject, size: Size) -> bool {
         let wanted = Some((*controls, subject.version, size));
         let is_drawn = self.drawn == wanted;

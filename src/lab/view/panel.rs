@@ -17,7 +17,6 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Draws rows: bold text, and its explanation.
     pub fn show(&mut self, rows: Vec<(String, String)>, picture: &mut [u32], width: usize) {
         if rows.is_empty() {
             return;

@@ -88,7 +88,6 @@ impl Session {
         Ok(())
     }
 
-    /// Returns false if the frame and its measurements are unchanged.
     fn draw(&mut self) -> bool {
         let (width, height) = fit(self.window.size(), (MAX_WIDTH, MAX_HEIGHT));
         let size = Size::new(width, height);

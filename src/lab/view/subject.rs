@@ -13,7 +13,6 @@ pub struct Subject {
     camera: Option<Camera>,
     /// With the last position of the pointer.
     pressed: Option<(Button, Vec2)>,
-    /// Changes with scene and camera.
     pub version: u64,
 }
 

@@ -1,13 +1,12 @@
 //! The intro's build script.
 //!
-//! `cargo build --release -p eightfold` runs it. It compiles the stub, and makes rustc's C compiler call the script's own executable as
-//! the linker, by a link in `OUT_DIR/linker`. Called by this name, the executable runs the real linker, and packs the output in place.
-//!
-//! `OUT_DIR` then contains
+//! It compiles the stub, and makes rustc's C compiler call the script's own executable as the linker, by a link in
+//! `OUT_DIR/linker`. Called by this name, the executable runs the real linker, and packs the output in place. `OUT_DIR` then
+//! contains
 //!
 //! | file | content |
 //! | --- | --- |
-//! | `eightfold-*.unpacked` | the unpacked program in `deps`, with symbols for debuggers and [`costs`](crate::costs) |
+//! | `eightfold-*.unpacked` | the unpacked program, with symbols for debuggers and [`costs`](crate::costs) |
 //! | `eightfold.map` | the latest link's map |
 //! | `linker/` | the linker and the stub |
 //!
@@ -32,7 +31,6 @@ const LINKER: &str = "ld.bfd";
 
 const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
 
-/// Runs as the build script for `program`, or as its linker.
 pub fn main(program: &str) {
     let arguments: Vec<_> = env::args_os().collect();
     if let [own, rest @ ..] = &arguments[..]
@@ -53,7 +51,6 @@ pub fn main(program: &str) {
     }
 }
 
-/// Begins an error with the path.
 fn at<T>(path: impl AsRef<Path>, done: io::Result<T>) -> Result<T, Error> {
     done.map_err(|why| format!("{}: {why}", path.as_ref().display()).into())
 }

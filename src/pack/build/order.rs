@@ -1,7 +1,5 @@
-//! Orders functions by similarity, because the packer's model adapts as it goes: a random order costs 600 bytes more.
-//!
-//! Similarity is the cosine of tf-idf vectors of three-byte sequences, in correctly rounded arithmetic, so the order is the same on
-//! every machine.
+//! Orders functions by similarity, because the packer's model adapts as it goes: a random order costs 600 bytes more. Similarity is
+//! the cosine of tf-idf vectors of three-byte sequences, in correctly rounded arithmetic: every machine finds the same order.
 
 use std::{
     cmp::{Ordering, Reverse},
@@ -73,7 +71,7 @@ fn likeness(codes: &[&[u8]]) -> Vec<Vec<f64>> {
     terms.iter().map(to_all).collect()
 }
 
-/// Returns the sequences that each function shares with others, with weights of norm 1.
+/// Returns the sequences that several functions have, with weights of norm 1.
 fn terms<'a>(codes: &[&'a [u8]]) -> Vec<Terms<'a>> {
     let counts = codes.iter().map(|code| {
         let mut counts = BTreeMap::new();

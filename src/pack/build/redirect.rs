@@ -1,10 +1,9 @@
-//! Replaces the functions of std that explain a panic: formatting, a backtrace, a reader of debugging information and a demangler
-//! are most of a program's bytes.
+//! Replaces the functions of std that explain a panic, which are most of a program's bytes.
 //!
 //! The functions are found by name in the archives on the linker's command line. An object in front of these archives defines them
 //! as jumps to `src/window/abort.rs`; the linker keeps the first definition, and drops code that only the second one needs.
 //!
-//! Packed bytes that each measure saves, found by leaving it out, of 53,456 bytes unless stated:
+//! Packed bytes that each measure saves, of 53,456:
 //!
 //! | measure | bytes |
 //! | --- | ---: |
@@ -12,10 +11,7 @@
 //! | `str::slice_error_fail`, which formats the string | 3,433 |
 //! | `handle_alloc_error`, which prints | 2,122 |
 //! | `rust_eh_personality`, which reads unwind tables | 936 |
-//! | the others, with their messages' arguments | 975 |
-//! | `opt-level = 2`, as fast as 3 (of 72,726) | 6,566 |
-//!
-//! Rejected: an allocator on `malloc` saves 105 bytes; the window's crates at `opt-level = "s"` save 104.
+//! | the other functions, with their messages' arguments | 975 |
 
 use std::{collections::HashSet, ffi::OsString, fs, path::PathBuf};
 
@@ -28,7 +24,7 @@ use object::{
 use super::at;
 use crate::{Error, panics::ABORT};
 
-/// The last three have inlined copies of the others' functions.
+/// The last three have inlined copies of functions of std.
 const CRATES: [&str; 6] = ["core", "alloc", "std", "gimli", "addr2line", "rustc_demangle"];
 
 /// Parts of the paths of the functions that [`ABORT`] replaces. The linker warns of missing ones.

@@ -78,8 +78,8 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(stripped)
 }
 
-/// Blanks the code for lazy binding. A 16-byte entry jumps to a slot, which before the first call points back into the entry: it
-/// pushes a number and jumps to the first entry.
+/// Blanks the code for lazy binding: entries of 16 bytes, each of which jumps to a slot that before the first call points back into
+/// the entry.
 fn blank_lookups(program: &mut [u8], calls: Range<usize>, slots: Range<usize>) {
     for (i, entry) in program[calls].chunks_exact_mut(16).enumerate() {
         match entry {

@@ -1,5 +1,3 @@
-//! Tests of packed executables for both systems, with a small program and a stub of two bytes.
-
 use object::{
     Architecture, BinaryFormat, Endianness, LittleEndian as LE, SectionKind, pe,
     read::pe::{ImageNtHeaders, Import, PeFile64},

@@ -10,8 +10,8 @@
 //! | 200 | the functions' names |
 //! | the rest | the packed program |
 //!
-//! A section `.bss` reserves the program's memory at a fixed address, so it needs no relocations. After unpacking, code becomes
-//! executable and constants become read-only: no memory is ever both writable and executable.
+//! A section `.bss` reserves the program's memory at a fixed address, so it needs no relocations. No memory is ever writable and
+//! executable.
 
 use std::collections::HashMap;
 
@@ -47,8 +47,8 @@ const fn addresses_size(functions: usize) -> u64 {
 const START: u64 = PAGE;
 const HEAD: usize = 512;
 
-/// The number of 32-bit fields at the end of the headers: the packed bytes' offset and length, the unpacked length, the checked
-/// bytes' offset, the checksum.
+/// The 32-bit fields at the end of the headers: the packed bytes' offset and length, the unpacked length, the checked bytes'
+/// offset, the checksum.
 const RECORD: usize = 5;
 const SUM: usize = HEAD - 4;
 

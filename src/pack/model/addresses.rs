@@ -1,5 +1,5 @@
-//! Converts relative offsets in instructions to addresses and back, so that references to one place are the same four bytes.
-//! Addresses count from the program's first byte.
+//! Converts relative offsets in instructions to addresses and back, so that references to one place are equal bytes. Addresses
+//! count from the program's first byte.
 
 /// Replaces the offset in an instruction that ends with `bytes`.
 pub fn to_address(bytes: &mut [u8], offset: usize) {

@@ -1,5 +1,3 @@
-//! The trait of both coders, and the arithmetic decoder.
-
 pub trait Coder {
     /// Codes a bit and returns it; the probability of a 1 is in 65,536ths.
     fn bit(&mut self, probability: u32) -> u32;

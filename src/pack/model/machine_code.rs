@@ -1,6 +1,5 @@
-//! Parses x86-64 machine code byte by byte, to find the next byte's field.
-//!
-//! It only follows the length of instructions. Data is parsed like code, which only affects the prediction.
+//! Parses x86-64 machine code byte by byte, to find the next byte's field. It only follows the length of instructions. Data is
+//! parsed like code, which only affects the prediction.
 
 use super::operands::operands_by_runs;
 
@@ -17,7 +16,6 @@ pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
 /// The destination operand, of previous instructions only.
 pub const DESTINATION: usize = 8;
-/// The number of features per instruction.
 const STEP: usize = 4;
 const HISTORY_END: usize = OPCODE + 3 * STEP + 1;
 /// The position modulo 4, for tables of 32-bit words.
@@ -34,7 +32,7 @@ pub const LENGTH: usize = 23;
 pub const MATCH: usize = 24;
 /// The last two bytes of this kind after the same opcode, the newer in the lower bits.
 pub const SAME_OPCODE: usize = 25;
-/// The same after the same operand.
+/// The last two bytes after the same operand.
 pub const SAME_OPERAND: usize = 26;
 /// The byte that followed the last occurrence of the last bytes.
 pub const AFTER_MATCH: usize = 27;

@@ -1,7 +1,7 @@
 //! A model of x86-64 programs that predicts the next bit, by context mixing as in PAQ.
 //!
 //! A context is a set of features: the last bytes, parts of the [instruction](machine_code). It has a [slot](slot) for every
-//! beginning of the next byte, with a probability and the last bits. Pairs of contexts predict from both slots' last bits. A
+//! beginning of the next byte, with a probability and the last bits. Pairs of contexts predict from the last bits of their slots. A
 //! context may expect a byte, such as the one after the last match; its slots then predict differences from it. A [mixer] weighs
 //! all predictions.
 
@@ -241,7 +241,7 @@ impl Model {
     }
 }
 
-/// Unpacks `packed` into `bytes`. Returns false if it is damaged.
+/// Returns false if `packed` is damaged.
 #[inline(always)]
 pub fn decode(model: &mut Model, packed: &[u8], bytes: &mut [u8]) -> bool {
     let mut decoder = Decoder::new(packed);

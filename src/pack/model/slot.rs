@@ -27,7 +27,6 @@ impl Slot {
         self.0 == number
     }
 
-    /// Returns the probability minus one half, as a signed 16-bit number.
     #[inline(always)]
     pub fn probability(self) -> u16 {
         self.0 as u16

@@ -1,12 +1,9 @@
-//! No test depends on measured times.
-
 use super::{cells, lab, printed, render, stderr};
 use eightfold_harness::error::Difference;
 use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::path::Path;
 
-/// Returns the table and rows of small frames.
 fn bench(more: &str) -> (String, Vec<Value>) {
     let output = lab(&format!("bench --frames 3 --views 2 --json - {more}"));
     let table = stderr(&output);

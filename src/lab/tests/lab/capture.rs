@@ -8,7 +8,6 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
-/// Defaults to small frames of the model scene.
 fn line(arguments: &str) -> String {
     let defaults = [("--size", "48x32"), ("--scene", "model")];
     let mut line = format!("capture {arguments}");
@@ -98,7 +97,6 @@ const SCENE: &str = "Scene(
     motions: [(of: \"spheres[0].centre\", keys: [(0.0, (-2.0, 0.0, 0.0)), (1.0, (2.0, 0.0, 0.0))])],
 )";
 
-/// Returns brightnesses of [`SCENE`].
 fn frame(more: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("scene.ron");

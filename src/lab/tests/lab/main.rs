@@ -54,7 +54,7 @@ fn render(out: &Path, more: &str) -> Output {
     lab(&format!("render --size 40x30 --out {} {more}", out.display()))
 }
 
-/// Asserts an exit code and one line with some words, without a temporary name.
+/// Asserts an exit code and one line with these words, which names no temporary file.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = stderr(output);
@@ -82,7 +82,6 @@ fn interrupted(command: &mut Command) -> Output {
     signalled(command, "INT", 2)
 }
 
-/// Sends a signal as soon as the command handles it.
 #[cfg(target_os = "linux")]
 fn signalled(command: &mut Command, name: &str, number: u32) -> Output {
     let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());

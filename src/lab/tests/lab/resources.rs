@@ -4,7 +4,6 @@ use std::fs::File;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-/// Runs the lab under a shell's limit.
 fn limited(limit: &str, line: &str) -> Output {
     let script = format!("ulimit {limit}; exec \"$0\" {line}");
     let mut bash = Command::new("bash");

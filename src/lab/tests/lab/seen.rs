@@ -43,7 +43,6 @@ fn pixel_pops_if_reference_stays() {
     assert_eq!(count([dark, dark + 5], [dark, light]), 0);
 }
 
-/// The first quality is the reference.
 fn seen_of(qualities: [Quality; 2], times: [f32; 2]) -> [Seen; 2] {
     let named = |it: Quality| Technique::new("", it, it.antialias, Sampling::Full);
     let techniques = qualities.map(named);

@@ -26,7 +26,6 @@ fn sections_of_windows_intro_add_up() {
     assert_sections(&text, build.program("eightfold").expect("the intro"));
 }
 
-/// Returns the linked and packed bytes of the code.
 fn assert_sections(text: &str, intro: PathBuf) -> [u64; 2] {
     let file = std::fs::metadata(intro).expect("the intro").len();
     let sections = table(text, "section");

@@ -1,5 +1,3 @@
-//! No test depends on measured times.
-
 use super::{cells, printed, stderr};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -20,7 +18,6 @@ fn rows(folder: &Path) -> Vec<Value> {
     json["rows"].as_array().expect("rows").clone()
 }
 
-/// Asserts that a folder has just the JSON and these plots.
 #[track_caller]
 fn assert_plots(folder: &Path, plots: &str) {
     let mut expected = BTreeSet::from(["trade.json".to_owned()]);
@@ -74,7 +71,7 @@ fn front_is_unbeaten() {
         };
         front.iter().any(beats)
     };
-    // Times decide which others are on it.
+    // Times decide which other rows are on the front.
     let is_exact = |row: &&Value| costs(row)[1..] == [0.0; 2];
     assert!(front.iter().any(is_exact));
     assert!(!front.iter().any(|row| is_beaten(row)));

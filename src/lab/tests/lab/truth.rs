@@ -21,13 +21,12 @@ fn assert_near(estimate: Estimate, known: DVec3, most: f64) {
     assert!(off.cmple(allowed).all(), "{} is not {known}", estimate.mean);
 }
 
-/// Returns the radiance at the camera's target.
 fn seen(scene: &Scene, samples: u32) -> Estimate {
     assert_eq!(scene.validate(), Ok(()));
     draw(scene, Size::new(1, 1), samples, 1)[0]
 }
 
-/// A white floor at y = 0. The camera sees the origin from the side.
+/// The camera sees the origin of a white floor from the side.
 fn floor(light: Light) -> Scene {
     Scene {
         camera: Camera::new(vec3(4.0, 0.6, 0.0), Vec3::ZERO, 1e-4),

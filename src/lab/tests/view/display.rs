@@ -77,7 +77,6 @@ impl View {
         self.server.xdotool(&format!("key {key}"));
     }
 
-    /// Moves the pointer, and waits for some frames.
     fn point(&self, [x, y]: [i32; 2]) {
         let [left, top, ..] = self.place();
         let command = format!("mousemove {} {}", left + x, top + y);

@@ -1,6 +1,5 @@
-//! The Linux stub: unpacks the program, and replaces itself with it.
-//!
-//! The packer links it from a separate object, see `src/pack/build`.
+//! The Linux stub: unpacks the program, and replaces itself with it. The packer links it from a separate object, see
+//! `src/pack/build`.
 
 #![no_std]
 #![no_main]
@@ -29,9 +28,9 @@ const POPULATE: usize = 23;
 
 // The entry point. The dynamic linker later gets the same stack, and 0 in `rdx`: no function to call at exit.
 //
-// First the file is verified. If it was cut, reading its last pages would end the process with a signal. So Linux reads the last
-// eight bytes, as the signal set of `rt_sigprocmask` (14) with an invalid operation (14), and reports EFAULT (-14). Then comes an
-// FNV-1a checksum of all bytes behind this section. This section itself is unverified; it is in the file's first page.
+// Reading the last pages of a truncated file would end the process with a signal. So Linux first reads the last eight bytes, as the
+// signal set of `rt_sigprocmask` (14) with an invalid operation (14), and reports EFAULT (-14). Then comes an FNV-1a checksum of
+// all bytes behind this section.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -88,7 +87,6 @@ global_asm!(
 
 unsafe extern "C" {
     static PACKED_END: u8;
-    /// The first byte that the checksum [`SUM`] covers.
     static CHECKED: u8;
     static SUM: u32;
     static PROGRAM: u8;

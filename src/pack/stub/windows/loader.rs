@@ -1,5 +1,4 @@
-//! Does the work of Windows' loader: copies the program to its addresses and protects them. It is packed with the program, and is
-//! position-independent.
+//! Does the work of Windows' loader: copies the program to its addresses and protects them. It is position-independent.
 
 use crate::{
     elf::{FileHeader, LOAD, ProgramHeader},

@@ -1,7 +1,5 @@
-//! The Windows stub: unpacks the program and loads it at its addresses.
-//!
-//! The packer links it from a separate object, see `src/pack/build`. The object is a Linux ELF file, because the build machine has
-//! only Linux's core library.
+//! The Windows stub: unpacks the program and loads it at its addresses. The packer links it from a separate object (see
+//! `src/pack/build`), an ELF file, because the build machine has only Linux's core library.
 
 #![no_std]
 #![no_main]
@@ -21,13 +19,11 @@ use model::Model;
 use packed::fail;
 use system::{COMMIT_RESERVE, READ_EXECUTE, READ_WRITE, RELEASE, System, protect};
 
-// The entry point. On entry `rsp` is a multiple of 16, minus 8. The program gets the same `rsp`, `LoadLibraryA` in `rcx` and
+// The entry point. On entry `rsp` is a multiple of 16, minus 8. The program gets this `rsp`, `LoadLibraryA` in `rcx` and
 // `GetProcAddress` in `rdx`.
 //
-// It checks the FNV-1a checksum of all bytes after this section. This section, the headers and the import table are unverified.
-// (Windows refuses truncated files.)
-//
-// `fail` attaches to the parent's console (-1), prints `rsi` bytes at `rdi` on standard error (-12), and exits with code 1.
+// It checks the FNV-1a checksum of all bytes after this section. `fail` attaches to the parent's console (-1), prints `rsi` bytes
+// at `rdi` on standard error (-12), and exits with code 1.
 global_asm!(
     ".section .text.first, \"ax\"",
     ".globl _start",
@@ -81,7 +77,6 @@ global_asm!(
 
 unsafe extern "C" {
     static PACKED_END: u8;
-    /// The first byte that the checksum [`SUM`] covers.
     static CHECKED: u8;
     static SUM: u32;
     /// The import table, filled in by Windows.

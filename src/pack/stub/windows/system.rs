@@ -1,5 +1,3 @@
-//! Windows functions that the packed file imports.
-
 use core::ffi::{c_char, c_void};
 
 /// `PAGE_READONLY`.
