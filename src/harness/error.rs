@@ -13,7 +13,6 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// Compares `0x00RRGGBB` pixels.
     pub fn between(a: &[u32], b: &[u32]) -> Self {
         assert_eq!(a.len(), b.len(), "pictures of different sizes");
         let (mut sum, mut squares, mut over_8) = (0_u64, 0_u64, 0);
@@ -29,7 +28,6 @@ impl Difference {
         Self { mean: sum as f64 / count, over_8, square, psnr: decibels(square) }
     }
 
-    /// Returns the PSNR in dB of all pictures together.
     pub fn pooled_psnr(differences: &[Self]) -> f64 {
         let sum: f64 = differences.iter().map(|each| each.square).sum();
         decibels(sum / differences.len() as f64)

@@ -6,7 +6,7 @@ use super::shade::{Hit, depth};
 use eightfold_tracer::scene::{Ambience, Block, Material, Shape, Sphere};
 use glam::DVec3;
 
-/// The part of the hemisphere that a solid covers, and the direction from it, in world coordinates.
+/// The share of the hemisphere that a solid covers, and the direction from it, in world coordinates.
 struct Cover {
     share: f64,
     from: DVec3,

@@ -18,7 +18,6 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// Returns a ray from a position in f32.
     pub fn new(o: DVec3, d: DVec3) -> Self {
         let slack = f64::from(f32::EPSILON) * o.abs().max_element();
         Self { o, d, slack }
@@ -28,7 +27,6 @@ impl Ray {
         self.o + t * self.d
     }
 
-    /// Returns the ray from its hit on.
     pub fn moved(&self, t: f64) -> Self {
         let slack = ROUNDING * (self.o.abs().max_element() + t);
         Self { o: self.at(t), slack, ..*self }
@@ -76,8 +74,8 @@ impl PicturePlane {
     }
 }
 
-/// Returns both distances at which a ray crosses a sphere, or an infinite cylinder if `oc` and `d` are perpendicular to its axis.
-/// `oc` is the origin relative to the centre.
+/// Returns the two distances at which a ray crosses a sphere, or an infinite cylinder if `oc` and `d` are perpendicular to its
+/// axis. `oc` is the origin relative to the centre.
 fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
     let b = oc.dot(d);
@@ -171,7 +169,6 @@ impl Shape {
         }
     }
 
-    /// Returns the direction of the grooves around the object's y axis.
     pub fn groove(&self, p: DVec3, n: DVec3) -> DVec3 {
         let (axis, centre) = match *self {
             Self::Sphere { centre, .. } | Self::Plane { centre, .. } => (DVec3::Y, centre),
@@ -236,7 +233,6 @@ fn first(ray: Ray, met: impl Iterator<Item = Met>) -> Option<Met> {
     ahead.min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
-/// Intersects the side of a cylinder around the y axis.
 fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
     let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
     let met = crossings(o, d, radius, ray.slack).into_iter().flatten();

@@ -1,7 +1,6 @@
 //! A second ray tracer: the reference for the library's pictures, and for the objects that the lab counts.
 //!
-//! It is scalar and recursive, in f64, with textbook formulas, and shares only the scene description with the library. The lab's path
-//! tracer uses its geometry and shading.
+//! It is scalar and recursive, in f64, with textbook formulas, and shares only the scene description with the library.
 
 mod ambient;
 pub mod frame;
@@ -92,7 +91,6 @@ impl<'a> Oracle<'a> {
         self.plane.ray(x, y)
     }
 
-    /// Returns the nearest object and the hit; `has_lights` includes visible lights.
     fn nearest(&self, ray: Ray, has_lights: bool) -> Option<(&Body, Met)> {
         let mut nearest: Option<(&Body, Met)> = None;
         for body in &self.bodies {
@@ -171,7 +169,7 @@ pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     red << 16 | green << 8 | blue
 }
 
-/// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, both are right, and the nearer to `drawn`
+/// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, either is right, and the nearer to `drawn`
 /// is returned.
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let steps = steps(colour, dither, x, y);
@@ -182,14 +180,12 @@ pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) ->
     })
 }
 
-/// Returns the channels in output steps, to be truncated.
 fn steps(colour: DVec3, dither: f32, x: usize, y: usize) -> [f64; 3] {
     let share = (f64::from(ORDER[y % 4][x % 4]) + 0.5) / 16.0;
     let threshold = 0.5 + f64::from(dither) * (share - 0.5);
     (colour.clamp(DVec3::ZERO, DVec3::ONE) * 255.0 + threshold).to_array()
 }
 
-/// Returns the least and the greatest byte by rounding.
 fn bytes(step: f64) -> [u32; 2] {
     [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32)
 }

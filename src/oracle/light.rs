@@ -1,5 +1,3 @@
-//! The light that reaches a point.
-
 use super::geometry::Ray;
 use super::{Object, Oracle};
 use eightfold_tracer::scene::{Block, Light, Shape, Sphere};
@@ -70,9 +68,8 @@ impl Oracle<'_> {
     }
 }
 
-/// Returns the share of an area light that a sphere does not block, by the formula of the library's `sphere_covers`.
-///
-/// A sphere that contains both `p` and the whole light blocks nothing: domes are lit from within.
+/// Returns the share of an area light that a sphere does not block, by the formula of the library's `sphere_covers`. A sphere that
+/// contains `p` and the whole light blocks nothing: domes are lit from within.
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);

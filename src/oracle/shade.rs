@@ -1,5 +1,3 @@
-//! Phong shading, and secondary rays.
-
 use super::geometry::{Met, Ray};
 use super::light::{ToLight, cone, reach, smooth};
 use super::pattern::reflectance;
@@ -95,7 +93,7 @@ impl Oracle<'_> {
         })
     }
 
-    /// Returns the colour along a ray. `weight` and `path` are as in the library's `Rays`.
+    /// `weight` and `path` are as in the library's `Rays`.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let nearest = self.nearest(ray, true);
@@ -162,7 +160,6 @@ impl Oracle<'_> {
         self.scene.background.as_dvec3() + gradient + scattered
     }
 
-    /// Returns the light of a reflected or refracted ray that is not traced.
     pub fn untraced(&self, d: DVec3, is_reflected: bool) -> DVec3 {
         let softboxes = if is_reflected { self.softboxes(d) } else { DVec3::ZERO };
         self.behind(d).max(self.scene.ambient.as_dvec3()) + softboxes
@@ -207,7 +204,6 @@ impl Oracle<'_> {
         1.0 / (1.0 + (f64::from(self.scene.haze) * t / thinning).powi(2))
     }
 
-    /// Returns the light of secondary rays, and the light of the ones that are not traced.
     fn secondary(&self, hit: &Hit<'_>, weight: f32, path: u32, traced: &mut Traced) -> [DVec3; 2] {
         let [mut seen, mut untraced] = [DVec3::ZERO; 2];
         for (bounce, node) in hit.bounces().into_iter().zip(2 * path..) {

@@ -14,8 +14,8 @@ use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphe
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{DVec3, Vec3, vec3};
 
-/// Asserts that at most 0.02 % of the pixels, or four, differ from the oracle's by more than 8/255, all on silhouettes, and the
-/// others by at most 0.01/255 on average, or 0.05/255 on film.
+/// Asserts that at most 0.02 % of the pixels, or four, differ from the oracle's by more than 8/255, all on silhouettes. The other
+/// pixels may differ by at most 0.01/255 on average (0.05/255 on film).
 #[track_caller]
 fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     let expected = frame.picture_like(&drawn.pixels);
@@ -116,7 +116,6 @@ fn films_names_and_narrow_lights_match_the_oracle() {
     }
 }
 
-/// Instruction sets differ by at most 1/255, except on silhouettes.
 #[test]
 fn show_matches_the_oracle() {
     for time in TIMES.into_iter().step_by(2) {
@@ -159,7 +158,6 @@ fn ray_counts_match_the_oracle() {
     assert!(on < width * height / 8, "{on} pixels");
 }
 
-/// Returns concentric glass shells around the eye: every ray is both reflected and transmitted.
 fn shells(count: usize) -> Scene {
     let glass = Material {
         colour: Vec3::splat(0.9),

@@ -1,5 +1,3 @@
-//! Antialiasing changes pixels at edges only, in proportion to coverage.
-
 use crate::drawn::{TILE, draw_best, with_antialias};
 use crate::error::worst_channel;
 use eightfold_scenes::{Kinds, cases};
@@ -92,7 +90,7 @@ fn covered(angle: f32, distance: f32) -> f32 {
     (0..SLICES).map(slice).sum::<f32>() / SLICES as f32
 }
 
-/// Returns a white box whose edge is `distance` pixels from the centre of a picture of `height` rows, turned clockwise by an angle.
+/// Returns a white box whose edge is `distance` pixels from the picture's centre, turned clockwise by an angle.
 fn half_plane(angle: f32, distance: f32, height: usize) -> Scene {
     let mut scene = Scene { ambient: Vec3::ONE, ..Scene::default() };
     let pixel = 2.0 * (0.5 * scene.camera.field_of_view).tan() / height as f32;

@@ -11,7 +11,7 @@ use eightfold_tracer::scene::{
 use eightfold_tracer::{Preset, Quality};
 use glam::{Vec3, vec3};
 
-/// Qualities of every depth, with all weights traced, few, and none.
+/// Qualities of every depth that trace all weights, few, or none.
 fn limits() -> impl Iterator<Item = Quality> {
     let weights = [0.0, 0.01, 0.05, f32::INFINITY];
     (0..=Quality::MAX_DEPTH).flat_map(move |depth| {
@@ -33,7 +33,6 @@ fn assert_white(scene: &Scene, seed: u64) {
     }
 }
 
-/// Surfaces that lose no light, in ambient light as bright as the background.
 #[test]
 fn white_furnace_is_white_at_every_depth() {
     let white = Material { kr: 0.04, fresnel: 1.0, kt: 0.96, index: 0.667, ..Material::BLACK };

@@ -1,7 +1,5 @@
-//! Draws pictures, with the instruction sets, qualities, sides and thread counts of all tests.
-//!
-//! The bits of a few scenes are tested on all instruction sets ([`draw_by_all`]), many random scenes on one per scene, in turns
-//! ([`isa_of`]), and errors in dB on the best ([`draw_best`]).
+//! Draws pictures on all instruction sets ([`draw_by_all`]), on one per scene, in turns ([`isa_of`]), or on the best
+//! ([`draw_best`]).
 
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
@@ -13,7 +11,6 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;
 
-/// The width and the height of a tile in pixels.
 pub const TILE: [usize; 2] = [512, 32];
 
 pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];

@@ -2,7 +2,6 @@ use crate::error::Difference;
 
 const DARK: [u32; 400] = [0; 400];
 
-/// Returns the dark picture with 64 bright pixels.
 fn bright(light: u32) -> Vec<u32> {
     let mut pixels = DARK.to_vec();
     pixels[..64].fill(light);

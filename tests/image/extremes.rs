@@ -44,14 +44,13 @@ fn rays(drawn: &Drawn) -> u64 {
     drawn.counts.rays + drawn.counts.shadow_rays
 }
 
-/// Returns a scene's numbers of rays, for each refinement on each instruction set.
 fn usual_rays(scene: &Scene) -> Vec<[u64; 4]> {
     let rays = |isa, quality| rays(&draw(isa, 2, scene, &quality, 64, 48));
     let isas = cpu::instruction_sets();
     isas.map(|isa| REFINEMENTS.map(|quality| rays(isa, quality))).collect()
 }
 
-/// Asserts the same bits on one thread and on two, for at most 2.5 times the usual rays.
+/// Asserts equal bits on one thread and on two, for at most 2.5 times the usual rays.
 #[track_caller]
 fn assert_bounded(scene: &Scene, usual: &[[u64; 4]], case: usize, what: &str) {
     let (number, seed) = (case % REFINEMENTS.len(), case / REFINEMENTS.len());

@@ -12,7 +12,6 @@ const SIZES: [[usize; 2]; 7] =
     [[640, 360], [203, 357], [333, 331], [1100, 70], [65, 33], [7, 9], [1, 1]];
 const SECTORS: [f32; 5] = [1.0, 2.0, 4.0, 5.5, 8.0];
 
-/// Returns the pixel that a pixel copies.
 fn source(sectors: f32, [width, height]: [usize; 2], [x, y]: [usize; 2]) -> [usize; 2] {
     let [mut left, mut top] = [width / 2 / 8 * 8, height * 46 / 100 / 8 * 8];
     if sectors < 4.0 {
@@ -84,7 +83,7 @@ fn folded_picture_equals_its_reflections() {
                 });
                 let copied = |of: &[u32]| from.clone().map(|i| of[i]).collect::<Vec<_>>();
                 assert!(folded == copied(&folded), "{what}");
-                // Squares beside the wedge decide a few squares in it.
+                // Squares at the wedge's border decide a few squares in it.
                 let difference = Difference::between(&copied(&whole), &folded);
                 let is_near =
                     difference.mean == 0.0 || quality.square > 1 && difference.psnr > 45.0;

@@ -10,7 +10,6 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape, Sphere};
 use glam::{Vec3, vec3};
 
-/// The eye at a height above a sphere, and a ball and a mirror before it.
 fn above(radius: f32, height: f32, light: f32) -> Scene {
     let ground = Material::matt(Vec3::splat(0.5), 0.9);
     let mirror = Material::mirror(0.8);

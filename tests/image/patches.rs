@@ -52,7 +52,6 @@ fn show(time: f32) -> (String, Scene) {
     (format!("{time} s"), scene)
 }
 
-/// Returns a room of four mirrors, with columns of all shapes.
 fn room(mut random: Random) -> (String, Scene) {
     let eye = random.vector(vec3(-3.5, 1.0, -3.5), vec3(3.5, 3.0, 3.5));
     let mut scene = Scene {
@@ -108,7 +107,6 @@ fn rooms_of_mirrors_have_small_patches() {
     hold(cases(3).map(room), dim, ROOM);
 }
 
-/// Returns whether each pixel shows the first plane.
 fn shows_floor(scene: &Scene) -> Vec<bool> {
     let mut scene = coloured(scene, 28);
     scene.lights.clear();

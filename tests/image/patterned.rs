@@ -8,7 +8,6 @@ use glam::{Mat3, Vec3, vec3};
 
 const SIZE: [usize; 2] = [480, 270];
 
-/// Returns a patterned floor, half the time with a patterned shape on it, near or far.
 fn patterned(random: &mut Random, any: fn(&mut Random) -> Pattern) -> Scene {
     let distance = random.power(-0.3, 1.5);
     let mut pattern = any(random);
@@ -40,8 +39,7 @@ fn patterned(random: &mut Random, any: fn(&mut Random) -> Pattern) -> Scene {
     scene
 }
 
-/// Draws random patterns, jagged and antialiased. Spots are lost where no drawn pixel nearby is similar; shadows of shapes can
-/// lose some, too.
+/// Draws random patterns, jagged and antialiased. Spots and shadows of shapes are lost where no drawn pixel nearby is similar.
 fn hold(cases: impl Iterator<Item = Random>, any: fn(&mut Random) -> Pattern) {
     let (mut worst, mut below) = ((f64::INFINITY, 0), Vec::new());
     for mut random in cases {

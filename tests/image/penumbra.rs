@@ -1,5 +1,3 @@
-//! Approximate penumbrae are close to sampled ones.
-
 use crate::drawn::draw_best;
 use eightfold_oracle::Oracle;
 use eightfold_oracle::geometry::Ray;

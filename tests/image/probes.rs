@@ -1,5 +1,3 @@
-//! Probes estimate a frame's error: they agree with the comparison of all pixels.
-
 use crate::cpu::{self, Isa};
 use crate::drawn::{REFINEMENTS, draw_best, of_the_show};
 use crate::threaded_renderer::ThreadedRenderer;

@@ -5,7 +5,6 @@ use eightfold_scenes::{Random, cases, crowd, lights};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 
-/// Returns the PSNR against the exhaustive picture with the same antialiasing.
 fn psnr(scene: &Scene, quality: Quality, [width, height]: [usize; 2]) -> f64 {
     let [exhaustive, refined] = [quality.reference(), quality]
         .map(|quality| draw_best(scene, &quality, width, height).pixels);
@@ -38,7 +37,6 @@ fn default_has_45_db_and_42_in_fields() {
     }
 }
 
-/// Returns the maximum number of points in a picture with squares of a side.
 pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     let corners = |side: usize, tile: usize| -> usize {
         let parts = (0..side).step_by(tile);

@@ -1,5 +1,3 @@
-//! A picture is a function of scene, size, quality and instruction set.
-
 use crate::cpu;
 use crate::drawn::{REFINEMENTS, Record, draw, of_side, of_the_show};
 use crate::threaded_renderer::{ThreadedRenderer, whole};
@@ -16,7 +14,7 @@ impl Threads for Backwards {
     }
 }
 
-/// Returns the work of a frame without idle lanes, which depend on the order of bands, and without probes.
+/// Returns the work of a frame without probes and idle lanes, which depend on the order of bands.
 pub fn work(counts: Counts) -> [u64; 3] {
     [counts.points, counts.rays, counts.shadow_rays]
 }

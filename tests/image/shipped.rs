@@ -1,5 +1,3 @@
-//! The program that ships draws the bits of the library under test.
-
 use crate::cpu::{self, Isa};
 use crate::drawn::draw;
 use eightfold::show;
@@ -62,8 +60,8 @@ impl Still {
     }
 }
 
-/// Times in milliseconds, two or more in each scene except the method's, without captions and coarse squares, which
-/// the oracle does not draw.
+/// Times in milliseconds, two or more in each scene except the method's, without captions and coarse squares, which the oracle does
+/// not draw.
 pub const TIMES: [u32; 18] = [
     2_300, 5_500, 13_300, 18_700, 21_500, 41_300, 45_200, 54_700, 57_400, 62_500, 69_900, 78_300,
     83_600, 90_700, 94_300, 102_800, 112_000, 113_500,

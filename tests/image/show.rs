@@ -1,5 +1,3 @@
-//! The show has valid scenes that change on the beat, and captions inside the picture.
-
 use crate::drawn::{draw_best, of_the_show as at};
 use eightfold::show::{self, grid};
 use eightfold::sound::{Track, cue};

@@ -39,14 +39,13 @@ impl Effect {
         Self { pixels, is_promised: true }
     }
 
-    /// Returns whether every pixel differs by more than `tolerance` in a channel.
     fn is_missed(&self, exhaustive: &[u32], drawn: &[u32], tolerance: u32) -> bool {
         let mut pixels = self.pixels.iter();
         pixels.all(|&i| worst_channel(exhaustive[i], drawn[i]) > tolerance)
     }
 }
 
-/// Counts of promised effects and of others: all, missed by a quality, and missed without the guard.
+/// Counts of promised and of other effects: all, missed by a quality, and missed without the guard.
 #[derive(Debug, Default)]
 pub struct Tally {
     qualities: Vec<Quality>,
@@ -120,7 +119,7 @@ fn by_colour(pixels: &[u32]) -> BTreeMap<u32, Vec<usize>> {
     colours
 }
 
-/// Returns the objects of a view. Gaps between objects are not promised.
+/// Gaps between objects are not promised.
 fn objects(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let background = (255.0 * view.scene.background.x).round() as u32 * 0x01_0101;
     let mut colours = by_colour(exhaustive);
@@ -152,7 +151,6 @@ fn of_the_show_at_any_time(random: &mut Random) -> View {
     View::new(coloured(&objects, 28), size)
 }
 
-/// Returns small blocks that stick out of a large one, which hides most of each.
 fn sunk(random: &mut Random) -> View {
     let half = random.vector(Vec3::splat(0.3), Vec3::ONE);
     let large = solids::block(random, Vec3::ZERO, half, Material::BLACK);
@@ -189,8 +187,8 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 40, [600, 60]);
 }
 
-/// Limits the points relative to unguarded frames. The chimes have 1.34 times as many, since a disc's shadow is certain only inside a
-/// hexagon; the city's towers have 1.25 times.
+/// Limits the points relative to unguarded frames: 1.34 times in the chimes, since a disc's shadow is certain only inside a
+/// hexagon, 1.25 times among the city's towers.
 #[test]
 fn hidden_objects_open_few_squares() {
     for (time, limit) in [(65.0, 1.35), (54.0, 1.27)] {
@@ -203,7 +201,7 @@ fn hidden_objects_open_few_squares() {
     }
 }
 
-/// Compares the traced points with a light a thousand units away, in the same picture.
+/// Compares the traced points with a light a thousand units away.
 #[test]
 fn far_suns_and_telescopes_open_few_squares() {
     for kind in KINDS[..ON_FLOORS].iter().chain(&KINDS[ON_FLOORS + 6..]) {
@@ -263,10 +261,10 @@ fn shadows_on_a_floor_are_shown() {
     tally.assert_counts(1000, 100);
 }
 
-/// The pixel of the floor in a single shadow: 0.1 of 0.7.
+/// The floor's pixel in a single shadow: 0.1 of 0.7.
 const DARK: u32 = 0x12_1212;
 
-/// Returns the only shadow of a view. A difference of 1/255 can be rounding.
+/// A difference of 1/255 can be rounding.
 fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let mut lit = view.clone();
     lit.scene.spheres.clear();
@@ -294,7 +292,7 @@ fn thin_and_near_shadows_are_shown() {
     tally.assert_counts(100, 25);
 }
 
-/// Returns a black mirror that halves its images: their channels are below 128, those of objects are 128 or more.
+/// Returns a black mirror that halves its images: their channels are below 128, the objects' are 128 or more.
 fn mirror(random: &mut Random) -> View {
     let mut scene = Hidden::MIRROR.scene(random);
     scene.ambient = Vec3::ONE;
@@ -302,7 +300,7 @@ fn mirror(random: &mut Random) -> View {
     sized(scene)
 }
 
-/// Images of spheres and boxes in 2x2 pixels are promised, those of round blocks are not.
+/// Images of spheres and boxes in 2x2 pixels are promised, images of round blocks are not.
 fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let is_image = |pixel: u32| pixel != 0 && pixel.to_be_bytes().iter().all(|&c| c < 128);
     let width = view.width;

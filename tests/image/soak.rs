@@ -1,8 +1,8 @@
 //! Any scene, size, quality and instruction set draws the same bits on any number of threads and after any other frame, for bounded
 //! work.
 //!
-//! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600) and prints their number. Without `SOAK_SECONDS` the number of
-//! cases is fixed.
+//! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600) and prints their number. Without the variable the number of cases
+//! is fixed.
 
 use crate::drawn::isa_of;
 use crate::error::Difference;
@@ -40,7 +40,6 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
-/// Returns whether an axis became invalid.
 fn corrupt(scene: &mut Scene, random: &mut Random) -> bool {
     let wrong = random.one_of([
         f32::NAN,
@@ -95,8 +94,8 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
 
     // Crowds of mirrors have squares of 4 pixels at most.
     let square = quality.square;
-    // Antialiasing traces a point to the right of a pixel and one below, twice between parts of a picture, and up to two more on
-    // each side, three below an edge of 20.
+    // Antialiasing traces a point to the right of a pixel and one below, twice between parts of a picture. Each has up to two more
+    // on either side, three if `edge` is below 20.
     let of_pixel = if quality.edge < 20 { 15 } else { 11 };
     let middles = usize::from(quality.antialias) * of_pixel * width * height;
     let most = (most_points(square.min(4), width, height) + middles) as u64;
@@ -107,8 +106,8 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     let most = counts.rays * lights;
     assert!(counts.shadow_rays <= most, "{what}: {counts:?}");
 
-    // The corners of the largest squares are always traced, but antialiasing and marks change their pixels, and culling by
-    // wrong axes depends on the squares.
+    // The corners of the largest squares are always traced. But antialiasing and marks change their pixels, and culling by wrong
+    // axes depends on the squares.
     let every = Quality { square: 1, ..quality };
     let (others, _) = draw(one, &every);
     if !quality.antialias && scene.method == Method::PLAIN && !has_wrong_axes {

@@ -1,5 +1,3 @@
-//! Thin objects, their shadows and their images have no holes, jagged and antialiased.
-
 use crate::drawn::{draw, isa_of, named, with_antialias};
 use crate::error::worst_channel;
 use eightfold_harness::patches::patches;

@@ -1,5 +1,3 @@
-//! Text over a finished picture.
-
 use eightfold_tracer::Frame;
 use eightfold_tracer::scene::Caption;
 

@@ -1,5 +1,3 @@
-//! Without a display and a terminal the intro plays, prints a line, and returns the right exit code.
-
 use eightfold::sound::Synthesizer;
 use eightfold_stage::{
     DISPLAY, Process, Server, headless, intro, linked_intro, needs, qualities, run, texts, tool,
@@ -138,7 +136,7 @@ fn library_that_cannot_be_loaded_is_named() {
     assert_eq!(texts(&output).1, expected);
 }
 
-/// Runs a script in which `INTRO` is the intro. Returns the exit code and the standard error.
+/// `INTRO` in the script is the intro. Returns the exit code and the standard error.
 fn shell(script: &str) -> (Option<i32>, String) {
     let script = script.replace("INTRO", &intro().display().to_string());
     let mut bash = Command::new("bash");

@@ -1,5 +1,3 @@
-//! `--still` writes one frame of the show. `tests/image/shipped.rs` compares its pixels.
-
 use eightfold::show;
 use eightfold_stage::{headless, intro, needs, reader::read_ppm, run, texts, tool};
 

@@ -23,7 +23,6 @@ impl Terminal {
         Terminal::run(columns, rows, &format!("{} {options}", intro().display()))
     }
 
-    /// Like [`Terminal::play`], with a command.
     fn run(columns: usize, rows: usize, command: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!("eightfold-{}-{}", process::id(), COUNT.fetch_add(1, Relaxed));
@@ -70,7 +69,6 @@ impl Terminal {
         });
     }
 
-    /// Waits for the end. Returns the contents.
     fn ended(&self, code: i32) -> String {
         let text = wait_for("the end", || {
             let text = self.text();
@@ -115,7 +113,6 @@ impl Drop for Terminal {
     }
 }
 
-/// Returns a command that runs the intro in a terminal without keys.
 fn script(intro_in_shell: &str) -> process::Command {
     let mut script = tool("script");
     script.args(["-qec", intro_in_shell, "/dev/null"]);
@@ -184,7 +181,6 @@ fn report_has_the_letters_of_the_locale() {
     }
 }
 
-/// Plays in a terminal with these variables.
 fn played(variables: &str, seconds: f32) -> String {
     let intro = linked_intro();
     let options = format!("--silent --fps 10 --seconds {seconds}");

@@ -9,7 +9,7 @@ fn example(name: &str) -> Command {
     Command::new(BUILD.program(name).expect("there is one"))
 }
 
-/// Runs an example in a folder. Returns the folder and the output. All files are inside `target`, which git ignores.
+/// Returns the folder and the output. All files are inside `target`, which git ignores.
 fn output(name: &str, arguments: &[&str]) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a folder");
     let (output, text) = run(example(name).args(arguments).current_dir(&folder));

@@ -9,10 +9,9 @@ use glam::{Mat3, Vec2, Vec3, vec3};
 use std::f32::consts::{PI, TAU};
 
 type Add = fn(&mut Scene, &mut Random);
-/// Draws a light or a material at random.
 pub type Draw<T> = fn(&mut Random) -> T;
 
-/// A name, and functions that add the kind's objects to a scene with a camera, a floor and a light.
+/// A name, and functions that add objects to a scene with a camera, a floor and a light.
 #[derive(Clone, Copy)]
 pub struct Kind(pub &'static str, &'static [Add]);
 
@@ -85,7 +84,6 @@ impl Kind {
     }
 }
 
-/// Returns a scene of any kind, light and floor.
 pub fn artists(random: &mut Random) -> Scene {
     let kind = random.one_of(KINDS);
     let ((_, light), (_, floor)) = (random.one_of(LIGHTS), random.one_of(FLOORS));
@@ -220,7 +218,6 @@ fn grass(scene: &mut Scene, random: &mut Random) {
     upright_bars(scene, random, &bars, count, [2.0, 0.3, 0.3, 1.0]);
 }
 
-/// A wall of window frames.
 fn windows(scene: &mut Scene, random: &mut Random) {
     let (bars, at) = (Bars::any(random), upright(random));
     let [columns, rows] = [0; 2].map(|_| 2 + random.below(6));
@@ -274,7 +271,6 @@ fn shelves(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-/// Adds bars to be seen in something.
 fn some_bars(scene: &mut Scene, random: &mut Random) {
     let kinds: [Add; 6] = [rods, rods, nets, words, pickets, windows];
     random.one_of(kinds)(scene, random);

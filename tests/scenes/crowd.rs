@@ -24,8 +24,8 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     Material { kd, kr, kt, ..plastic }
 }
 
-/// Returns a crowd of `spheres` and `blocks`, with these shares of glass and mirrors, over checkers or a plain floor. Up to sixteen
-/// are large, and large glass spheres contain up to three others.
+/// Returns a crowd with these shares of glass and mirrors, over checkers or a plain floor. Up to sixteen objects are large, and
+/// large glass spheres contain up to three others.
 pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let (height, away) = (random.between(0.6, 8.0), random.between(1.0, 2.2));
     let eye = vec3(0.0, height, REACH * away);

@@ -3,7 +3,6 @@ use crate::{Random, solids};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
-/// Forty small objects, the material of their floor, and the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hidden {
     /// Whether even and odd ones are blocks instead of spheres.

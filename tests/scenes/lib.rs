@@ -5,14 +5,12 @@
 //! | [`Kinds`] | all shapes, materials and lights, scattered around the origin |
 //! | [`placed`] | objects in their own colours, placed and sized by pixels |
 //! | [`floor`] | a single shadow or image in a floor, or objects that rise from it |
-//! | [`Hidden`] | forty small objects that are easily missed, over a floor or a mirror |
-//! | [`artists`] | bars in the order of words, nets, fences and shelves, with their shadows and images |
+//! | [`Hidden`] | forty small objects that are easily missed |
+//! | [`artists`] | bars in the order of words, nets, fences and shelves |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
 //! | [`shiny()`] | highlights of all sizes |
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known()`] | scenes that once failed |
-//!
-//! `assertions.rs` draws them with the assertions of glam enabled.
 //!
 //! A new kind is a function from a [`Random`] to a scene, of parts from [`materials`], [`lights`] and [`solids`].
 
@@ -57,7 +55,6 @@ impl View {
     }
 }
 
-/// Returns a scene of any kind.
 pub fn any(random: &mut Random) -> Scene {
     let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
     match random.below(8) {
@@ -71,7 +68,6 @@ pub fn any(random: &mut Random) -> Scene {
     }
 }
 
-/// Returns the materials of all spheres, planes and blocks, in this order.
 pub fn materials_of(scene: &mut Scene) -> Vec<&mut Material> {
     let spheres = scene.spheres.iter_mut().map(|sphere| &mut sphere.material);
     let planes = scene.planes.iter_mut().map(|plane| &mut plane.material);

@@ -22,7 +22,6 @@ pub fn any(random: &mut Random) -> Light {
     [light, spotlight(light, outer - soft, outer)][random.below(2)]
 }
 
-/// Returns the light as a spotlight at the origin, with angles in radians.
 pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
     Light { spot: Some(Spot { aim: -light.position, inner_angle, outer_angle }), ..light }
 }

@@ -31,7 +31,6 @@ pub fn painted(random: &mut Random) -> Material {
     }
 }
 
-/// Returns a material whose numbers vary by orders of magnitude.
 pub fn extreme(random: &mut Random) -> Material {
     let material = painted(random);
     Material {
@@ -64,7 +63,6 @@ pub fn pattern(random: &mut Random) -> Pattern {
     }
 }
 
-/// Returns a [`pattern`] of two colours, half the time with swirls.
 pub fn swirled(random: &mut Random) -> Pattern {
     let mut more = Random::new(random.clone().bits());
     Pattern {
@@ -86,13 +84,13 @@ pub fn shiny(random: &mut Random) -> Material {
     }
 }
 
-/// Returns a material with a colour unique to a number: at least `step` of 255 apart in a channel.
+/// Colours differ by at least `step` of 255 in a channel.
 pub fn numbered(number: usize, step: usize) -> Material {
     let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
     Material { colour: vec3(digit(1), digit(8), digit(64)), ..Material::BLACK }
 }
 
-/// Returns a material with a colour unique to a number below 64; channels are at least half of 255.
+/// Colours are unique to numbers below 64; channels are at least half of 255.
 pub fn bright(number: usize) -> Material {
     let digit = |unit: usize| (128 + 30 * (number / unit % 4)) as f32 / 255.0;
     Material::matt(vec3(digit(1), digit(4), digit(16)), 0.8)

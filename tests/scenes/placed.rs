@@ -12,7 +12,6 @@ fn at(view: &View, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) 
     (camera.eye + d * distance, length)
 }
 
-/// Returns a visible point and a length there; distance and length are powers of 10.
 fn anywhere(random: &mut Random, view: &View, far: [f32; 2], pixels: [f32; 2]) -> (Vec3, f32) {
     let [x, y] = [view.width, view.height].map(|side| random.between(0.0, side as f32));
     let distance = random.power(far[0], far[1]);
@@ -38,7 +37,6 @@ fn add_planes(view: &mut View, random: &mut Random) {
     }
 }
 
-/// Adds a sphere around the eye or next to it, to a quarter of the scenes.
 fn add_around(view: &mut View, random: &mut Random) {
     if random.below(4) == 0 {
         let radius = random.between(0.05, 20.0);

@@ -22,7 +22,6 @@ impl Text {
         Self { ron, numbers }
     }
 
-    /// Returns the end of the colon and the name of a number's field.
     pub fn field(&self, i: usize) -> (usize, &str) {
         let before = &self.ron[..self.numbers[i].start];
         let colon = before.rfind(':').expect("a number is in a field");

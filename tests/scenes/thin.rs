@@ -18,7 +18,6 @@ pub enum Seen {
 impl Seen {
     pub const ALL: [Self; 3] = [Self::Directly, Self::AsShadows, Self::AsImages];
 
-    /// Returns a view with bars, and the same view without them.
     pub fn view(self, random: &mut Random) -> [View; 2] {
         let eye = vec3(0.0, random.power(-0.3, 0.8), 6.0);
         let look_at = random.vector(vec3(-2.0, -1.5, -2.0), vec3(2.0, 0.5, 0.5));
@@ -65,7 +64,6 @@ impl Seen {
         })
     }
 
-    /// Colours all but the floor and the background, and adds the light.
     fn finished(self, scene: &Scene, is_floored: bool, light: Vec3) -> Scene {
         let mut coloured = coloured(scene, 28);
         if is_floored {
@@ -83,7 +81,6 @@ impl Seen {
         coloured
     }
 
-    /// Adds a bar, or a row of spheres, along a line of the picture.
     fn add_bar(self, view: &mut View, random: &mut Random, light: Vec3) {
         let size = vec2(view.width as f32, view.height as f32);
         let from = size * vec2(random.between(0.0, 1.0), random.between(0.0, 1.0));

@@ -3,7 +3,7 @@
 use eightfold::show::grid;
 use eightfold::sound::{Cue, Track, cue};
 
-/// Returns the beats since the start of a bar at which a track's notes start, and their digits, in some bars.
+/// Returns the starts of a track's notes, in beats from the start of `bar`, and their digits.
 pub fn notes(track: Track, bar: u32, bars: u32) -> Vec<(f32, u8)> {
     let end = (bars * grid::BEATS_PER_BAR) as f32;
     let (mut notes, mut now) = (Vec::new(), cue(track, bar, 0.0));

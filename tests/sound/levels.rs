@@ -11,7 +11,6 @@ fn meter(samples: &[[f32; 2]], mode: Mode) -> EbuR128 {
     meter
 }
 
-/// Returns the loudness in LUFS.
 fn loudness(samples: &[[f32; 2]]) -> f64 {
     meter(samples, Mode::I).loudness_global().unwrap()
 }
@@ -46,7 +45,6 @@ fn mono_loses_little() {
     }
 }
 
-/// Returns the samples from one time to another, in milliseconds.
 fn between(from: usize, to: usize) -> &'static [[f32; 2]] {
     let sample = |time: usize| time * RATE as usize / 1000;
     &song()[sample(from)..sample(to)]

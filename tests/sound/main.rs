@@ -35,7 +35,6 @@ fn peak(samples: &[[f32; 2]]) -> f32 {
     samples.as_flattened().iter().fold(0.0, |peak, sample| peak.max(sample.abs()))
 }
 
-/// Returns the amplitude of a level in dB of full scale.
 fn amplitude(level: f32) -> f32 {
     10_f32.powf(level / 20.0)
 }

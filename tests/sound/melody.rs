@@ -33,7 +33,8 @@ fn windowed(samples: &[[f32; 2]]) -> Vec<Complex<f64>> {
         .collect()
 }
 
-/// Returns the notes of a track, which plays the theme some semitones lower, and those of them whose pitch is not the strongest.
+/// Returns the number of a track's notes, which are `down` semitones lower than the theme, and the notes whose pitch is not the
+/// strongest.
 fn heard(track: Track, down: u8) -> (usize, Vec<(f32, u8)>) {
     let notes = cues::notes(track, 0, show::BARS);
     let ends = notes.iter().skip(1).map(|&(beat, _)| beat).chain([232.0]);

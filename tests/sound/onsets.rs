@@ -1,5 +1,3 @@
-//! What the picture follows is heard at its time.
-
 use super::{cues, song};
 use eightfold::show::{self, grid};
 use eightfold::sound::{RATE, Track};
@@ -9,7 +7,7 @@ const FRAME: usize = RATE as usize / 1000;
 /// Milliseconds before and after an onset whose energies are compared.
 const SPAN: usize = 8;
 
-/// Returns the treble's energy per millisecond, by differences of samples. A kick starts with treble; its bass rises over 50 ms.
+/// Returns the treble's energy per millisecond. A kick starts with treble; its bass rises over 50 ms.
 fn energies() -> Vec<f32> {
     let steps = song().windows(2).map(|pair| {
         let step = [0, 1].map(|side| pair[1][side] - pair[0][side]);
@@ -19,7 +17,7 @@ fn energies() -> Vec<f32> {
     steps.chunks(FRAME).map(|frame| frame.iter().sum()).collect()
 }
 
-/// Checks the notes of a track that start from one bar to another and are not quieter than `digit`. Returns their number.
+/// Checks the notes of a track that are not quieter than `digit`. Returns their number.
 fn check(track: Track, bars: [u32; 2], digit: u8) -> usize {
     let energies = energies();
     let rise = |at: usize| {

@@ -1,5 +1,3 @@
-//! Power and correlation by frequency.
-
 use eightfold::sound::RATE;
 use rustfft::{FftPlanner, num_complex::Complex};
 use std::ops::Range;
@@ -29,13 +27,11 @@ impl Spectrum {
         left + right
     }
 
-    /// Returns the level per octave in dB.
     pub fn level(&self, hertz: Range<f64>) -> f64 {
         let octaves = (hertz.end / hertz.start).log2();
         10.0 * (self.power(hertz) / octaves).log10()
     }
 
-    /// Returns the correlation of left and right, -1 to 1.
     pub fn correlation(&self, hertz: Range<f64>) -> f64 {
         let [left, right, both] = self.sum(&hertz);
         both / (left * right).sqrt()
@@ -48,13 +44,12 @@ fn mean(windows: &[Vec<[f64; 3]>]) -> Vec<[f64; 3]> {
     bins.map(|bin| [0, 1, 2].map(|i| sum(bin, i) / windows.len() as f64)).collect()
 }
 
-/// Returns the spectra of windows that start `hop` samples apart.
 pub fn windows(samples: &[[f32; 2]], window: usize, hop: usize) -> Vec<Vec<[f64; 3]>> {
     let fft = FftPlanner::new().plan_fft_forward(window);
     let hann = |i: usize| (std::f64::consts::PI * i as f64 / window as f64).sin().powi(2);
     let starts = (0..=samples.len() - window).step_by(hop);
     let spectra = starts.map(|start| {
-        // Left and right are the real and the imaginary part: their spectra are the even and the odd half of its spectrum.
+        // Left and right are the real and the imaginary part, whose spectra are the even and the odd half of the sum's spectrum.
         let samples = samples[start..start + window].iter().enumerate();
         let mut bins: Vec<_> = samples
             .map(|(i, &[left, right])| Complex::new(f64::from(left), f64::from(right)) * hann(i))

@@ -1,4 +1,4 @@
-//! Shared support for tests of programs: the intro, X servers, tools, and readers of pictures.
+//! Support for tests of programs: the intro, X servers, tools, and readers of pictures.
 
 pub mod allocations;
 pub mod reader;
@@ -26,8 +26,7 @@ pub fn intro() -> PathBuf {
     BUILT.program("eightfold").expect("there is a program")
 }
 
-/// Returns the linked intro, which starts a quarter of a second faster than the packed file. `tests/intro/size.rs` tests that both
-/// are the same program.
+/// Returns the linked intro, which starts a quarter of a second faster than the packed file.
 pub fn linked_intro() -> PathBuf {
     BUILT.linked("eightfold").expect("it was linked")
 }
@@ -62,7 +61,6 @@ pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
     try_for(look).unwrap_or_else(|| panic!("waited in vain for {what}"))
 }
 
-/// Waits up to ten seconds for a value.
 pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     while start.elapsed() < Duration::from_secs(10) {
@@ -259,7 +257,6 @@ impl Server {
     }
 }
 
-/// Returns an area of a display's screen, by x, y, width and height.
 pub fn screenshot(display: &str, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
     let part = format!("{width}x{height}+{x}+{y}");
     let pixels = import(display, &["-window", "root", "-crop", &part, "+repage"]);
@@ -275,8 +272,8 @@ fn import(display: &str, arguments: &[&str]) -> Vec<u32> {
     pixels.map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]])).collect()
 }
 
-/// Runs `work` on several servers, given by their arguments. The test program starts itself for this test with another `DISPLAY`:
-/// changing the environment of a running program is unsafe.
+/// Runs `work` on several servers, given by their arguments. The test program starts itself with another `DISPLAY`: changing the
+/// environment of a running program is unsafe.
 pub fn on_displays(servers: &[&[&str]], work: fn()) {
     const INSIDE: &str = "EIGHTFOLD_TEST_INSIDE";
     if env::var_os(INSIDE).is_some() {

@@ -10,7 +10,6 @@ pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
     (info.width as usize, pixels.collect())
 }
 
-/// Like [`read_png`], for a binary 8-bit PPM file.
 pub fn read_ppm(bytes: &[u8]) -> (usize, Vec<u32>) {
     let mut parts = bytes.splitn(4, u8::is_ascii_whitespace);
     let mut word = || std::str::from_utf8(parts.next().expect("a word")).expect("text");

@@ -1,6 +1,5 @@
-//! System tools that some tests need.
-//!
-//! A test without its tools prints a line and passes. If the variable `EIGHTFOLD_TOOLS` is `required`, as in `tests/run`, it fails.
+//! System tools that some tests need. A test without its tools prints a line and passes, or fails if `EIGHTFOLD_TOOLS` is
+//! `required`, as in `tests/run`.
 
 use std::{
     env,

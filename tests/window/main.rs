@@ -1,5 +1,3 @@
-//! The intro in a window: frames, keys, and window managers.
-
 mod allocation;
 mod ending;
 mod keys;

@@ -1,5 +1,3 @@
-//! The window shows the drawn pixels at any size, and stretches pictures of other sizes, with shared memory and without.
-
 use eightfold_stage::{on_displays, run, screenshot, tool};
 use eightfold_window::{
     render_target::{Next, RenderTarget},

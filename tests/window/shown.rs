@@ -69,8 +69,7 @@ fn environment_variables_do_not_block_the_window() {
     }
 }
 
-/// Compares a small window with the frames from the first second to the present.
-/// `tolerance` limits the mean difference, of 255.
+/// Compares a small window with the frames from the first second to the present. `tolerance` limits the mean difference, of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let start = Instant::now();
     let intro = server.play("--size 200x150 --seconds 60");
