@@ -1,4 +1,4 @@
-//! Kaleidoscopes, see [`Scene::sectors`](crate::scene::Scene::sectors): a part of the picture is drawn, and the rest copies it.
+//! Kaleidoscopes, see [`Scene::sectors`](crate::scene::Scene::sectors): a part of the picture is drawn, and copied to the rest.
 
 use crate::maths::to_f32;
 use crate::picture::{Band, CELL};
@@ -10,9 +10,9 @@ pub(crate) struct Fold {
     /// The upper left corner of the part that is drawn, in cells.
     centre: [usize; 2],
     has_diagonal: bool,
-    /// Whether the wedge of eight sectors is to the right of its diagonal. Otherwise it is to the left, and cells on both sides are drawn.
+    /// Whether the wedge of eight sectors is to the right of its diagonal. Otherwise it is to the left, and cells on both sides of
+    /// the diagonal are drawn.
     is_wide: bool,
-    /// The vector from the centre to the exact one, in pixels.
     pub offset: Vec2,
 }
 
@@ -34,7 +34,7 @@ impl Fold {
         }
     }
 
-    /// Returns the first cell in a row that is drawn; with a margin of 1, of those around it, too.
+    /// Returns the first cell of a row within `margin` cells of the drawn part.
     #[inline(never)]
     pub fn start(&self, row: usize, margin: usize) -> usize {
         let [left, top] = self.centre;
@@ -46,7 +46,6 @@ impl Fold {
         (left + cut).saturating_sub(margin)
     }
 
-    /// Returns the pixel that the pixel (x, y) copies.
     #[inline(always)]
     fn source(&self, at: [usize; 2]) -> [usize; 2] {
         let centre = self.centre.map(|cells| CELL * cells);
@@ -58,7 +57,6 @@ impl Fold {
         [centre[0] + x as usize, centre[1] + y as usize]
     }
 
-    /// Copies the part that is drawn to the rest of a picture.
     pub fn copy(&self, picture: &mut Band<'_>) {
         let [left, top] = self.centre.map(|cells| CELL * cells);
         if left == 0 && !self.has_diagonal {

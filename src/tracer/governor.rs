@@ -11,26 +11,25 @@ const PRESETS: usize = Preset::LADDER.len();
 /// The presets at full size, then the fastest one at a half and at a third of each side.
 const RUNGS: usize = PRESETS + 2;
 
-/// The number of late frames before a step down: 0.1 s at 60 frames per second. A frame that takes several periods counts several
-/// times.
+/// Late frames before a step down: 0.1 s at 60 frames per second. A frame that takes several periods counts several times.
 const TOO_LATE: u64 = 6;
 
-/// The largest number of late frames that one frame counts as: a single outlier causes no step.
+/// The most late frames that one frame counts as, so that a single outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
 /// The nanoseconds for which a finer preset must look possible. With the delay of `mean` a step up takes half a second at 30 frames
 /// per second.
 const CALM: u64 = SECOND / 5;
 
-/// The factor on [`CALM`] before frames grow, unless half of the time is left: a change of size is more visible than a change of the
-/// preset.
+/// The factor on [`CALM`] before frames grow, unless half of the time is left: a change of size is more visible than a change of
+/// the preset.
 const SIZE_CALM: u64 = 5;
 
 /// The fifths of the budget below which a finer rung looks possible, before its time is known. The next preset takes a quarter longer,
 /// and larger frames 1.7 to 3 times as long.
 const GUESS: u64 = 3;
 
-/// The number of frames after a step down that are compared with those before it.
+/// Frames after a step down that are compared with the frames before it.
 const COMPARED: u64 = 8;
 
 /// Selects presets of [`Preset::LADDER`] to hold a frame rate.
@@ -40,10 +39,7 @@ const COMPARED: u64 = 8;
 ///
 /// The preset is stable under a constant load, even if times vary. After a change of the load the first step follows within half a
 /// second, or two frames if these are longer. If the load falls within eight frames of a step down, the preset may stay too fast
-/// until the next change of the load: the fall looks like the effect of the step.
-///
-/// [`Governor::with_smaller_frames`] adds two steps below the fastest preset: a half and a third of each side. Frames grow again
-/// after a second in which the larger ones look possible, or sooner with much time left.
+/// until the next change.
 ///
 /// ```
 /// use core::time::Duration;
@@ -69,7 +65,6 @@ pub struct Governor {
     age: u64,
     /// An exponential moving average, mostly of the last four frames.
     mean: u64,
-    /// The mean before a step down; 0 after a step up.
     before: u64,
     /// For each rung, the mean below which the next finer one looks possible.
     threshold: [u64; RUNGS],
@@ -118,7 +113,7 @@ impl Governor {
         Preset::LADDER[self.rung.min(PRESETS - 1)]
     }
 
-    /// Returns the number that divides both sides of the next frame: 1, or 2 or 3 with [`Governor::with_smaller_frames`].
+    /// Returns the number that divides the sides of the next frame: 1, or 2 or 3 with [`Governor::with_smaller_frames`].
     #[must_use]
     pub fn divisor(&self) -> usize {
         1 + self.rung.saturating_sub(PRESETS - 1)
@@ -173,11 +168,10 @@ const RETRY_GAIN: f32 = 0.5;
 
 /// Selects presets of [`Preset::LADDER`] to hold an accuracy.
 ///
-/// It steps to a finer preset when the accuracy is certainly below the target, and to a faster one when that one would certainly
-/// reach the target, predicted by the gain of the last step to a finer preset.
-///
-/// A difference of 6 dB causes a step within one or two seconds. The preset is stable while the accuracy is constant. Except at the
-/// finest preset, the accuracy is up to 1 dB below the target, in two cases of a thousand 2 dB, and up to 4 dB above it.
+/// It steps to a finer preset when the accuracy is certainly below the target, and to a faster one that would certainly reach the
+/// target, predicted by the gain of the last step. A difference of 6 dB causes a step within two seconds. The preset is stable
+/// while the accuracy is constant. Except at the finest preset, the accuracy is up to 1 dB below the target (2 dB in two cases of a
+/// thousand), and up to 4 dB above it.
 #[derive(Debug)]
 pub struct AccuracyGovernor {
     target: f32,

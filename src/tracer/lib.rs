@@ -34,10 +34,9 @@
 //!
 //! # How it works
 //!
-//! If the corners of a square have similar colours and show the same objects in the same light, the square is filled by
-//! interpolation. Otherwise it is split into four, down to single pixels. A square is also split if conservative bounds show that
-//! an object, a shadow on a plane, a reflection in the first plane or a highlight may be visible between its corners. To draw the
-//! outlines of the filled squares over a picture, set [`Method::squares`](scene::Method::squares):
+//! A square is split if its corners differ in colour, objects or light, or if conservative bounds show that an object, a shadow on a
+//! plane, a reflection in the first plane or a highlight may be between them. To draw the outlines of the filled squares over a picture,
+//! set [`Method::squares`](scene::Method::squares):
 //!
 #![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
 //!

@@ -1,6 +1,5 @@
-//! Scalar functions that `core` lacks, for animated scenes.
-//!
-//! Public functions return the same bits on every platform: they use only correctly rounded operations.
+//! Scalar functions that `core` lacks, for animated scenes. Public functions use only correctly rounded operations, so they return
+//! the same bits on every platform.
 
 pub use crate::lanes::ROUND_TO_INTEGER;
 
@@ -23,9 +22,8 @@ pub fn sqrt(x: f32) -> f32 {
     f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
 
-/// Returns the sine of an angle in radians, accurate to 1e-6 up to 1e6; NaN for NaN and infinity.
-///
-/// `libm` is accurate for larger angles, too, but needs 2.8 kB of digits of pi, which cannot be compressed.
+/// Returns the sine of an angle in radians, accurate to 1e-6 up to 1e6; NaN for NaN and infinity. `libm` needs 2.8 kB of digits of
+/// pi, for larger angles.
 #[must_use]
 pub fn sin(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU)
@@ -83,7 +81,7 @@ pub fn smooth_step(u: f32) -> f32 {
     u * u * (3.0 - 2.0 * u)
 }
 
-/// Normalises a vector: NaN or infinite for zero, where `Vec3A::normalize` panics with glam's feature `glam-assert`.
+/// NaN or infinite for zero, where `Vec3A::normalize` panics with glam's feature `glam-assert`.
 pub(crate) fn unit(v: Vec3A) -> Vec3A {
     v * v.length_recip()
 }

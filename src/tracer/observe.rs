@@ -36,7 +36,7 @@ pub enum Split {
 /// The way in which the pixels of a square were computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fill {
-    /// All pixels have the same colour.
+    /// All pixels have one colour.
     Flat,
     /// Colours are interpolated between the corners.
     Bilinear,

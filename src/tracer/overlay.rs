@@ -1,7 +1,5 @@
-//! Captions over a finished picture.
-//!
-//! Coverage is computed from a pixel's distance to the nearest stroke, in units of the font's grid: edges are antialiased at any
-//! size.
+//! Captions over a finished picture. Coverage is computed from a pixel's distance to the nearest stroke, so edges are antialiased
+//! at any size.
 
 use crate::font::strokes;
 use crate::maths::to_f32;
@@ -15,7 +13,7 @@ const ADVANCE: f32 = 2.0 + 2.0 * (HALF_WIDTH + SHADOW);
 
 const HALF_WIDTH: f32 = 0.3;
 
-/// The width of the shadow around a stroke, in grid units, which makes text readable on white.
+/// The width of the shadow around a stroke in grid units, which makes text readable on white.
 const SHADOW: f32 = 0.35;
 
 const DARKNESS: f32 = 0.7;
@@ -84,7 +82,6 @@ impl Frame<'_> {
     }
 }
 
-/// Returns the letter at an index, with digits in place of signs; `None` after the last one.
 fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
     let (&letter, after) = letters.get(index..)?.split_first()?;
     let Some(number) = numbers.get(usize::from(letter.wrapping_sub(b'#'))) else {
@@ -111,9 +108,8 @@ fn distance(at: Vec2, letter: u8) -> f32 {
     sqrt(distance2)
 }
 
-/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares, at most `covered`.
-///
-/// Not inlined: vectorised rows would cost the intro 240 packed bytes.
+/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares, at most `covered`. Inlined it would cost
+/// the intro 240 packed bytes.
 #[inline(never)]
 fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
     // In 256ths. Invalid scenes exceed the limits.

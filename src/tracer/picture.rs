@@ -37,8 +37,8 @@ pub struct Probing {
 }
 
 impl<'a> Frame<'a> {
-    /// The number of probes that take less than 1 % of a default frame of 1024x768: with AVX2, callgrind counts 0.8 % more
-    /// instructions for the model scene.
+    /// The number of probes that take less than 1 % of a default frame of 1024x768: with AVX2, 0.8 % more instructions for the
+    /// model scene.
     pub const PROBES: u16 = 80;
 
     /// Returns a frame without gaps between rows. [`Renderer::render`](crate::Renderer::render) checks the sizes.
@@ -68,13 +68,13 @@ impl<'a> Frame<'a> {
     }
 
     /// Probes `count` pixels: traces them as [`Quality::reference`] does, and compares them with the frame. The results are in
-    /// [`Counts::probes`]; the picture stays the same.
+    /// [`Counts::probes`]; the picture stays unchanged.
     ///
-    /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Probes ignore captions,
-    /// and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
+    /// Consecutive seeds probe different pixels until each was probed once, so pass the frame's number. Probes ignore captions, and
+    /// pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
     ///
     /// The estimated mean squared error is unbiased. A few pixels have most of the error, so add the probes of many frames: at 60
-    /// frames a second, the estimate is accurate to 1 or 2 dB after a second, and to some tenths of a dB after a minute.
+    /// frames a second, the estimate is accurate to 2 dB after a second, and to some tenths of a dB after a minute.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self { probing: Probing { count, seed }, ..self }
@@ -113,8 +113,8 @@ pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
-/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. In smooth cells, and across their common border,
-/// neighbouring pixels never form an edge.
+/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. Neighbouring pixels in smooth cells, and across
+/// their common border, never form an edge.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
@@ -152,7 +152,6 @@ impl Band<'_> {
         rows.map(|row| &mut row[..self.width]).enumerate()
     }
 
-    /// Sets a pixel of the picture, unless it is outside the band.
     #[inline(always)]
     pub(crate) fn put(&mut self, x: usize, y: usize, pixel: u32) {
         let place = self.pixels.get_mut(y * self.stride + x);

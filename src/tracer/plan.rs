@@ -10,7 +10,6 @@ use glam::Vec2;
 const CROWD_SQUARE: usize = 4;
 
 pub(crate) struct FramePlan {
-    /// The effective quality for this scene.
     pub quality: Quality,
     /// In pixels.
     pub size: [usize; 2],

@@ -1,15 +1,13 @@
-//! Qualities and presets.
-
 use crate::range_error::{Checked, Range, RangeError};
 use core::fmt;
 use core::str::FromStr;
 
 /// Settings that trade accuracy for speed: the refinement of squares, and the depth of rays.
 ///
-/// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
-/// it is split. Corners with equal *keys* show the same objects in the same light, and, in mirrors and glass, the same fields of
-/// patterns. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for squares
-/// of 4 pixels, where an error covers a quarter of the pixels, and so on.
+/// A square is filled if its corners have one 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
+/// it is split. Corners with equal *keys* show the same objects in the same light, and, in mirrors and glass, the same fields
+/// of patterns. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for
+/// squares of 4 pixels, where an error covers a quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
@@ -17,25 +15,26 @@ pub struct Quality {
     pub square: usize,
     /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The tolerance for different keys, 0 to infinity. If both tolerances are equal, keys are not computed.
+    /// The tolerance for different keys, 0 to infinity. If it equals the tolerance for equal keys, keys are not computed.
     pub tolerance_differing: f32,
     /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within
     /// it, the midpoint is their mean.
     pub tolerance_side: f32,
     /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first plane, or a highlight may be
-    /// visible between its corners, except as [`limits`](crate::limits) lists, or if it lies between two split squares. All presets are
-    /// guarded. The original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
+    /// between its corners, or if it lies between two split squares. [`limits`](crate::limits) lists exceptions. All presets are
+    /// guarded; the original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
-    /// The least weight of reflected and refracted rays, except images in a flat first plane, that split a square down to pixels; 0
-    /// to infinity. Below infinity a square is also split if a sphere or a block may be shadowed there by another, or if its corners
-    /// show several objects in one colour: nothing thin is missed, at the cost of these pixels. Unused without `guarded`.
+    /// The least weight of reflected and refracted light that splits a square down to pixels, 0 to infinity: the guard has bounds
+    /// only for images in a flat first plane. Below infinity, a square is also split where a sphere or a block may be in shadow,
+    /// and where its corners show several objects in one colour. No thin thing is missed then. Ignored unless `guarded`.
     pub unguarded_weight: f32,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
-    /// The least weight of rays whose objects are part of the key, 0 to infinity, to exclude weak reflections of a floor. A ray's
-    /// weight is the product of the exposure and of `kr`, `kt` and the haze's factors along its path. If `key_weight` is above 0
-    /// and a scene has twelve or more strong mirrors or glass solids, all their points have different keys, except on large glass
-    /// spheres, and squares have 4 pixels at most: reflections in a dense cluster are tiny.
+    /// The least weight of rays whose objects are part of the key, 0 to infinity: it excludes weak reflections of a floor. A ray's
+    /// weight is the exposure times `kr`, `kt` and the haze's factors along its path.
+    ///
+    /// Reflections in a dense cluster are tiny. If `key_weight` is above 0 and a scene has twelve or more strong mirrors or glass
+    /// solids, all their points have different keys, except on large glass spheres, and squares have 4 pixels at most.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
@@ -44,10 +43,10 @@ pub struct Quality {
     /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`]. A ray beyond it returns the background in its direction or the
     /// ambient light, the brighter in each channel, unless the scene is [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
     pub depth: u32,
-    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the same as rays beyond `depth`.
+    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the light of rays beyond `depth`.
     pub least_contribution: f32,
-    /// Whether edges are antialiased. The point half-way between two pixels at an edge is traced and mixed into both; up to three
-    /// more points on each side find the edge by bisection.
+    /// Whether edges are antialiased. The point half-way between two pixels at an edge is traced and mixed into these pixels; up to
+    /// three more points on each side find the edge by bisection.
     pub antialias: bool,
     /// The least difference of neighbouring pixels at an edge, in a channel, in units of 1/255; 0 counts as 1. Smaller numbers
     /// bisect deeper.
@@ -138,7 +137,6 @@ impl Quality {
         Ok(())
     }
 
-    /// Returns whether the working memory suffices. Invalid tolerances do no harm.
     pub(crate) fn is_drawable(&self) -> bool {
         self.is_square_drawable() && self.depth <= Self::MAX_DEPTH
     }

@@ -3,9 +3,8 @@
 use core::fmt;
 use glam::Vec3;
 
-/// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of range.
-///
-/// An example of its text: `spheres[3].material.kd is 1.5; must be 0 to 1`.
+/// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of range, such as
+/// `spheres[3].material.kd is 1.5; must be 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RangeError {
@@ -65,7 +64,7 @@ impl fmt::Display for RangeError {
 
 impl core::error::Error for RangeError {}
 
-/// The valid numbers, both ends included, of a field or of a vector's components, and their text.
+/// The valid numbers, ends included, of a field or of a vector's components, and their text.
 #[derive(Clone, Copy)]
 pub(crate) struct Range(pub f32, pub f32, pub &'static str);
 
@@ -91,7 +90,7 @@ impl Checked {
         Self { object, index }
     }
 
-    /// Checks a field; an empty name is the object itself.
+    /// An empty name is the object itself.
     pub fn field(
         self,
         field: &'static str,
@@ -102,7 +101,6 @@ impl Checked {
         self.rule(field, found, range.holds(found), range.2)
     }
 
-    /// Checks a rule, such as one for several fields.
     pub fn rule(
         self,
         field: &'static str,

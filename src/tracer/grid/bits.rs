@@ -17,7 +17,6 @@ impl Bits {
 
     pub const ODD: Self = Self([0xaaaa_aaaa_aaaa_aaaa; WORDS]);
 
-    /// Returns the bits from 0 to below `count`.
     #[inline(never)]
     pub fn first(count: usize) -> Self {
         let mut bits = Self::NONE;
@@ -70,7 +69,7 @@ impl Bits {
         bits
     }
 
-    /// Calls `call` with the index of each word from bit `first` to `last`, both included, and the mask of these bits. The range may be
+    /// Calls `call` with each word's index from bit `first` to `last` (included), and the mask of these bits. The range may be
     /// empty.
     #[inline(always)]
     pub fn masks(first: i32, last: i32, mut call: impl FnMut(usize, u64)) {
@@ -106,7 +105,6 @@ pub(crate) fn each(mut word: u64, mut call: impl FnMut(usize)) {
     }
 }
 
-/// Moves the lower half of a word's bits to the even indices.
 fn spread(word: u64) -> u64 {
     let mut bits = word;
     for (shift, mask) in [

@@ -29,7 +29,6 @@ const fn columns(level: usize) -> usize {
     (TILE_WIDTH >> level) + 1
 }
 
-/// The index of each level's first point.
 const STARTS: [usize; LEVELS + 1] = {
     let mut starts = [0; LEVELS + 1];
     let mut level = 1;
@@ -85,7 +84,6 @@ impl Pyramid {
         [upper, upper + 1, lower, lower + 1]
     }
 
-    /// Returns the samples of a level.
     pub fn grid(&self, level: usize) -> &[u64] {
         &self.samples[STARTS[level]..STARTS[level + 1]]
     }

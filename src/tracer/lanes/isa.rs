@@ -9,7 +9,6 @@ pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand where the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
-    /// Returns this instruction set if the level has it.
     fn of(level: Level) -> Option<Self>;
 
     /// Moves the lanes in `mask` to the first places, in order. The default is small, but slow.
@@ -116,8 +115,7 @@ mod x86_64 {
     }
 
     kernel!(
-        /// Returns the indices of the lanes in a mask, in order, without a table. (Slow on AMD before Zen 3, where it is
-        /// microcode.)
+        /// Returns the indices of the lanes in a mask, in order, without a table. (Slow microcode on AMD before Zen 3.)
         #[inline(always)]
         fn order(simd: Avx2, mask: u64) -> __m256i {
             let bytes = _pdep_u64(mask, 0x0101_0101_0101_0101) * 0xff;

@@ -1,9 +1,7 @@
-//! Vectors with a ray per lane.
+//! Vectors with a ray per lane. A lane's result never depends on its neighbours.
 //!
-//! A kernel is generic over the instruction set `S` and inlined into one function per set. A lane's result never depends on its
-//! neighbours.
-//!
-//! Functions that kernels call need `#[inline(always)]`: a closure that is not inlined loses the instruction set.
+//! A kernel is generic over the instruction set `S` and inlined into one function per set. Functions that kernels call need
+//! `#[inline(always)]`: a closure that is not inlined loses the instruction set.
 
 mod isa;
 mod pow;
@@ -30,7 +28,6 @@ pub(crate) use vec3x::Vec3x;
 
 pub(crate) const MAX_LANES: usize = 16;
 
-/// A number per lane.
 pub(crate) type F<S> = <S as Simd>::f32s;
 pub(crate) type U<S> = <S as Simd>::u32s;
 pub(crate) type I<S> = <S as Simd>::i32s;
@@ -51,7 +48,6 @@ pub(crate) fn first<S: Simd>(simd: S, count: usize) -> M<S> {
     M::<S>::from_bitmask(simd, (1 << count) - 1)
 }
 
-/// Inverts the bits of `c` that are set in `flip`.
 #[inline(always)]
 pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
@@ -85,7 +81,6 @@ pub(crate) fn off_integer<S: Simd>(v: F<S>) -> F<S> {
     v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
-/// Returns Hermite's smooth step of numbers from 0 to 1.
 #[inline(always)]
 pub(crate) fn smooth_step<S: Simd>(v: F<S>) -> F<S> {
     v * v * (v * -2.0 + 3.0)

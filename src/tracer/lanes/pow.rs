@@ -9,7 +9,7 @@ pub(crate) fn pow<S: Simd>(simd: S, x: F<S>, h: F<S>) -> F<S> {
     exp2(simd, h * log2(simd, x))
 }
 
-/// Returns the logarithm to base 2 of positive normal numbers.
+/// Defined for positive normal numbers.
 #[inline(always)]
 pub(crate) fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
     // x = 2^e m with m in sqrt(1/2)..sqrt(2), so that the series about 1 is short.

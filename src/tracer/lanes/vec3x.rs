@@ -17,7 +17,6 @@ impl<S: Simd> Vec3x<S> {
         Self { x: splat(simd, v.x), y: splat(simd, v.y), z: splat(simd, v.z) }
     }
 
-    /// Returns a vector with equal components.
     #[inline(always)]
     pub fn equal(c: F<S>) -> Self {
         Self { x: c, y: c, z: c }
@@ -36,7 +35,6 @@ impl<S: Simd> Vec3x<S> {
         at_least::<S>(at_least::<S>(self.x, self.y), self.z)
     }
 
-    /// Returns the larger of both in each component.
     #[inline(always)]
     pub fn at_least(self, b: Self) -> Self
     where
@@ -55,7 +53,6 @@ impl<S: Simd> Vec3x<S> {
         Self { x: b.x.mul_add(s, self.x), y: b.y.mul_add(s, self.y), z: b.z.mul_add(s, self.z) }
     }
 
-    /// Inverts the bits of each component that are set in `flip`.
     #[inline(always)]
     pub fn flipped(self, flip: U<S>) -> Self {
         Self {

@@ -15,7 +15,6 @@ pub(crate) struct Ambience {
     pub bounces: bool,
     pub sky: Vec3A,
     pub ground: Vec3A,
-    /// The height of the first plane.
     pub floor: f32,
     /// The height above the floor at which half of the ground's light arrives.
     pub contact: f32,
@@ -40,10 +39,8 @@ pub(crate) struct Neighbour {
     pub lights: [[Vec3A; 2]; MAX_LIGHTS],
 }
 
-/// A point on the normal whose distance from a block is measured.
 #[derive(Clone, Copy)]
 pub(crate) struct Tap {
-    /// The distance from the surface.
     pub height: f32,
     /// The block covers nothing at `range` from the tap.
     pub range: f32,
@@ -54,8 +51,8 @@ impl Tap {
     const ZERO: Self = Self { height: 0.0, range: 0.0, weight: 0.0 };
 }
 
-/// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. A point on whose normal the farthest tap is its own
-/// height or more away from a block is out of range of all taps.
+/// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. A
+/// block is out of range of all taps if it is farther from the farthest tap than the tap's height.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 
 /// Slightly below 1, so that a convex block is out of range of its own points.
@@ -75,7 +72,7 @@ const AMBIENT_SHARE: f32 = 0.6;
 pub(crate) struct Bounds {
     pub low: [[f32; CAPACITY]; 3],
     pub high: [[f32; CAPACITY]; 3],
-    /// The distance along the normals by which points are moved before they are compared.
+    /// The distance along the normals by which points are moved before the comparison.
     pub ahead: [f32; CAPACITY],
 }
 

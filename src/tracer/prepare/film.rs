@@ -1,5 +1,3 @@
-//! The tone curve, vignette and dither, see [`crate::scene::Film`].
-
 use crate::lanes::*;
 use crate::maths::to_f32;
 use crate::scene;
@@ -10,8 +8,7 @@ use glam::{Vec2, vec2};
 pub(crate) struct Film {
     pub is_plain: bool,
     is_filmic: bool,
-    /// The factor on light in fixed-point sums: filmic pictures sum four times as much light, in steps four
-    /// times as large.
+    /// The factor on light in fixed-point sums: filmic pictures sum four times the light, in steps four times larger.
     pub sum_unit: f32,
     vignette: f32,
     middle: Vec2,
@@ -23,7 +20,7 @@ pub(crate) struct Film {
 pub(crate) type Four = [f32x4<Baseline>; 4];
 
 /// Thresholds that are added to a pixel's colour before truncation, in 256ths of a step. The word of the pixel (x, y), at `[y %
-/// 4][x % 4]` and again four further on, has the same number for each channel.
+/// 4][x % 4]` and again four further on, has one number for all channels.
 pub(crate) type Dither = [[u64; 8]; 4];
 
 #[cfg(test)]
@@ -56,7 +53,7 @@ impl Film {
         }
     }
 
-    /// Returns the threshold of the pixel (x, y), in 128ths of a step.
+    /// In 128ths of a step.
     pub fn threshold(&self, x: usize, y: usize) -> u64 {
         // The words are even.
         self.dither[y % 4][x % 4] >> 1
@@ -78,7 +75,6 @@ impl Film {
         (x * x + y * y) * self.vignette + 1.0
     }
 
-    /// Applies the vignette and the tone curve.
     #[inline(never)]
     pub fn expose(&self, light: &mut Four, at: [f32x4<Baseline>; 2]) {
         let dimming: [f32; 4] = self.dimming(at).into();
@@ -93,7 +89,6 @@ impl Film {
     }
 }
 
-/// Applies the curve of [`scene::Film::filmic`] to light in output steps.
 #[inline(always)]
 fn filmic(light: f32x4<Baseline>) -> f32x4<Baseline> {
     let c = light.max(splat(light.token(), 0.0)) * (1.0 / 255.0);

@@ -57,9 +57,8 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere: a cone around the sphere, with the apex at the light, from the sphere's near side on.
-///
-/// Unaligned vectors make it fit a cache line of 64 bytes: a frame has up to 2,316 cones.
+/// The shadow of a node's sphere: a cone around the sphere, with the apex at the light, from the sphere's near side on. Unaligned
+/// vectors make it fit a cache line of 64 bytes: a frame has up to 2,316 cones.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
     /// The direction to the light, of length 1.
@@ -73,7 +72,6 @@ pub(crate) struct ShadowCone {
     pub object: ObjectId,
     /// Whether the light is inside the sphere, which then shadows its outside.
     pub around_light: bool,
-    /// The vector to the light.
     pub to_light: Vec3,
     /// The squared radius, reduced by the discriminant's rounding error: a ray that leaves the sphere is not in its shadow.
     /// Enlarged if the light is inside.
@@ -123,7 +121,6 @@ impl PreparedLight {
         }
     }
 
-    /// Returns whether a block casts a penumbra: the light has a diameter and its centre is outside.
     #[inline(always)]
     pub fn is_soft_around(&self, block: &Block) -> bool {
         let own = Mat3A::from(block.axes).transpose() * (self.position - Vec3A::from(block.centre));
@@ -147,7 +144,7 @@ impl ShadowCone {
         radius: 0.0,
     };
 
-    /// Prepares the shadow of a node. `penumbra` is the largest width of the penumbra outside it.
+    /// `penumbra` is the largest width of the penumbra outside the node.
     fn set(&mut self, light: Vec3A, diameter: f32, penumbra: f32, node: &BvhNode) {
         let (to_light, radius) = (light - node.centre, node.radius + penumbra);
         let distance2 = to_light.length_squared();

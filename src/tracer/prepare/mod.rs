@@ -1,5 +1,3 @@
-//! Computes the per-frame data of a scene.
-
 mod ambience;
 mod film;
 mod light;
@@ -57,13 +55,12 @@ pub(crate) struct Prepared {
     pub is_clear: bool,
     pub haze: f32,
     pub haze_fall: f32,
-    /// The direction of the light that the sky scatters, and its part of the light's colour.
+    /// The direction and the colour of the light that the sky scatters.
     pub scattered: [Vec3A; 2],
     pub glows: bool,
     pub film: Film,
     pub eye: Vec3A,
     pub raster: Raster,
-    /// The width of a pixel at distance 1.
     pub pixel: f32,
     pub tree: Tree,
     pub ambience: Ambience,
@@ -129,7 +126,7 @@ impl Prepared {
         self.first_plane() + self.plane_count
     }
 
-    /// Prepares a scene for a picture with samples moved by `offset` pixels.
+    /// Prepares a scene for a picture whose samples are moved by `offset` pixels.
     pub fn prepare<'a>(
         &'a mut self,
         scene: &'a Scene,

@@ -63,8 +63,8 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The number of strong mirrors and glass solids that make a crowd. Of random scenes of 16 blocks with fewer, one in fifty is
-/// below 42 dB at the default quality.
+/// The number of strong mirrors and glass solids that make a crowd. Of random scenes of 16 blocks with fewer, one in fifty is below
+/// 42 dB at the default quality.
 const CROWD: usize = 12;
 
 /// The least `kr + kt` of strong mirrors and glass: the presets' `key_weight`.
@@ -77,7 +77,6 @@ fn is_strong(material: &Material) -> bool {
     material.kr + material.kt >= STRONG
 }
 
-/// Returns whether a scene is a crowd of mirrors and glass.
 pub(crate) fn is_crowd(scene: &Scene) -> bool {
     let solids = (0..scene.solids()).map(ObjectId::new);
     let strong = solids.filter(|&id| is_strong(of(scene, id).1));

@@ -24,8 +24,8 @@ pub(crate) struct VisibleGroups {
 
 /// The largest number of solids in a leaf.
 ///
-/// Shadow rays test all solids of a leaf without a branch, since a mispredicted branch, frequent at edges, takes as long as four
-/// tests. With 4 solids a scene of letters on water takes 8 % longer, with 16 a field of 64 spheres 7 %.
+/// Shadow rays test all solids of a leaf without a branch, since a mispredicted branch takes as long as four tests. With 4 solids a
+/// scene of letters on water takes 8 % longer, with 16 a field of 64 spheres 7 %.
 const LEAF: usize = 10;
 
 const UNSORTED: usize = 4;
@@ -43,7 +43,7 @@ pub(crate) struct BvhNode {
     pub cull2: f32,
     /// See [`hit_error`].
     pub hit_error: f32,
-    /// The change of `r2` if the radius changes by `hit_error`.
+    /// The change of `r2` due to `hit_error`.
     pub r2_error: f32,
     pub radius: f32,
     pub groups: GroupSet,
@@ -57,7 +57,6 @@ pub(crate) struct BvhNode {
     pub is_block: bool,
     /// Whether the eye is too near to a sphere to be classified in f32 as inside or outside.
     pub is_at_eye: bool,
-    /// The longer of a block's own y and z axes.
     pub axis: Vec3A,
     /// The squared radius of the block's bounding cylinder around `axis`.
     pub thin2: f32,
@@ -142,7 +141,6 @@ impl Tree {
         }
     }
 
-    /// Adds a bound of the balls `first..end`, and its descendants.
     fn add_bound(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
         let balls = &self.balls[first..end];
@@ -218,7 +216,6 @@ fn extent(balls: &[Ball]) -> [Vec3A; 2] {
     [low, high]
 }
 
-/// Sorts balls by recursively halving them across their longest extent.
 fn sort(balls: &mut [Ball]) {
     if balls.len() <= UNSORTED {
         return;
@@ -286,7 +283,6 @@ impl BvhNode {
         self.thin2 = radius2 * (1.0 + 2.0 * BOUND);
     }
 
-    /// Returns the squared distance of a point from the centre minus the squared radius.
     #[inline(never)]
     pub fn power(&self, point: Vec3A) -> f32 {
         let from = point.as_dvec3() - self.centre.as_dvec3();
@@ -294,7 +290,7 @@ impl BvhNode {
         (from.length_squared() - radius * radius) as f32
     }
 
-    /// Sets the powers of points. Not compiled for each lane and instruction set: it is rarely called.
+    /// Sets the powers of points. It is rarely called, so it is compiled once.
     #[inline(never)]
     pub fn powers(&self, [x, y, z]: [&[f32]; 3], powers: &mut [f32]) {
         for (power, ((&x, &y), &z)) in powers.iter_mut().zip(x.iter().zip(y).zip(z)) {

@@ -45,7 +45,7 @@ impl Memory {
         }
     }
 
-    /// Not generic, so it is compiled in this crate, once.
+    /// Not generic, so it is compiled once, in this crate.
     pub(super) fn render(
         &mut self,
         kernels: Kernels,

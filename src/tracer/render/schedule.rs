@@ -35,7 +35,6 @@ impl Schedule {
         sum
     }
 
-    /// Returns the position of the band in drawing order.
     fn rank(&self, number: usize, count: usize) -> usize {
         let key = |number| (self.rays[number], number);
         let is_before = |&other: &usize| key(other) > key(number);

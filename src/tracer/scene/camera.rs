@@ -12,7 +12,7 @@ use glam::{Vec3, Vec3A};
 pub struct Camera {
     /// The pinhole in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
     pub eye: Vec3,
-    /// The point in the middle of the picture, other than `eye`, with the same range.
+    /// The point in the middle of the picture, other than `eye`, in the range of `eye`.
     pub look_at: Vec3,
     /// The upward direction of the picture, of any length, more than 0.001 radians off the line of sight.
     pub up: Vec3,
@@ -102,7 +102,7 @@ impl Camera {
     }
 }
 
-/// Normalises `v`; `otherwise` if it is zero, infinite or NaN.
+/// Returns `otherwise` if `v` is zero, infinite or NaN.
 fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
     if length > 0.0 && length < f32::INFINITY { v * (1.0 / length) } else { otherwise }

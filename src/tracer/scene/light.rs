@@ -1,5 +1,3 @@
-//! Lights and spotlights.
-
 use super::validate::{EXTENT, LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::PI;
@@ -14,22 +12,22 @@ pub struct Light {
     pub position: Vec3,
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
-    /// The radius of the visible light, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH); 0 makes it invisible. Lights cast no shadows, and haze
-    /// does not dim them.
+    /// The radius of the visible light, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH); 0 makes it
+    /// invisible. Lights cast no shadows, and haze does not dim them.
     pub drawn_radius: f32,
-    /// Whether the rays are nearly parallel: `position`, `diameter`, `glow` and `core` are multiplied by [`Light::FAR`], and the light is
-    /// invisible.
+    /// Whether the rays are nearly parallel: `position`, `diameter`, `glow` and `core` are multiplied by [`Light::FAR`], and the
+    /// light is invisible.
     pub parallel: bool,
-    /// The diameter for shadows, 0 to [`MAX_LENGTH`](super::MAX_LENGTH). Above 0, solids cast penumbrae, and an object's `tint` colours its shadow.
+    /// The diameter for shadows, 0 to [`MAX_LENGTH`](super::MAX_LENGTH). Above 0, solids cast penumbrae coloured by their `tint`.
     /// At 0 shadows are hard and black.
     pub diameter: f32,
-    /// The radius of the glow, 0 to [`MAX_LENGTH`](super::MAX_LENGTH). A ray through the position sees the light's colour, a ray at this distance half
-    /// of it; far away the glow falls off with the squared distance. An object hides the glow behind it. The glow of a parallel
-    /// light is the sun's disc.
+    /// The radius of the glow, 0 to [`MAX_LENGTH`](super::MAX_LENGTH). A ray through the position sees the light's colour, a ray at
+    /// this distance half of it; far away the glow falls off with the squared distance. An object hides the glow behind it. The
+    /// glow of a parallel light is the sun's disc.
     pub glow: f32,
-    /// The radius of a sphere from which the glow's distances count, 0 to [`MAX_LENGTH`](super::MAX_LENGTH): the rim of air around a planet with this
-    /// radius and centre, or a corona. The glow is then as bright as the light where the ray is nearest to the position: a
-    /// spotlight's cone, with its `aim` towards the sun, restricts it to the sun's side.
+    /// The radius of a sphere from which the glow's distances count, 0 to [`MAX_LENGTH`](super::MAX_LENGTH): the rim of air around
+    /// a planet, or a corona. The glow is then as bright as the light where the ray is nearest to the position: a spotlight's cone,
+    /// with its `aim` towards the sun, restricts it to the sun's side.
     pub core: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,

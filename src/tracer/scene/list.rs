@@ -33,7 +33,6 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         items.iter().copied().collect()
     }
 
-    /// Fills the unused memory with copies of an item.
     pub(crate) const fn over(item: T) -> Self {
         Self { items: [item; N], len: 0 }
     }

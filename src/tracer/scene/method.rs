@@ -1,5 +1,3 @@
-//! Visualisation of the rendering method.
-
 use super::validate::SHARE;
 use crate::range_error::{Checked, Range, RangeError};
 
@@ -15,8 +13,7 @@ pub struct Method {
     /// The brightness of the picture itself, 0 to 1.
     pub picture: f32,
     /// The side in pixels up to which squares are filled with one colour, whatever their corners show, 0 to
-    /// [`Quality::MAX_SQUARE`](crate::Quality::MAX_SQUARE); none below 2. The largest squares have at least this side, and a coarse
-    /// picture is not antialiased.
+    /// [`Quality::MAX_SQUARE`](crate::Quality::MAX_SQUARE); off below 2. A coarse picture is not antialiased.
     pub coarse: f32,
     /// The position of a bright line as a share of the picture's width from the left, 0 to 1. Left of it the picture is finished:
     /// at full brightness and antialiased, without marks.

@@ -1,6 +1,4 @@
-//! The scene description: camera, shapes, materials, lights and captions.
-//!
-//! Units are in [the crate's conventions](crate#conventions).
+//! The scene description. Units are in [the crate's conventions](crate#conventions).
 
 mod ambience;
 mod block;
@@ -72,8 +70,8 @@ pub struct Scene {
     /// The fall of the haze with height in 1 / scene units, 0 to 1000: at the height y above 0, its density is
     /// `haze / (1 + haze_fall y)^2`.
     pub haze_fall: f32,
-    /// The share of the first light's colour that sky and haze scatter, 0 to 1. In a direction at an angle with the cosine c from
-    /// the direction of the light's position, its weight is `c^8`, or 0 from 90 degrees on.
+    /// The share of the first light's colour that sky and haze scatter, 0 to 1. At an angle with the cosine c to the light's
+    /// position, its weight is `c^8`, or 0 from 90 degrees on.
     pub scatter: f32,
     /// The factor on all light of the picture, 0 to 11.
     pub exposure: f32,
@@ -84,15 +82,13 @@ pub struct Scene {
     /// The occlusion of ambient light, and the ambient light from below.
     pub ambience: Ambience,
     /// Whether rays beyond [`Quality::depth`](crate::Quality::depth) and
-    /// [`Quality::least_contribution`](crate::Quality::least_contribution) are black, as in the 2008 thesis. Softboxes
-    /// are black, too.
+    /// [`Quality::least_contribution`](crate::Quality::least_contribution), and softboxes, are black, as in the 2008 thesis.
     pub black_beyond: bool,
-    /// The number of sectors of a kaleidoscope, 1, 2, 4 or 8, rounded down: 1 for none, 2 for a picture that is mirrored left and right, 4
-    /// for one that is also mirrored up and down, 8 for one that is also mirrored along diagonals.
+    /// The number of sectors of a kaleidoscope, 1, 2, 4 or 8, rounded down: 1 for none, 2 for a picture that is mirrored left and
+    /// right, 4 for one that is also mirrored up and down, 8 for one that is also mirrored along diagonals.
     ///
-    /// The centre is in the middle, at 46 % of the height; the picture moves up and left by up to 8 pixels, so that it is the corner of a
-    /// square. Only a part is traced: with 8 sectors, the wedge from the line to the right to the diagonal to the lower right, or in narrow
-    /// pictures the wedge from there to the line downwards. The rest copies its pixels. Captions are not mirrored.
+    /// The centre is in the middle, at 46 % of the height; the picture moves by up to 8 pixels, so that the centre is the corner of
+    /// a square. Only one sector is traced (with 8 sectors to the lower right), and copied to the rest. Captions are not mirrored.
     pub sectors: f32,
     /// The overlay that explains the rendering method.
     pub method: Method,
@@ -199,7 +195,7 @@ pub struct Plane {
     pub centre: Vec3,
     /// Half the extent along x in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_x: f32,
-    /// Half the extent along z, in the same range.
+    /// Half the extent along z, in the range of `half_x`.
     pub half_z: f32,
     /// The surface.
     pub material: Material,

@@ -1,5 +1,3 @@
-//! Rectangular lights that mirrors show.
-
 use super::validate::{LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;

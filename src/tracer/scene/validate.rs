@@ -1,5 +1,3 @@
-//! The ranges of a scene's numbers.
-
 use super::{Block, Caption, Light, Plane, Scene, Softbox, Sphere};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;

@@ -116,7 +116,6 @@ pub(crate) fn bounding_radius(block: &Block) -> f32 {
     Vec3A::from(block.half).length() * (1.0 + rounding::BLOCK_BOUND)
 }
 
-/// Returns the longer of the block's own y and z axes, and the squared radius of the bounding cylinder around it.
 pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     let half2 = block.half * block.half;
     if half2.y < half2.z {

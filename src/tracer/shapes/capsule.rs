@@ -5,8 +5,8 @@ use super::cylinder;
 use crate::lanes::*;
 use glam::Vec3;
 
-/// Returns the intervals of rays inside the capsule: from 0 to the exit for rays from inside or in the mask `inward`; for others, both
-/// ends are the entry.
+/// Returns the intervals of rays inside the capsule. Rays from inside, or in the mask `inward`, have the interval from 0 to the
+/// exit; for other rays the interval ends at the entry.
 ///
 /// The hit is on the sphere around the point of the core that is nearest to the ray's crossing of the infinite cylinder.
 #[inline(always)]

@@ -1,9 +1,6 @@
-//! The box, along the block's own axes.
-
 use crate::lanes::*;
 use glam::Vec3;
 
-/// The intervals of rays inside a convex shape.
 pub(super) struct Span<S: Isa> {
     /// Above `far` for some rays that miss.
     pub near: F<S>,
@@ -30,7 +27,7 @@ impl<S: Isa> Span<S> {
     }
 }
 
-/// Intersects all three slabs (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
+/// Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986.
 #[inline(always)]
 pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let upright = Span::slab(simd, o.y, d.y, half.y);

@@ -9,7 +9,6 @@ pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> S
     Span::slab(simd, o.y, d.y, half.y).and(endless(simd, half.x, o, d))
 }
 
-/// Returns the intervals of rays inside an infinite cylinder.
 #[inline(always)]
 pub(super) fn endless<S: Isa>(simd: S, radius: f32, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let zero = splat(simd, 0.0);

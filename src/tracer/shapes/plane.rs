@@ -18,7 +18,6 @@ pub(crate) fn sides(plane: &Plane, eye: Vec3A, d: Vec3A) -> Vec4 {
     (reach * q + across) * scale
 }
 
-/// Returns the rays that hit a plane nearer than `limit`, and their distances.
 #[inline(always)]
 pub(crate) fn hit<S: Isa>(
     simd: S,

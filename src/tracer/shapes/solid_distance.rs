@@ -8,8 +8,8 @@ use glam::Vec3A;
 
 /// Returns the distances along rays, 0 to `limit`, where they come nearest to a block, and their depths there, negative outside.
 ///
-/// The place is approximate: the middle of the ray's interval between the block's faces, moved once to the place nearest to the
-/// block's point there. For rays that miss the block along a face, that interval may be far away.
+/// The result is approximate: the middle of the ray's interval between the block's faces, moved once towards the block. Where a ray
+/// misses the block along a face, the interval may be far away.
 #[inline(always)]
 pub(crate) fn approach<S: Isa>(
     simd: S,
@@ -74,7 +74,6 @@ pub(crate) fn outside<S: Isa>(simd: S, block: &Block, p: &Vec3x<S>) -> Outside<S
     Outside { out, distance: out.dot(out).sqrt() + at_most::<S>(deepest, zero) }
 }
 
-/// Returns the coordinates from the nearest number between `-half` and `half`.
 #[inline(always)]
 fn beyond<S: Isa>(simd: S, c: F<S>, half: f32) -> F<S> {
     c - clamp::<S>(c, splat(simd, -half), splat(simd, half))

@@ -90,10 +90,10 @@ impl<S: Isa> Chord<S> {
         (mask & is_ahead & t.simd_lt(limit), t)
     }
 
-    /// Returns the same as [`Chord::entry`] for origins whose powers, the squared distances from the centre minus the squared radius,
-    /// are exact: 0 on the sphere, below 0 inside.
+    /// Returns the result of [`Chord::entry`] for origins whose powers, the squared distances from the centre minus the squared
+    /// radius, are exact: 0 on the sphere, below 0 inside.
     ///
-    /// Both ends of the chord are roots of `t^2 - 2 t_mid t + power`. No difference of large numbers decides about the nearer one.
+    /// The ends of the chord are roots of `t^2 - 2 t_mid t + power`. No difference of large numbers decides about the nearer one.
     #[inline(always)]
     pub fn exact_entry(&self, mask: M<S>, power: F<S>, limit: F<S>) -> (M<S>, F<S>) {
         let zero = splat(self.t_mid.token(), 0.0);
@@ -152,7 +152,6 @@ pub(crate) fn deepest<S: Isa>(
     (a, -off.dot(off).sqrt() + (sphere.radius - error))
 }
 
-/// Returns the texture points of hits, `out` relative to the centre.
 #[inline(always)]
 pub(crate) fn texture_point<S: Isa>(simd: S, sphere: &Sphere, out: Vec3x<S>) -> TexturePoint<S> {
     TexturePoint { own: out, n: out.scaled(splat(simd, 1.0 / sphere.radius)) }

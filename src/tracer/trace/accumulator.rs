@@ -9,17 +9,16 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The light of a point on a patterned surface: the point's colour is `rest + reflectance * untextured`. Both layers vary slowly
-/// across the surface.
+/// The light of a point on a patterned surface, whose colour is `rest + reflectance * untextured`. These layers vary slowly across
+/// the surface.
 ///
-/// The first four numbers are `rest`: highlights, reflection, transmission and haze. The others are `untextured`: ambient and
-/// diffuse light. Both are blue, green, red and 0, in steps of 1/255.
+/// The first four numbers are `rest`: highlights, reflection, transmission and haze; the last four are `untextured`: ambient and
+/// diffuse light. Each is blue, green, red and 0, in steps of 1/255.
 pub(crate) type Layers = [f32; 8];
 
 /// The results of the points in the [`Queue`](super::queue::Queue), with the same indices.
 pub(crate) struct Accumulator {
     sums: [Sum; BATCH],
-    /// The terms of a packet of secondary rays.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
     /// The untextured blue, green and red in output steps, and the reflectance, negative where the pattern is fine.
@@ -80,7 +79,6 @@ impl Accumulator {
         objects.store_slice(&mut self.objects[packet::<S>(first)]);
     }
 
-    /// Marks the points of rays as showing unguarded light.
     #[inline(always)]
     pub(super) fn mark_unguarded<S: Isa>(&mut self, rays: &Rays<S>, unguarded: M<S>) {
         let slots = rays.slots();
@@ -92,7 +90,7 @@ impl Accumulator {
         }
     }
 
-    /// Adds a packet's contribution to the sums of its points. Primary rays start the sums from point `first` on.
+    /// Adds a packet's contribution to the sums of its points, which primary rays start from point `first` on.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,
@@ -160,8 +158,8 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution by [`Film::sum_unit`]: twice full brightness. The sum over the 255 nodes of the deepest ray tree then does
-/// not overflow. The excess over 1 is invisible.
+/// The upper limit of a ray's contribution by [`Film::sum_unit`]: twice full brightness, so that the sum over the 255 nodes of the
+/// deepest ray tree does not overflow. The excess over 1 is invisible.
 const BRIGHTEST: f32 = 2.0;
 
 pub(super) struct Contribution<S: Isa> {

@@ -52,7 +52,6 @@ impl<S: Isa> AirLanes<S> {
     }
 }
 
-/// Returns the background along directions of length 1.
 #[inline(always)]
 pub(super) fn sky<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
     let rise = at_least::<S>(d.y, splat(simd, 0.0));
@@ -69,7 +68,6 @@ pub(super) fn sky<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
 /// The least cosine between a direction and the aim of a softbox that it sees.
 const BESIDE: f32 = 1e-3;
 
-/// Returns the light of softboxes in directions of length 1, see [`crate::scene::Softbox`].
 #[inline(always)]
 pub(super) fn softboxes<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
     let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));

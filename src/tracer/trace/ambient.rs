@@ -39,7 +39,6 @@ pub(super) fn light<S: Isa>(
     Vec3x::select(near, open.scaled(share) + bounced, open)
 }
 
-/// The part of the hemisphere that solids cover.
 struct Cover<S: Isa> {
     share: F<S>,
     /// The direction from the solid, along its axes.
@@ -104,7 +103,6 @@ impl Surroundings {
         (open, bounced)
     }
 
-    /// Returns which of the solids from `first` on may cover light.
     #[inline(always)]
     fn meets<S: Isa>(&self, simd: S, bounds: &Bounds, first: usize) -> M<S> {
         let ahead = load(simd, first, &bounds.ahead);
@@ -191,14 +189,12 @@ fn by_block<S: Isa>(
     Some(Cover { share, from: from.scaled(one / sum) })
 }
 
-/// Returns the least and the greatest number of the lanes in a mask.
 #[inline(always)]
 fn extent<S: Isa>(simd: S, c: F<S>, mask: M<S>) -> [f32; 2] {
     let [least, most] = [splat(simd, f32::NEG_INFINITY), splat(simd, f32::INFINITY)];
     [mask.select(c, most).reduce_min(), mask.select(c, least).reduce_max()]
 }
 
-/// Returns the numbers from `first` on, a multiple of the lanes.
 #[inline(always)]
 fn load<S: Isa>(simd: S, first: usize, numbers: &[f32; CAPACITY]) -> F<S> {
     let first = first % CAPACITY / lanes::<S>() * lanes::<S>();

@@ -1,5 +1,3 @@
-//! The nearest hits of packets.
-
 use super::candidates::{Candidate, Candidates};
 use super::rays::{Rays, departing};
 use crate::lanes::*;
@@ -90,7 +88,6 @@ fn power<S: Isa>(rays: &Rays<S>, node: &BvhNode) -> F<S> {
     inward.select(splat(simd, -f32::MIN_POSITIVE), power)
 }
 
-/// Tests the listed blocks, and keeps nearer hits.
 #[inline(always)]
 pub(super) fn resolve_blocks<S: Isa>(
     simd: S,

@@ -1,8 +1,8 @@
 //! Keys: hashes of the objects that a point's ray tree hit.
 //!
 //! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the lights' states, or, below
-//! `state_depth`, the field of the object's pattern. Different trees collide with a probability of 2^-32: with about 10^5 keys per
-//! frame, one frame in 40,000 fills a square wrongly.
+//! `state_depth`, the field of the object's pattern. Different trees collide with a probability of 2^-32, so one frame in 40,000
+//! fills a square wrongly.
 
 use super::rays::{PATH_BITS, Rays};
 use crate::lanes::*;
@@ -39,7 +39,6 @@ impl<S: Isa> Keys<S> {
         keys
     }
 
-    /// Adds a light's state. A highlight implies lit.
     #[inline(always)]
     pub fn push(&mut self, lit: M<S>, highlight: M<S>) {
         if !self.has_any {
@@ -52,7 +51,6 @@ impl<S: Isa> Keys<S> {
         self.states = (self.states << STATE_BITS) | state;
     }
 
-    /// Returns the nodes' terms of the keys.
     #[inline(always)]
     pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>, field: U<S>) -> U<S> {
         let zero = U::<S>::splat(simd, 0);

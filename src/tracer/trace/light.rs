@@ -1,5 +1,3 @@
-//! Direct light by Phong's model.
-
 use super::Tracer;
 use super::candidates::Occluders;
 use super::key::Keys;
@@ -53,7 +51,6 @@ pub(super) fn gather<S: Isa>(
     }
 }
 
-/// Returns the strength of a light's highlight; `None` if no point has one.
 #[inline(always)]
 fn highlight<S: Isa>(
     simd: S,
@@ -72,7 +69,6 @@ fn highlight<S: Isa>(
     Some(shiny.select(strength, splat(simd, 0.0)))
 }
 
-/// Returns the cosine of the angle between the mirrored ray and the direction to a light, changed by grooves.
 #[inline(always)]
 fn cosine<S: Isa>(simd: S, point: &ShadingPoint<S>, l: &Vec3x<S>) -> F<S> {
     let rv = point.r.dot(*l);

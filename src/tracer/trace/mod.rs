@@ -1,7 +1,7 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Rays of different points share packets, one per lane. Secondary rays go to a stack, and a packet is popped as soon as it fills the
-//! lanes, so few lanes are idle. Colours are integer sums, so a point's bits do not depend on the order of rays or on other points.
+//! Rays of different points share packets, one per lane. Secondary rays go to a stack, and a packet is popped as soon as it fills
+//! the lanes. Colours are integer sums, so a point's bits do not depend on the order of rays or on other points.
 //!
 //! | step of a packet | module |
 //! | --- | --- |
@@ -47,7 +47,6 @@ use queue::Queue;
 use stack::RayStack;
 use surface::SurfaceRows;
 
-/// The working memory of a kernel.
 pub(crate) struct Batch {
     pub points: Queue,
     pub results: Accumulator,
@@ -71,13 +70,12 @@ impl Batch {
         }
     }
 
-    /// Forgets the surfaces of other frames.
     #[inline(never)]
     pub fn begin(&mut self) {
         self.surfaces.clear();
     }
 
-    /// Uses the baseline only: it takes a thousandth of the time.
+    /// Takes a thousandth of the time, so the baseline suffices.
     #[inline(never)]
     fn finish(&mut self, film: &Film) {
         self.results.finish(film, &self.points);

@@ -24,7 +24,6 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub reflectance: F<S>,
     /// See [`Pattern::tint`](crate::scene::Pattern::tint).
     pub tint: Vec3x<S>,
-    /// A hash of the texture's field.
     pub field: U<S>,
     /// The least cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere, whose far
     /// side blocks all lights beyond it. A chord towards a light is twice the cosine times the radius long.
@@ -136,7 +135,6 @@ impl<S: Isa> ShadingPoint<S> {
         }
     }
 
-    /// Turns the normals towards the rays, and computes the reflected directions.
     #[inline(always)]
     fn face(&mut self, simd: S, rays: &Rays<S>, hit: &Hit<S>) {
         let n = self.n;

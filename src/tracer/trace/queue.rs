@@ -50,7 +50,6 @@ impl Queue {
         (x / PARTS, y / PARTS)
     }
 
-    /// Returns the position of point `i`, in 1/[`PARTS`] of a pixel.
     pub fn position(&self, i: usize) -> (usize, usize) {
         let position = self.positions[i % BATCH] as usize;
         (position & 0xffff, position >> 16)

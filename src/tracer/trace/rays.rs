@@ -59,7 +59,7 @@ impl<S: Isa> Rays<S> {
         self.slot_path & ((1 << PATH_BITS) - 1)
     }
 
-    /// Returns the `slot_path`s of the reflected rays without marks. A transmitted ray's is larger by 1.
+    /// The transmitted rays' are larger by 1.
     #[inline(always)]
     pub fn reflected_slot_paths(&self) -> U<S> {
         (self.slot_path + self.paths()) & ((1 << DEPARTURE) - 1)

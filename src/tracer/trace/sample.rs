@@ -12,7 +12,7 @@ pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 pub(super) type Sum = [i32; 4];
 
 /// A traced point: from the low bits up, blue, green and red with 16 bits each, in 128ths of an output step, and the object's
-/// number plus one with 14 bits, 0 if it is unknown. Bit 62 is set if the object's pattern there is finer than squares, bit 63 if the
+/// number plus one with 14 bits, 0 if it is unknown. Bit 62 is set if the object's pattern is finer than squares, bit 63 if the
 /// point shows [unguarded](Sample::UNGUARDED) light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
@@ -31,7 +31,7 @@ impl Sample {
     /// See [`Quality::unguarded_weight`](crate::Quality::unguarded_weight).
     pub const UNGUARDED: u64 = 1 << 63;
 
-    /// [`Sample::UNGUARDED`] beside an object's number.
+    /// [`Sample::UNGUARDED`] in the word of an object's number.
     pub(super) const UNGUARDED_OBJECT: u32 = (Self::UNGUARDED >> OBJECT) as u32;
 
     /// The threshold that rounds to the nearest step, see [`Sample::pixel`].
@@ -54,7 +54,8 @@ impl Sample {
         label.checked_sub(1).map(|i| ObjectId::new(i as usize))
     }
 
-    /// Returns the object's number plus one at each corner of a square. `samples` are from the upper left corner to the lower right one.
+    /// Returns the object's number plus one at each corner of a square. `samples` are from the upper left corner to the lower right
+    /// one.
     #[inline(always)]
     pub fn labels(samples: &[u64]) -> u32x4<Baseline> {
         let [upper, lower] = [&samples[..2], &samples[samples.len() - 2..]]
@@ -62,7 +63,7 @@ impl Sample {
         (upper.unzip_high(lower) << 2) >> (OBJECT - 30)
     }
 
-    /// Returns the mean colour, and the object if both show the same.
+    /// Returns the mean colour, and the object if the points show the same one.
     pub fn mean(self, other: Self) -> Self {
         // Sums do not carry into the next channel.
         let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
@@ -78,7 +79,7 @@ impl Sample {
     }
 }
 
-/// Converts four sums to samples. It truncates, so that a pixel is the sum rounded once.
+/// Truncates, so that a pixel is the sum rounded once.
 #[inline(always)]
 pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum; 4]) -> [u64; 4] {
     let [a, b, c, d] =

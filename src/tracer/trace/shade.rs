@@ -13,7 +13,6 @@ use crate::lanes::*;
 use crate::prepare::Parameter;
 use glam::Vec3A;
 
-/// Pushes the secondary rays of hits, and returns the hits' contributions.
 #[inline(always)]
 pub(super) fn shade<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -94,14 +93,11 @@ pub(super) fn shade<S: Isa>(
     }
 }
 
-/// The light of secondary rays.
 struct Scattered<S: Isa> {
-    /// The light of the rays beyond the quality's limits.
     untraced: Vec3x<S>,
     /// The directions and the weights of the untraced reflected rays.
     d: Vec3x<S>,
     mirrored: Vec3x<S>,
-    /// The lanes with rays that the guard does not know.
     unguarded: M<S>,
 }
 
@@ -200,10 +196,9 @@ fn scatter<S: Isa>(
     }
 }
 
-/// Returns the light of rays that are not traced: the brighter of background and ambient light in each channel.
-///
-/// The background is right for rays that leave the scene, the ambient light for rays between surfaces. In crowds of glass at the
-/// fastest preset's limits, the maximum has 30 dB against deeper rays, the background 29 dB, the ambient light 23 dB, and black 20 dB.
+/// Returns the light of rays that are not traced: the brighter of background and ambient light in each channel. In crowds of glass
+/// at the fastest preset's limits, this has 30 dB against deeper rays, the background 29 dB, the ambient light 23 dB, and black 20
+/// dB.
 #[inline(always)]
 fn untraced<S: Isa>(tracer: Tracer<'_, S>, d: &Vec3x<S>, lost: M<S>, weight: Vec3x<S>) -> Vec3x<S> {
     let (simd, world) = (tracer.isa, tracer.world);

@@ -3,8 +3,7 @@ use crate::prepare::{
     ObjectId, Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable, World,
 };
 
-/// The number of cached surfaces, more than most tiles show. With one, the model scene takes 3 % more instructions, since primary
-/// and secondary rays alternate.
+/// The number of cached surfaces, more than most tiles show. With one, the model scene takes 3 % more instructions.
 const CACHED: usize = 16;
 
 const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
@@ -127,7 +126,7 @@ fn load<S: Isa>(simd: S, row: &PerLane) -> F<S> {
     F::<S>::from_slice(simd, &row[..lanes::<S>()])
 }
 
-/// Copies a surface to all lanes. This is rare, so it is compiled once.
+/// Rarely called, so it is compiled once.
 #[inline(never)]
 fn spread(surface: &SurfaceNumbers, table: &mut SurfaceTable) {
     for (row, &number) in table.iter_mut().zip(surface) {

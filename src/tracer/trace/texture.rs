@@ -62,8 +62,8 @@ impl<'a> SeenPattern<'a> {
         Self { world, object, pattern: &material.pattern }
     }
 
-    /// Returns the factors on the colour, 0 to 1, at the first `count` pixels in rows of `width` from (x, y) on; undefined at pixels that
-    /// show other objects.
+    /// Returns the factors on the colour, 0 to 1, at the first `count` pixels in rows of `width` from (x, y) on; undefined at
+    /// pixels that show other objects.
     #[inline(always)]
     pub fn at<S: Isa>(&self, isa: S, start: [usize; 2], width: usize, count: usize) -> [f32; 64] {
         let mut shares = [0.0; 64];
@@ -94,7 +94,7 @@ impl<'a> SeenPattern<'a> {
     }
 }
 
-/// Returns [`hits`] by the baseline, once for all callers.
+/// Compiled by the baseline, once for all callers.
 #[inline(never)]
 pub(crate) fn seen_points(
     world: World<'_>,
@@ -135,18 +135,18 @@ const REACH: f32 = 5.7;
 /// for 2 dB in the worst of 2,000 random patterns.
 const SMOOTH: f32 = 0.5;
 
-/// The slope of an octave of noise, divided by `warp * grain`. It is at most 3.8 where all octaves agree, but mostly below 1. In 2,000
-/// random patterns, 1.2 loses no spot of 9 pixels, and 0.7 two.
+/// The slope of an octave of noise, divided by `warp * grain`. It is at most 3.8 where all octaves agree, but mostly below 1. In
+/// 2,000 random patterns, 1.2 loses no spot of 9 pixels, and 0.7 loses two.
 const NOISE_SLOPE: f32 = 1.2;
 
-/// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long, and a hash of the
-/// field. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`], and is not so far
-/// beyond its limits that it stays constant.
+/// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long, and a hash of
+/// the field. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`], unless
+/// clamping keeps it constant.
 ///
 /// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
 /// w)` of the waves w along the axes.
 ///
-/// Inlined into both callers it would add 630 packed bytes.
+/// Inlined into its two callers it would add 630 packed bytes.
 #[inline(never)]
 fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> (F<S>, U<S>) {
     by_isa!(simd: reflectance_by(simd, pattern, own, pixels))
@@ -189,7 +189,6 @@ fn reflectance_by<S: Isa>(
     (flipped::<S>(share, sign & (1 << 31)), field)
 }
 
-/// Returns the sheared coordinates, and a bound of their change per scene unit.
 #[inline(always)]
 fn swirled<S: Isa>(simd: S, pattern: &Pattern, own: Vec3x<S>, pixels: F<S>) -> (Vec3x<S>, f32) {
     let Pattern { swirl, stretch, .. } = *pattern;

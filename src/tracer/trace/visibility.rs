@@ -1,5 +1,3 @@
-//! The part of a light that reaches points.
-
 use super::candidates::{Candidates, Occluders};
 use super::point::ShadingPoint;
 use super::rays::departing;
@@ -13,7 +11,6 @@ use glam::Vec3A;
 pub(super) struct ArrivingLight<S: Isa> {
     /// To the light, of length 1.
     pub l: Vec3x<S>,
-    /// The cosine of the angle between normal and `l`.
     pub nl: F<S>,
     pub lit: M<S>,
     pub colour: Vec3x<S>,
@@ -56,7 +53,7 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// Returns the factor on the light from its cone and the listed occluders, as a colour; 0 in lanes whose distance is 0.
+/// Returns the factor on the light from its cone and the listed occluders; 0 in lanes whose distance is 0.
 #[inline(always)]
 fn transmittance<S: Isa>(
     simd: S,

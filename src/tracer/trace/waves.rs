@@ -10,7 +10,6 @@ use crate::scene::Waves;
 const TURN: [f32; 2] = [-0.737_393_7, 0.675_463_2];
 
 impl<S: Isa> ShadingPoint<S> {
-    /// Tilts the upward normals of points on water.
     #[inline(always)]
     pub fn ripple(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let plane = U::<S>::splat(simd, world.first_plane() as u32);
@@ -55,7 +54,6 @@ fn tilt_by<S: Isa>(simd: S, world: World<'_>, rows: &mut [PerLane; 4], count: us
     }
 }
 
-/// Returns the slopes of the water along x and z, where a pixel sees `seen` scene units of it.
 #[inline(always)]
 fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>; 2] {
     let zero = splat(simd, 0.0);
