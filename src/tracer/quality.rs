@@ -158,12 +158,10 @@ macro_rules! presets {
     ($($(#[$doc:meta])* $preset:ident, $name:literal, $quality:expr;)*) => {
         /// A named quality.
         ///
-        /// `docs/accuracy.md` has their speed and errors, measured by `cargo lab trade --ladder`. Those of [`Preset::LADDER`] lie on the
-        /// Pareto front of time, FLIP and pops (pixels that jump between frames while the exhaustive frame's stay), which
-        /// `cargo lab trade` prints. The optimum by PSNR only, a default with a tolerance of 9 and a least contribution of 0.02, takes
-        /// a tenth less time in the model scene, but has three times the pops and 1.5 times the FLIP error.
-        ///
-        /// Squares of 16 are no faster than squares of 8 at the same error: they have fewer corners, but more are split.
+        /// `docs/accuracy.md` has the speed and errors of each. [`Preset::LADDER`] lies on the Pareto front of time, FLIP and pops
+        /// (pixels that jump between frames while the exhaustive frame's stay), which `cargo lab trade` prints. By PSNR only, a
+        /// tolerance of 9 and a least contribution of 0.02 would be the best default: it takes a tenth less time, but has three times
+        /// the pops. Squares of 16 are no faster than squares of 8 at equal error.
         ///
         /// ```
         /// use eightfold_tracer::{Preset, Quality};

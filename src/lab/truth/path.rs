@@ -32,7 +32,6 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns the exposed radiance of a random path through pixel (`x`, `y`).
     pub fn follow(&self, x: f64, y: f64, random: &mut Rng) -> DVec3 {
         let mut ray = self.oracle.ray(x, y);
         let mut found = DVec3::ZERO;

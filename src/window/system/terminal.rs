@@ -57,8 +57,7 @@ const fn bits(signals: &[c_int]) -> u64 {
     set
 }
 
-/// The terminal on standard output. Esc, Q and Ctrl-C end the show, H toggles the numbers. It is restored when this is dropped, when
-/// the process aborts, and after signals that end a process.
+/// The terminal on standard output, restored when this is dropped, when the process aborts, and after signals that end it.
 pub struct Terminal {
     keys: KeyParser,
     pixels: &'static mut [u32],
