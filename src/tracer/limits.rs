@@ -100,7 +100,7 @@
 //!   if the eye is nearer than 16 times the former. Lights and objects nearer to the surface than that are beyond it.
 //! - Light from below the horizon of a sphere by less than 2e-3 radians: it passes the sphere, whose shadow is smaller by the hit error.
 //! - Refractions, and reflections in anything but a first plane without waves, except at `finest`: they are unguarded. Other presets
-//!   lose thin things there, at `default` a bar's whole image: `docs/accuracy.md` has a table. `finest`
+//!   lose thin things there, at `default` a bar's whole image: `docs/accuracy.md` has a table and a picture of each kind. `finest`
 //!   traces each pixel with such light of a tenth or more; fainter images can have holes.
 //! - The position of hits on a sphere with a radius below the rounding error, about 1e-6 of its largest coordinate. Rays that leave
 //!   it still never hit it again.

@@ -1,3 +1,5 @@
+//! The balance of bass and treble, and of left and right.
+
 use super::spectrum::Spectrum;
 use super::{cues, scenes, song};
 use eightfold::show;
@@ -54,4 +56,6 @@ fn bass_is_centred_and_the_rest_is_wide() {
         let correlation = spectrum.correlation(hertz.clone());
         assert!(allowed.contains(&correlation), "{hertz:?} Hz: {correlation}");
     }
+    let lost = -10.0 * ((1.0 + spectrum.correlation(500.0..2000.0)) / 2.0).log10();
+    assert!(lost <= 2.0, "mono loses {lost} dB");
 }

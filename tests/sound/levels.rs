@@ -1,6 +1,6 @@
 //! Loudness by EBU R128, and silence.
 
-use super::{BAR, SCENES, amplitude, peak, scenes, song, spectrum};
+use super::{BAR, SCENES, amplitude, high_pass, peak, scene, scenes, song, spectrum};
 use ebur128::{EbuR128, Mode};
 use eightfold::show;
 use eightfold::sound::RATE;
@@ -11,6 +11,7 @@ fn meter(samples: &[[f32; 2]], mode: Mode) -> EbuR128 {
     meter
 }
 
+/// Returns the loudness in LUFS.
 fn loudness(samples: &[[f32; 2]]) -> f64 {
     meter(samples, Mode::I).loudness_global().unwrap()
 }
@@ -37,6 +38,22 @@ fn scenes_differ_and_the_climax_is_loudest() {
 }
 
 #[test]
+fn every_bar_is_audible() {
+    for (bar, samples) in song().chunks_exact(BAR).enumerate() {
+        let loudness = loudness(samples);
+        assert!(loudness > -24.0, "bar {bar}: {loudness} LUFS");
+    }
+}
+
+/// A laptop plays little below 200 Hz.
+#[test]
+fn laptop_loses_little_of_the_chimes() {
+    let chimes = scene(4);
+    let lost = loudness(chimes) - loudness(&high_pass(chimes, 200.0));
+    assert!(lost <= 2.5, "{lost} LU");
+}
+
+#[test]
 fn mono_loses_little() {
     for (scene, samples) in scenes().chain([song()]).enumerate() {
         let mono: Vec<_> = samples.iter().map(|[left, right]| [(left + right) / 2.0; 2]).collect();
@@ -45,6 +62,7 @@ fn mono_loses_little() {
     }
 }
 
+/// Returns the samples from one time to another, in milliseconds.
 fn between(from: usize, to: usize) -> &'static [[f32; 2]] {
     let sample = |time: usize| time * RATE as usize / 1000;
     &song()[sample(from)..sample(to)]

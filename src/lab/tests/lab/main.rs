@@ -11,6 +11,7 @@ mod size;
 mod technique;
 mod trade;
 mod truth;
+mod unguarded;
 
 use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;
