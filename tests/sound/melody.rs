@@ -48,7 +48,7 @@ fn heard(track: Track, down: u8) -> (usize, Vec<(f32, u8)>) {
             let sharp = if beat < MAJOR * 4.0 { 0 } else { SHARP[i] };
             let note = f64::from(THEME[i] + sharp - down);
             let hertz = 440.0 * f64::exp2((note - 69.0) / 12.0);
-            // Detuned oscillators are up to 10 cents beside it.
+            // Detuned oscillators are up to 10 cents off.
             [0.994, 1.0, 1.006].map(|cents| power(&samples, hertz * cents)).iter().sum::<f64>()
         });
         let strongest = powers.iter().copied().fold(0.0, f64::max);
