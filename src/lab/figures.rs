@@ -1,4 +1,5 @@
 use crate::arguments;
+use crate::close_up;
 use crate::flip::Flip;
 use crate::output;
 use crate::overlay::{draw_heat, draw_points, draw_squares, heat};
@@ -14,13 +15,16 @@ use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 use std::path::PathBuf;
 
-/// Draws the points, squares, rays and errors of a frame on one sheet
+/// Draws the points, squares, rays and errors of a frame on one sheet, or a close-up of the guard
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
     frame: FrameArguments,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: Preset,
+    /// Draw the pixels around this one: without antialiasing, exhaustively, without the guard and with it
+    #[arg(long, value_name = "X,Y", value_parser = pixel)]
+    at: Option<[usize; 2]>,
     /// PNG file to write, or - for standard output
     #[arg(long, value_name = "FILE", default_value = "target/figures.png", value_parser = arguments::png_file)]
     out: PathBuf,
@@ -34,8 +38,22 @@ const FLIP_SHOWN: f32 = 0.25;
 pub fn run(arguments: &Arguments) -> Result<()> {
     arguments.frame.scene.check(arguments.frame.time)?;
     output::check(&arguments.out)?;
-    let sheet = sheet(arguments.frame.size, COLUMNS, &figures(arguments))?;
-    output::write(&arguments.out, &sheet)
+    let FrameArguments { scene, time, size } = arguments.frame;
+    let sheet = match arguments.at {
+        Some(place) => {
+            let mut renderer = ThreadedRenderer::new(arguments::processors());
+            let (frame, quality) = (scene.without_overlay(time), arguments.quality.quality());
+            close_up::draw(&mut renderer, &frame, quality, size, place)
+        }
+        None => sheet(size, COLUMNS, &figures(arguments)),
+    };
+    output::write(&arguments.out, &sheet?)
+}
+
+fn pixel(argument: &str) -> Result<[usize; 2], String> {
+    let numbers =
+        argument.split_once(',').and_then(|(x, y)| Some([x.parse().ok()?, y.parse().ok()?]));
+    numbers.ok_or_else(|| "must be two whole numbers with a comma, such as 80,60".into())
 }
 
 fn figures(arguments: &Arguments) -> Vec<Tile> {

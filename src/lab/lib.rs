@@ -4,6 +4,7 @@ pub mod arguments;
 pub mod bench;
 pub mod bitmap;
 pub mod capture;
+pub mod close_up;
 pub mod figures;
 pub mod flip;
 pub mod interrupt;

@@ -44,7 +44,7 @@
 //! or a refraction without a bound, if an object lies between a light and the part of a sphere or a block that the corners show, or if
 //! the corners show several objects in one colour (`unguarded`).
 //!
-//! [`limits`](crate::limits) lists the rest in figures.
+//! `docs/guard.md` shows each in a picture; [`limits`](crate::limits) lists the rest in figures.
 
 mod guard;
 mod highlight;

@@ -19,3 +19,17 @@ fn sheet_has_six_distinct_pictures() {
         assert!(!pictures[..i].contains(picture), "picture {i}");
     }
 }
+
+#[test]
+fn close_up_shows_what_the_guard_finds() {
+    let output = lab("figures --scene ../../docs/guard/ball.ron --size 160x120 --at 84,52 --out -");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let (width, sheet) = read_png(&output.stdout);
+    let is_red = |&pixel: &u32| pixel >> 16 > 100 && pixel & 0xff < 60 && pixel >> 8 & 0xff < 60;
+    let red = [0, 1, 2].map(|tile| {
+        let left = 12 + tile * (384 + 12);
+        let rows = (12..12 + 240).flat_map(|y| &sheet[y * width + left..][..384]);
+        rows.filter(|&pixel| is_red(pixel)).count() / 144
+    });
+    assert!(red[0] > 5 && red[1] == 0 && red[2] > 5, "{red:?}");
+}
