@@ -21,6 +21,7 @@ mod executable;
 mod model;
 mod panics;
 mod pe;
+mod small;
 mod stub;
 #[cfg(test)]
 mod tests;

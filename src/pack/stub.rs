@@ -7,7 +7,10 @@ use object::{
 
 use crate::{Error, elf};
 
+/// Verifies the file. Other stages call its functions.
 pub const FIRST: &str = ".text.first";
+/// The second stage, which [`FIRST`] unpacks.
+pub const STAGE: &str = ".text.stage";
 pub const LOADER: &str = ".text.loader";
 
 pub struct Stub<'a> {
@@ -17,7 +20,7 @@ pub struct Stub<'a> {
 }
 
 impl<'a> Stub<'a> {
-    /// Lays out the section `first` and all sections that it refers to.
+    /// Lays out the section `first` and all sections that it refers to, except [`FIRST`].
     pub fn read(object: &'a [u8], first: &str) -> Result<Stub<'a>, Error> {
         let file = object::File::parse(object)?;
         let missing = || format!("stub section {first} is missing");
@@ -33,6 +36,7 @@ impl<'a> Stub<'a> {
             for (_, relocation) in section.relocations() {
                 if let Some(next) = section_of(&file, relocation.target())?
                     && !found.contains(&next)
+                    && file.section_by_index(next)?.name()? != FIRST
                 {
                     found.push(next);
                 }
@@ -47,6 +51,11 @@ impl<'a> Stub<'a> {
 
     pub fn first_size(&self) -> usize {
         self.sections.get(1).map_or(self.size, |&(_, start)| start)
+    }
+
+    /// Returns the place of a function of the first section.
+    pub fn place(&self, name: &str) -> u64 {
+        self.file.symbol_by_name(name).map_or(0, |symbol| symbol.address())
     }
 
     /// Returns position-independent bytes.
@@ -110,8 +119,9 @@ impl<'a> Stub<'a> {
             return Err("stub relocation has no symbol".into());
         };
         let symbol = self.file.symbol_by_index(index)?;
-        if let Some(section) = symbol.section_index() {
-            return Ok(address + places[&section] as u64 + symbol.address());
+        let section = symbol.section_index().and_then(|section| places.get(&section));
+        if let Some(&start) = section {
+            return Ok(address + start as u64 + symbol.address());
         }
         let name = symbol.name()?;
         // A possible panic in the stub ends up here: its panic handler calls an undefined function.

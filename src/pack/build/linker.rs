@@ -17,6 +17,9 @@ pub const STUB: &str = "stub.o";
 const REDIRECTIONS: &str = "redirections.o";
 const ORDER: &str = "order";
 
+/// The library for unwinding, without which GNU ld drops 775 bytes of functions that are in this library, too.
+const UNWINDER: &str = "-lgcc_s";
+
 /// Environment variables for rustc and its linker: the real linker's path or name, and the target system.
 pub const LINKER_VARIABLE: &str = "EIGHTFOLD_LINKER";
 pub const SYSTEM_VARIABLE: &str = "EIGHTFOLD_SYSTEM";
@@ -45,7 +48,9 @@ impl Settings {
     }
 
     fn run_linker(&self, more: &[OsString], arguments: &[OsString]) -> Result<ExitStatus, Error> {
-        let is_wanted = |argument: &&OsString| !self.is_for_windows() || !is_of_linux(argument);
+        let is_wanted = |argument: &&OsString| {
+            *argument != UNWINDER && (!self.is_for_windows() || !is_of_linux(argument))
+        };
         let mut linker = Command::new(&self.linker);
         let linker = linker.args(more).args(arguments.iter().filter(is_wanted));
         at(&self.linker, linker.status())
@@ -71,6 +76,7 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         if !missing.is_empty() {
             let missing = missing.join(", ");
             eprintln!("warning: this std lacks {missing}; the program may exceed 64 kB");
+            more.push(UNWINDER.into());
         }
         let path = directory.join(REDIRECTIONS);
         at(&path, fs::write(&path, object))?;

@@ -4,9 +4,10 @@
 //! | ---: | --- |
 //! | 64 | the ELF header |
 //! | 2 x 56 | program headers: this file; a stack that is not executable |
-//! | 138 | the stub's first section, which verifies the rest; it also reports truncation behind itself |
-//! | 4,200 | the stub |
-//! | the rest | the packed program |
+//! | 180 | the stub's first section, which verifies the rest; it also reports truncation behind itself |
+//! | 280 | the first stage, which unpacks the second |
+//! | 61,000 | the packed program |
+//! | 2,700 | the packed second stage |
 
 use std::collections::HashMap;
 
@@ -14,7 +15,8 @@ use super::{Memory, encode_both};
 use crate::{
     DAMAGED, Error, checksum, decode, elf,
     elf::Segment,
-    stub::{FIRST, LOADER, Stub},
+    small,
+    stub::{FIRST, LOADER, STAGE, Stub},
 };
 
 /// The size of the headers, with padding to align the stub's constants.
@@ -33,27 +35,42 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [stripped, &loader].concat();
     let packed = encode_both(&unpacked)?;
-    let Memory { start, end } = Memory::of(&segments)?;
+    let memory = Memory::of(&segments)?;
+    let Memory { start, end } = memory;
+    let [first, second] = [FIRST, STAGE].map(|section| Stub::read(stub, section));
+    let (first, second) = (first?, second?);
+    let stage = memory.stage();
+    let stage_end = stage + second.size() as u64;
     // Place the file after the program, so that the heap, which follows both, is at its usual address.
-    let stub = Stub::read(stub, FIRST)?;
-    let size = (HEAD + stub.size() + packed.len()) as u64;
-    let address = end.next_multiple_of(elf::PAGE);
-    let entry = address + HEAD as u64;
-    let packed_at = entry + stub.size() as u64;
-    let names = HashMap::from([
+    // A zero byte follows the stage, as an empty name for its file in memory.
+    let memory_end = stage_end + 1;
+    let address = memory_end.next_multiple_of(elf::PAGE);
+    let first_at = address + HEAD as u64;
+    let packed_at = first_at + first.size() as u64;
+    let packed_end = packed_at + packed.len() as u64;
+    let mut names = HashMap::from([
         ("SUM", address + SUM as u64),
-        ("CHECKED", entry + stub.first_size() as u64),
+        ("STAGE", stage),
+        ("STAGE_END", stage_end),
+        ("STAGE_LENGTH", second.size() as u64),
+        ("STAGE_PACKED", packed_end),
         ("PACKED", packed_at),
-        ("PACKED_END", packed_at + packed.len() as u64),
+        ("PACKED_END", packed_end),
         ("LENGTH", unpacked.len() as u64),
         ("PROGRAM_LENGTH", stripped.len() as u64),
         ("PROGRAM", start),
         ("PROGRAM_SIZE", end - start),
+        ("MEMORY_SIZE", memory_end - start),
     ]);
-    let linked = stub.link(entry, &names)?;
-    let (first, rest) = linked.split_at(stub.first_size());
-    let checked = [rest, &packed].concat();
-    let mut file = elf::header(entry, 2);
+    for name in ["fail", "no_memory"] {
+        names.insert(name, first_at + first.place(name));
+    }
+    let second = small::encode(&second.link(stage, &names)?);
+    let size = packed_end + second.len() as u64 - address;
+    names.insert("FILE_END", address + size);
+    let linked = first.link(first_at, &names)?;
+    let checked = [&linked[first.first_size()..], &packed, &second].concat();
+    let mut file = elf::header(first_at + first.place("_start"), 2);
     let file_itself = Segment {
         kind: elf::LOAD,
         flags: elf::READ | elf::EXECUTE,
@@ -67,7 +84,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let stack = Segment {
         kind: elf::STACK,
         flags: elf::READ | elf::WRITE,
-        offset: (HEAD + stub.size()) as u64,
+        offset: packed_at - address,
         address: checksum(&checked).into(),
         physical_address: unpacked.len() as u64,
         file_size: packed.len() as u64,
@@ -77,7 +94,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         file.extend(segment.to_bytes());
     }
     file.resize(HEAD, 0);
-    file.extend(first);
+    file.extend(&linked[..first.first_size()]);
     file.extend(checked);
     Ok(file)
 }

@@ -11,7 +11,7 @@ pub use strip::strip;
 use crate::{
     Error, LONGEST, decode,
     elf::{self, Segment},
-    encode,
+    encode, small,
 };
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -38,6 +38,11 @@ impl Memory {
             return Err(format!("end of program is {end:#x}; must be at most 0x80000000").into());
         }
         Ok(Memory { start, end })
+    }
+
+    /// Returns the address of the second stage, behind the program and the first stage's counts at its start.
+    fn stage(&self) -> u64 {
+        self.end.max(self.start + small::MEMORY).next_multiple_of(elf::PAGE)
     }
 }
 

@@ -43,7 +43,13 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     }
     let mut stripped = Vec::new();
     let before = segments.clone();
-    for load in segments.iter_mut().filter(|segment| segment.kind == elf::LOAD) {
+    let loads = segments.iter_mut().filter(|segment| segment.kind == elf::LOAD);
+    let mut loads: Vec<_> = loads.collect();
+    // Code last, behind the headers and all data: 100 bytes.
+    if let [_, rest @ ..] = &mut loads[..] {
+        rest.sort_by_key(|load| load.flags & elf::EXECUTE);
+    }
+    for load in loads {
         let mut range = load.range();
         // At the end of a segment, leave the blank section out.
         while let Some(last) = unwinding.iter().find(|section| {

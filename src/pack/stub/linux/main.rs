@@ -26,43 +26,22 @@ const HUGE_PAGES: usize = 14;
 /// `MADV_POPULATE_WRITE`: one call is faster than a fault for each page.
 const POPULATE: usize = 23;
 
-// The entry point. The dynamic linker later gets the same stack, and 0 in `rdx`: no function to call at exit.
+// The first stage. The dynamic linker later gets the same stack, and 0 in `rdx`: no function to call at exit.
 //
 // Reading the last pages of a truncated file would end the process with a signal. So Linux first reads the last eight bytes, as the
 // signal set of `rt_sigprocmask` (14) with an invalid operation (14), and reports EFAULT (-14). Then comes an FNV-1a checksum of
 // all bytes behind this section.
 global_asm!(
     ".section .text.first, \"ax\"",
-    ".globl _start",
-    "_start:",
-    "push 14",
-    "pop rax",
-    "mov edi, eax",
-    "mov esi, offset {end} - 8",
-    "xor edx, edx",
-    "push 8",
-    "pop r10",
-    "syscall",
-    "cmp al, -14",
-    "je 3f",
-    "mov esi, offset {checked}",
-    "mov eax, 0x811c9dc5",
-    "2:",
-    "movzx edx, byte ptr [rsi]",
-    "xor eax, edx",
-    "imul eax, eax, 0x1000193",
-    "inc esi",
-    "cmp esi, offset {end}",
-    "jne 2b",
-    "cmp eax, [rip + {sum}]",
-    "jne 3f",
-    "mov rdi, rsp",
-    "call {start}",
-    "xor edx, edx",
-    "jmp rax",
-    "3:",
-    "lea rdi, [rip + 4f]",
+    ".globl no_memory, fail, _start",
+    "no_memory:",
+    "mov edi, offset memory_line",
+    "push 34",
+    "jmp 2f",
+    "1:",
+    "mov edi, offset damaged_line",
     "push 32",
+    "2:",
     "pop rsi",
     // Prints `rsi` bytes at `rdi` on standard error, and exits with code 1.
     "fail:",
@@ -77,29 +56,97 @@ global_asm!(
     "pop rdi",
     "mov eax, 231",
     "syscall",
-    "4:",
+    "memory_line:",
+    ".ascii \"eightfold: memory is below 105 MB\\n\"",
+    "damaged_line:",
     ".ascii \"eightfold: this file is damaged\\n\"",
-    end = sym PACKED_END,
-    checked = sym CHECKED,
-    sum = sym SUM,
-    start = sym start,
+    "_start:",
+    "push 14",
+    "pop rax",
+    "mov edi, eax",
+    "mov esi, offset FILE_END - 8",
+    "xor edx, edx",
+    "push 8",
+    "pop r10",
+    "syscall",
+    "cmp al, -14",
+    "je 1b",
+    "mov esi, offset checked",
+    "mov eax, 0x811c9dc5",
+    "2:",
+    "movzx edx, byte ptr [rsi]",
+    "xor eax, edx",
+    "imul eax, eax, 0x1000193",
+    "inc esi",
+    "cmp esi, offset FILE_END",
+    "jne 2b",
+    "cmp eax, dword ptr [rip + SUM]",
+    "jne 1b",
+    // The next section follows. It maps the program's memory and the second stage behind it: readable and writable, private, fixed,
+    // anonymous.
+    ".section .text.unpack, \"ax\"",
+    "checked:",
+    "push 9",
+    "pop rax",
+    "mov edi, offset PROGRAM",
+    "mov esi, offset MEMORY_SIZE",
+    "push 3",
+    "pop rdx",
+    "push 0x32",
+    "pop r10",
+    "xor r9d, r9d",
+    "syscall",
+    "test eax, eax",
+    "js no_memory",
+    include_str!("../small.s"),
+    // Some systems refuse to execute written memory, but execute files: `memfd_create` with an empty name, `write`, `mmap`, `close`.
+    "mov eax, 319",
+    "xor esi, esi",
+    "syscall",
+    "mov r8d, eax",
+    "xchg edi, eax",
+    "mov esi, offset STAGE",
+    "mov edx, offset STAGE_LENGTH",
+    "push 1",
+    "pop rax",
+    "syscall",
+    "xchg edi, esi",
+    "mov esi, edx",
+    "push 5",
+    "pop rdx",
+    "push 0x12",
+    "pop r10",
+    "push 9",
+    "pop rax",
+    "syscall",
+    "test eax, eax",
+    "js no_memory",
+    "mov edi, r8d",
+    "push 3",
+    "pop rax",
+    "syscall",
+    "mov rdi, rsp",
+    "call STAGE",
+    "xor edx, edx",
+    "jmp rax",
 );
 
 unsafe extern "C" {
-    static PACKED_END: u8;
-    static CHECKED: u8;
-    static SUM: u32;
     static PROGRAM: u8;
     /// The program's size in memory, as an address.
     static PROGRAM_SIZE: u8;
+
+    safe fn no_memory() -> !;
 }
 
+#[unsafe(link_section = ".text.stage")]
+#[unsafe(no_mangle)]
 unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = packed::length();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
-    // Readable and writable, private, anonymous; the program's memory at a fixed address. With a program header for that memory,
-    // Linux would end the process without a message if memory is limited.
+    // Readable and writable, private, anonymous; the program's memory at a fixed address, now without the first stage's counts. With
+    // a program header for that memory, Linux would end the process without a message if memory is limited.
     // SAFETY: this memory is unused.
     let [mapped, program] = unsafe {
         let (program, size_of_it) = ((&raw const PROGRAM).addr(), (&raw const PROGRAM_SIZE).addr());
@@ -109,8 +156,7 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         ]
     };
     if is_error(mapped) || is_error(program) {
-        let line = "eightfold: memory is below 105 MB\n";
-        fail(line.as_ptr(), line.len());
+        no_memory();
     }
     let memory = mapped.next_multiple_of(HUGE_PAGE);
     for advice in [HUGE_PAGES, POPULATE] {
