@@ -84,5 +84,5 @@ fn packing_is_reproducible() {
     };
     let bytes: Vec<u8> = (0..50_000).map(|_| noise()).collect();
     let code = encode(&bytes);
-    assert_eq!((code.len(), checksum(&code)), (31_923, 2_476_785_362));
+    assert_eq!((code.len(), checksum(&code)), (31_903, 3_612_197_095));
 }

@@ -2,7 +2,7 @@
 
 use super::{
     lanes::Lanes,
-    machine_code::{KINDS, MORE_KINDS},
+    machine_code::{KIND, KINDS, MORE_KINDS, OPCODE, Reader, before},
 };
 
 pub const ROWS: usize = 3;
@@ -10,17 +10,18 @@ pub const ROWS: usize = 3;
 /// A weight for each input, in 16,384ths.
 type Weights = [Lanes; ROWS];
 
-/// The initial sum of an input's four weights: all 24 inputs together have a weight of nearly 1.5.
+/// The initial sum of an input's seven weights: all 24 inputs together have a weight of nearly 1.5.
 const FIRST_WEIGHT: i16 = 1000;
 
-/// The number of weight sets: by kind and beginning of the byte (0 for the kind as a whole); by kind and previous byte; and, in the
-/// numbers of unused kinds, by kind and number of inputs with experience.
+/// The number of weight sets: by kind and beginning of the byte (0 for the kind as a whole); by kind and last byte; and, in the
+/// numbers of unused kinds, by kind and number of inputs with experience; by the byte before the last and part of the kind; by
+/// opcode; and by a hash of kind and previous opcode.
 const SETS: usize = (2 * KINDS) << 8;
 
 /// The limit of a pair's logit in 256ths: a probability of 94 %. Without it the intro is 120 bytes larger. Contexts have no limit.
 const PAIR_LIMIT: i16 = 700;
 
-const RATE: i32 = 18;
+const RATE: i32 = 12;
 
 const STEPS: usize = 4096;
 
@@ -91,16 +92,21 @@ impl Mixer {
     }
 }
 
-pub type Sets = [u32; 4];
+pub type Sets = [u32; 7];
 
-/// Returns a bit's weight sets, by the byte's kind and `beginning`, the byte `before`, and the number of inputs with experience.
+/// Returns a bit's weight sets, by the byte's `beginning` and the number of inputs with experience.
 #[inline(always)]
-pub fn sets(kind: u32, beginning: u32, before: u32, seen: u32) -> Sets {
+pub fn sets(reader: &Reader, beginning: u32, seen: u32) -> Sets {
+    let kind = reader.feature(KIND);
     let of_kind = kind << 8;
+    let by_opcode = (KINDS as u32 + MORE_KINDS) << 8;
     [
         of_kind | beginning,
         of_kind,
-        (KINDS as u32) << 8 | of_kind | before,
+        (KINDS as u32) << 8 | of_kind | reader.feature(0),
         MORE_KINDS << 8 | kind << 5 | seen,
+        (MORE_KINDS + 3) << 8 | reader.feature(1) << 2 | kind & 3,
+        by_opcode | reader.feature(OPCODE) & 0x7ff,
+        by_opcode | ((reader.feature(before(OPCODE, 1)) * 5) ^ (kind << 7)) & 0x7ff,
     ]
 }

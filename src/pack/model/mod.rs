@@ -228,8 +228,7 @@ impl Model {
             self.slots.set(i, slot, &self.rates);
             self.mixer.input(i, slot.probability());
         }
-        let (kind, last) = (self.reader.feature(KIND), self.reader.feature(0));
-        let sets = mixer::sets(kind, byte, last, seen);
+        let sets = mixer::sets(&self.reader, byte, seen);
         let bit = coder.bit(self.mixer.predict(&sets));
         self.mixer.learn(&sets, bit);
         self.slots.learn(bit);
