@@ -53,7 +53,7 @@ impl<'a> Stub<'a> {
         self.sections.get(1).map_or(self.size, |&(_, start)| start)
     }
 
-    /// Returns the place of a function of the first section.
+    /// Returns the place of a function in the first section, or its start.
     pub fn place(&self, name: &str) -> u64 {
         self.file.symbol_by_name(name).map_or(0, |symbol| symbol.address())
     }
