@@ -2,7 +2,6 @@
 
 use crate::maths::to_f32;
 use crate::picture::{Band, CELL};
-use core::mem::swap;
 use glam::{Vec2, vec2};
 
 #[derive(Clone, Copy)]
@@ -46,30 +45,26 @@ impl Fold {
         (left + cut).saturating_sub(margin)
     }
 
-    #[inline(always)]
-    fn source(&self, at: [usize; 2]) -> [usize; 2] {
-        let centre = self.centre.map(|cells| CELL * cells);
-        let [mut x, mut y] = [0, 1].map(|i| at[i].wrapping_sub(centre[i]) as isize);
-        (x, y) = (x.max(!x), y.max(!y));
-        if self.has_diagonal && (x < y) == self.is_wide {
-            swap(&mut x, &mut y);
-        }
-        [centre[0] + x as usize, centre[1] + y as usize]
-    }
-
+    /// Copies the part that is drawn to the rest of a picture. From the last pixel backwards, each half mirrors a finished one, and
+    /// only the diagonal reads along columns.
     pub fn copy(&self, picture: &mut Band<'_>) {
-        let [left, top] = self.centre.map(|cells| CELL * cells);
+        let [left, top] = self.centre.map(|cells| cells * CELL);
         if left == 0 && !self.has_diagonal {
             return;
         }
         let (width, stride) = (picture.width, picture.stride);
-        for y in 0..picture.height() {
-            // The columns further right are in the wedge.
-            let end = if self.is_wide && y >= top { left + y - top } else { width };
-            for x in 0..width.min(end) {
-                let [column, row] = self.source([x, y]);
-                let pixel = picture.pixels.get(row * stride + column);
-                picture.put(x, y, pixel.copied().unwrap_or(0));
+        for y in (0..picture.height()).rev() {
+            for x in (0..width).rev() {
+                let from = if y < top {
+                    (2 * top - 1 - y) * stride + x
+                } else if x < left {
+                    y * stride + 2 * left - 1 - x
+                } else if self.has_diagonal && (x - left < y - top) == self.is_wide {
+                    (top + x - left) * stride + left + y - top
+                } else {
+                    continue;
+                };
+                picture.put(x, y, picture.pixels[from]);
             }
         }
     }
