@@ -29,6 +29,9 @@ impl View {
 impl Coverage {
     pub(super) fn set_shadows(&mut self, world: World<'_>) {
         for (plane, rectangle) in world.planes().iter().enumerate() {
+            if rectangle.material.kd + rectangle.material.ks == 0.0 {
+                continue;
+            }
             for (number, light) in world.lights().iter().enumerate() {
                 let view = View::light(light, rectangle, &self.eye);
                 self.shadows[plane][number] = view;

@@ -59,7 +59,12 @@ fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
                 camera: Camera::new(eye * by_eye, look_at, 1.0 / by_eye),
                 spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
                 blocks: List::of(&[block]),
-                planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, Material::BLACK)]),
+                planes: List::of(&[Plane::new(
+                    Vec3::ZERO,
+                    1e3,
+                    1e3,
+                    Material::matt(Vec3::ONE, 1.0),
+                )]),
                 lights: List::of(&[Light {
                     position: light * Vec3::new(far, 1.0, far) * by_light,
                     ..Light::DARK
@@ -258,4 +263,15 @@ fn planes_have_outlines_but_no_images() {
         assert!(matches!(outline, Outline::Object(id) if id.index() == number));
     }
     assert_eq!(outlines.len(), 2);
+}
+
+#[test]
+fn black_planes_have_no_shadows() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut scene = scene(0.0, 0.0).new_tree(&mut runner).expect("no filter").current();
+    assert!(Bounds::of(&scene).number(is_shadow_of(0)).is_some());
+    scene.planes[0].material = Material { kr: 0.5, ..Material::BLACK };
+    assert!(Bounds::of(&scene).number(is_shadow_of(0)).is_none());
+    scene.planes[0].material.ks = 0.1;
+    assert!(Bounds::of(&scene).number(is_shadow_of(0)).is_some());
 }

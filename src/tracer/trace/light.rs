@@ -31,8 +31,11 @@ pub(super) fn gather<S: Isa>(
     let none = M::<S>::splat(simd, false);
     let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
     let mut specular = diffuse;
+    // Black mirrors, glass and films show neither lights nor shadows.
+    let reflectance = surface.vector(Parameter::Diffuse).max_element();
+    let shows = point.shaded & (reflectance + surface.number(Parameter::Ks)).simd_gt(zero);
     for light in world.lights() {
-        let Some(light) = point.light_of(simd, world, light, occluders, counts) else {
+        let Some(light) = point.light_of(simd, world, light, shows, occluders, counts) else {
             keys.push(none, none);
             continue;
         };

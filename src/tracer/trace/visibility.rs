@@ -17,13 +17,14 @@ pub(super) struct ArrivingLight<S: Isa> {
 }
 
 impl<S: Isa> ShadingPoint<S> {
-    /// Returns the light that arrives at the points; `None` if all face away from it or are outside its cone.
+    /// Returns the light that arrives at the points that show it; `None` if all face away from it or are outside its cone.
     #[inline(always)]
     pub fn light_of(
         &self,
         simd: S,
         world: World<'_>,
         light: &PreparedLight,
+        shows: M<S>,
         occluders: &mut Occluders,
         counts: &mut Counts,
     ) -> Option<ArrivingLight<S>> {
@@ -31,7 +32,7 @@ impl<S: Isa> ShadingPoint<S> {
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(splat::<S>(simd, 1.0) / distance);
         let nl = self.n.dot(l);
-        let mut facing = self.shaded & nl.simd_gt(distance * self.horizon);
+        let mut facing = shows & nl.simd_gt(distance * self.horizon);
         if !light.is_point {
             let off = l + Vec3x::splat(simd, light.cone.aim);
             facing &= off.dot(off).simd_lt(splat(simd, light.cone.outer2));
