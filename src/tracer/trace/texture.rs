@@ -201,10 +201,10 @@ fn swirled<S: Isa>(simd: S, pattern: &Pattern, own: Vec3x<S>, pixels: F<S>) -> (
     let (mut cells, mut length) = (pattern.grain, 1.0 / pattern.grain);
     for _ in 0..SWIRLS {
         let share = clamp::<S>(pixels * (0.125 * length) - 0.5, splat(simd, 0.0), splat(simd, 1.0));
-        let strength = share * (swirl * length);
-        p.x += wave::<S>(p.y * cells) * strength;
-        p.y += wave::<S>(p.z * cells) * strength;
-        p.z += wave::<S>(p.x * cells) * strength;
+        let strength = share * (-16.0 * swirl * length);
+        p.x = shifted::<S>(p.x, p.y * cells, strength);
+        p.y = shifted::<S>(p.y, p.z * cells, strength);
+        p.z = shifted::<S>(p.z, p.x * cells, strength);
         cells *= FINER;
         length *= 1.0 / FINER;
         steepness *= 1.0 + SWIRL_SLOPE * swirl;
@@ -221,11 +221,12 @@ const FINER: f32 = 1.618_034;
 /// The growth of a swirling pattern's slope per octave, for a `swirl` of 1. With 1, thin bands of planets lose spots.
 const SWIRL_SLOPE: f32 = 2.0;
 
-/// Returns nearly a sine with a period of 1.
+/// Adds nearly a sine of `u`, with a period of 1 and the amplitude `strength / -16`. Each swirl waits for the previous one, so fused
+/// steps count.
 #[inline(always)]
-fn wave<S: Isa>(u: F<S>) -> F<S> {
+fn shifted<S: Isa>(p: F<S>, u: F<S>, strength: F<S>) -> F<S> {
     let f = off_integer::<S>(u);
-    f * (f.abs() * -16.0 + 8.0)
+    (f * strength).mul_add(f.abs() - 0.5, p)
 }
 
 /// Returns the noise along x, in periods, and its slope in periods per scene unit. It is constant along one oblique direction.
