@@ -74,7 +74,9 @@ const STRONG: f32 = 0.3;
 const LARGE: f32 = 0.2;
 
 fn is_strong(material: &Material) -> bool {
-    material.kr + material.kt >= STRONG
+    // What lies behind a film keeps its place and size.
+    let bent = if material.index == 1.0 { 0.0 } else { material.kt };
+    material.kr + bent >= STRONG
 }
 
 pub(crate) fn is_crowd(scene: &Scene) -> bool {
@@ -94,4 +96,21 @@ pub(super) fn glitters(scene: &Scene, object: &Object<'_>, material: &Material) 
         Object::Plane(_) | Object::Light(_) | Object::Background => false,
     };
     is_small && is_strong(material)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn films_do_not_make_a_crowd() {
+        let mut scene = Scene::default();
+        let film = Material { kr: 0.2, kt: 0.9, film_thickness: 300.0, ..Material::BLACK };
+        scene.spheres.extend([Sphere::new(Vec3::ZERO, 1.0, film); CROWD]);
+        assert!(!is_crowd(&scene));
+        for sphere in scene.spheres.iter_mut() {
+            sphere.material.index = 1.3;
+        }
+        assert!(is_crowd(&scene));
+    }
 }
