@@ -78,7 +78,8 @@ fn add(now: Now, scene: &mut Scene) {
     // A world grows in the first bubble.
     let world = smooth_step((now.beat - 14.0) / 7.0);
     if world > 0.0 {
-        add_sphere(Vec3::ZERO, 0.75 * world, &GIANT, scene);
+        // Off its centre, the guard would not know that the bubble hides it, and all of it would be traced.
+        add_sphere(float(0.0, now), 0.75 * world, &GIANT, scene);
     }
     let pop = now.cue(Track::Pop);
     for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {
@@ -93,10 +94,14 @@ fn add(now: Now, scene: &mut Scene) {
         if grown == 0.0 || is_burst {
             continue;
         }
-        let float = vec3(0.0, 0.07 * sin(now.beat * 0.7 + 2.0 * number as f32), 0.0);
-        let centre = BUBBLES[parent].0.lerp(centre, grown) + float * grown;
+        let centre = BUBBLES[parent].0.lerp(centre, grown) + float(number as f32, now) * grown;
         add_bubble(centre, radius * (0.2 + 0.8 * grown), number as f32, now, scene);
     }
+}
+
+/// Returns the offset of a floating bubble from its place at rest.
+fn float(number: f32, now: Now) -> Vec3 {
+    Vec3::Y * (0.07 * sin(now.beat * 0.7 + 2.0 * number))
 }
 
 fn add_bubble(centre: Vec3, radius: f32, number: f32, now: Now, scene: &mut Scene) {

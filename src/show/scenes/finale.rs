@@ -50,7 +50,7 @@ static CAPTIONS: &[Cue] = &[
 ];
 
 static WATER: Material =
-    Material { kr: 0.35, fresnel: 0.9, ..Material::matt(vec3(0.0112, 0.0062, 0.063), 0.05) };
+    Material { kr: 0.35, fresnel: 0.9, ..Material::matt(vec3(0.0112, 0.0062, 0.063), 0.0) };
 static GLASS: Material = Material {
     ks: 0.9,
     exponent: 200.0,
@@ -89,7 +89,7 @@ fn add(now: Now, scene: &mut Scene) {
         let row = row as f32;
         let float = 0.06 * sin(now.beat * 0.8 + row);
         for side in [-1.0, 1.0] {
-            let centre = vec3((2.0 + 0.62 * row) * side, 0.4 + float, 0.8 + 1.3 * row);
+            let centre = vec3((2.0 + 0.62 * row) * side, 0.47 + float, 0.8 + 1.3 * row);
             add_sphere(centre, 0.4, &PLUM, scene);
         }
     }
