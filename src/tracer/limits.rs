@@ -12,7 +12,7 @@
 //! | error | figure |
 //! | --- | --- |
 //! | pixels of single mirrors in which a sphere, a box, a cylinder or a capsule shows itself; sides 1e-4 to 1e4 | 0 of 20,000,000 |
-//! | rays that leave such a solid and hit it again, or leak out of one | 0 of 5,000,000 |
+//! | rays that leave such a solid and hit it again, or leak out of one | 0 of 3,000,000 |
 //! | points of a sphere in their own shadow, where n.l is above 0.01 | 0 |
 //! | lights outside a sphere that light its inside, and lights wholly inside that do not | 0 |
 //! | darkest channel of a furnace with white background and ambient light: surfaces that lose no light, any depth and least contribution | 250 |
@@ -51,9 +51,7 @@
 //! | lost patches of 9 pixels or more (no pixel within 2 is alike within 32/255) of a plain floor lit between bars by a point light, a sun or a spotlight, at `default`, jagged, 1280x720 | 0 of 600 scenes (`finest`, `faster`: 0 of 180) |
 //! | missed images in the first plane of spheres and boxes that show in 2x2 pixels | 0 |
 //! | missed highlights, seen directly, of five pixels and more around the point that mirrors the light | 0 |
-//! | pixels of shadows of spheres that the default quality draws lit, and their largest patch | 0.4 %, 20 |
-//! | the same from a sun, a spotlight and an area light | 0.6 %, 0.4 % and 0.3 % |
-//! | the same of thin blocks, from a point light and from a sun | 2.5 % and 0.6 % |
+//! | pixels of shadows of spheres and thin blocks on a floor that the default quality draws lit, from a point light, a sun, a spotlight or an area light, and their largest patch | 0.1 %, 8 |
 //! | patches of 20 pixels at `finest` (connected pixels that differ by more than 32/255 from all drawn pixels within 2 pixels) in bars and nets in wavy water, mirror walls, mirror balls and behind glass, their shadows on balls, boxes and patterned walls, and strips of light on stairs and shelves; 200 scenes of each kind at 640x360, 40 at 1280x720 | 0 |
 //! | dB to exhaustive, default quality: any field of up to 320 spheres, 1024x768 | 42 dB |
 //! | the same: crowds of 8 or 48 to 384 spheres and blocks, a third or more of them mirrors and glass, 640x480, except as below | 42 dB |

@@ -58,7 +58,7 @@ fn mirrors_never_show_themselves() {
 /// Without a least contribution, each hit traces a reflected and a transmitted ray. All rays inside hit the solid, and no other.
 #[test]
 fn clear_solid_is_entered_and_left_once() {
-    for mut random in cases(100) {
+    for mut random in cases(50) {
         let clear = Scene { black_beyond: true, ..lone(&mut random, 4.0, CLEAR) };
         for isa in cpu::instruction_sets() {
             let [first, all] = [1, Quality::MAX_DEPTH].map(|depth| {

@@ -67,7 +67,7 @@ fn interval_holds_the_error_in_95_of_100_frames() {
     for scene in scenes() {
         let error = error(&scene, &Quality::DEFAULT);
         let mut probing = Probing::new(cpu::best(), 2);
-        for seed in 0..100 {
+        for seed in 0..50 {
             let probes = probing.draw(&scene, &Quality::DEFAULT, 648, seed);
             let share = probes.mean_squared_error() * (3 * pixels) as f64 / error as f64;
             let (off, margin) = ((10.0 * share.log10()).abs() as f32, probes.margin());
