@@ -28,6 +28,8 @@ mod shade;
 mod shadow;
 mod stack;
 mod surface;
+#[cfg(test)]
+mod tests;
 mod texture;
 mod visibility;
 mod waves;
