@@ -1,7 +1,7 @@
 use crate::frame_trace::FrameTrace;
 use crate::size::Size;
 use eightfold_tracer::observe::Observer;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::{Moment, Presentation, Scene};
 use eightfold_tracer::{
     Band, BoxedMemory, Counts, Frame, Job, Level, Probing, Quality, Renderer, Worker,
 };
@@ -32,15 +32,16 @@ impl ThreadedRenderer {
         }
     }
 
-    pub fn draw(
+    pub fn draw<'a>(
         &mut self,
         level: Level,
-        scene: &Scene,
+        shown: impl Into<Shown<'a>>,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
-        let frame = self.whole(width, pixels);
+        let Shown { scene, presentation } = shown.into();
+        let frame = self.whole(width, pixels).with_presentation(presentation);
         let mut threads =
             |bands: &mut [Band<'_>], job: Job<'_>| self.pool.run(&mut self.workers, bands, job);
         Renderer::with_memory(level, self.memory.borrow_mut()).render_valid(
@@ -51,16 +52,17 @@ impl ThreadedRenderer {
         )
     }
 
-    pub fn draw_observed(
+    pub fn draw_observed<'a>(
         &mut self,
         level: Level,
-        scene: &Scene,
+        shown: impl Into<Shown<'a>>,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
         observer: impl Observer,
     ) -> Counts {
-        let frame = self.whole(width, pixels);
+        let Shown { scene, presentation } = shown.into();
+        let frame = self.whole(width, pixels).with_presentation(presentation);
         let mut threads =
             |bands: &mut [Band<'_>], job: Job<'_>| self.pool.run(&mut self.workers, bands, job);
         Renderer::with_memory(level, self.memory.borrow_mut())
@@ -68,16 +70,16 @@ impl ThreadedRenderer {
             .expect("a valid scene")
     }
 
-    pub fn trace(
+    pub fn trace<'a>(
         &mut self,
         level: Level,
-        scene: &Scene,
+        shown: impl Into<Shown<'a>>,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
     ) -> FrameTrace {
         let trace = FrameTrace::new(width, pixels.len() / width);
-        self.draw_observed(level, scene, quality, width, pixels, &trace);
+        self.draw_observed(level, shown, quality, width, pixels, &trace);
         trace
     }
 
@@ -96,10 +98,34 @@ impl ThreadedRenderer {
     }
 }
 
-pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Vec<u32> {
+/// A scene and its presentation, or a plain scene.
+#[derive(Clone, Copy)]
+pub struct Shown<'a> {
+    scene: &'a Scene,
+    presentation: &'a Presentation,
+}
+
+impl<'a> From<&'a Scene> for Shown<'a> {
+    fn from(scene: &'a Scene) -> Self {
+        Self { scene, presentation: &Presentation::PLAIN }
+    }
+}
+
+impl<'a> From<&'a Moment> for Shown<'a> {
+    fn from(Moment { scene, presentation }: &'a Moment) -> Self {
+        Self { scene, presentation }
+    }
+}
+
+pub fn drawn<'a>(
+    threads: usize,
+    shown: impl Into<Shown<'a>>,
+    quality: &Quality,
+    size: Size,
+) -> Vec<u32> {
     let mut pixels = vec![0; size.area()];
     let level = cpu::best().level;
-    ThreadedRenderer::new(threads).draw(level, scene, quality, size.width, &mut pixels);
+    ThreadedRenderer::new(threads).draw(level, shown, quality, size.width, &mut pixels);
     pixels
 }
 

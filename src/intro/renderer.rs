@@ -1,6 +1,8 @@
 use core::mem::ManuallyDrop;
 use eightfold::show;
-use eightfold_tracer::{Band, Counts, Frame, Job, Memory, Quality, Renderer, Worker, scene::Scene};
+use eightfold_tracer::{
+    Band, Counts, Frame, Job, Memory, Quality, Renderer, Worker, scene::Moment,
+};
 use eightfold_window::{
     clock::SECOND,
     cpu::{self, Isa},
@@ -14,14 +16,14 @@ use super::{
 };
 
 struct Workspace {
-    scene: Scene,
+    moment: Moment,
     memory: Memory,
     workers: [Worker; MAX_THREADS],
 }
 
 /// Too large for the stack.
 static WORKSPACE: StaticCell<Workspace> = StaticCell::new(Workspace {
-    scene: Scene::ZEROED,
+    moment: Moment::ZEROED,
     memory: Memory::new(),
     workers: [const { Worker::new() }; _],
 });
@@ -30,7 +32,7 @@ static WORKSPACE: StaticCell<Workspace> = StaticCell::new(Workspace {
 pub struct ShowRenderer {
     pub isa: Isa,
     renderer: Renderer<&'static mut Memory>,
-    scene: &'static mut Scene,
+    moment: &'static mut Moment,
     /// The process ends without its threads.
     threads: (ManuallyDrop<Pool>, &'static mut [Worker]),
 }
@@ -38,12 +40,12 @@ pub struct ShowRenderer {
 impl ShowRenderer {
     #[inline(never)]
     pub fn new(options: &Options, isa: Isa) -> ShowRenderer {
-        let Workspace { scene, memory, workers } = WORKSPACE.take();
+        let Workspace { moment, memory, workers } = WORKSPACE.take();
         let threads = options.threads.unwrap_or_else(pool::processors);
         ShowRenderer {
             isa,
             renderer: renderer(isa, memory),
-            scene,
+            moment,
             threads: (ManuallyDrop::new(Pool::new(threads.min(MAX_THREADS))), workers),
         }
     }
@@ -64,14 +66,15 @@ impl ShowRenderer {
     ) -> Counts {
         // An f64 represents every nanosecond of the show exactly, so the time is rounded only once.
         let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
-        show::at(seconds, self.scene);
+        show::at(seconds, self.moment);
         let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels)
-            .with_probes(Frame::PROBES, number as u32);
+            .with_probes(Frame::PROBES, number as u32)
+            .with_presentation(&self.moment.presentation);
         let threads = &mut self.threads;
         // One captured reference makes a smaller program than two.
         let mut threads =
             move |bands: &mut [Band<'_>], job: Job<'_>| threads.0.run(threads.1, bands, job);
-        self.renderer.render_valid(self.scene, quality, frame, &mut threads)
+        self.renderer.render_valid(&self.moment.scene, quality, frame, &mut threads)
     }
 
     pub fn pool(&mut self) -> &mut Pool {

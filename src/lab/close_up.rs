@@ -4,7 +4,7 @@ use eightfold_harness::Size;
 use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::Moment;
 use eightfold_window::cpu;
 
 /// Pixels of the picture.
@@ -19,7 +19,7 @@ const OUTLINE: u32 = 0x00ff_b000;
 /// Draws the pixels around one exhaustively, without the guard and with it, on a sheet.
 pub fn draw(
     renderer: &mut ThreadedRenderer,
-    scene: &Scene,
+    scene: &Moment,
     quality: &Quality,
     size: Size,
     [x, y]: [usize; 2],

@@ -10,7 +10,7 @@ use eightfold_harness::Size;
 use eightfold_harness::error::Difference;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Counts;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::Moment;
 use eightfold_window::cpu::Isa;
 use std::time::Instant;
 
@@ -126,10 +126,10 @@ impl Measurement {
     }
 
     /// Omits captions, which enlarged frames would enlarge.
-    fn scene(&self, name: SceneName, time: f32) -> Scene {
+    fn scene(&self, name: SceneName, time: f32) -> Moment {
         let mut scene = name.without_overlay(time);
         if self.techniques.iter().any(|it| it.sampling != Sampling::Full) {
-            scene.captions.clear();
+            scene.presentation.captions.clear();
         }
         scene
     }
@@ -160,7 +160,7 @@ impl Measurement {
             let mut seen = vec![Seen::default(); self.techniques.len()];
             for view in views {
                 let scenes = view.iter().map(|&time| self.scene(*scene, time));
-                let scenes: Vec<Scene> = scenes.collect();
+                let scenes: Vec<Moment> = scenes.collect();
                 look(&self.techniques, self.isa.level, size, &scenes, &mut seen);
                 bar.inc(1);
             }
@@ -178,7 +178,7 @@ impl Setting {
         &mut self,
         measurement: &Measurement,
         renderer: &mut ThreadedRenderer,
-        scene: &Scene,
+        scene: &Moment,
         pictures: &mut [Vec<u32>; 2],
     ) {
         let (level, width) = (measurement.isa.level, self.size.width);

@@ -3,7 +3,7 @@ use clap::Args;
 use eightfold::show::{self, grid};
 use eightfold_harness::Size;
 use eightfold_scene_file::SceneFile;
-use eightfold_tracer::scene::{MAX_SPHERES, Method, Scene};
+use eightfold_tracer::scene::{MAX_SPHERES, Method, Moment, Presentation};
 use std::error::Error;
 use std::path::Path;
 use std::str::FromStr;
@@ -39,16 +39,16 @@ pub enum SceneName {
 }
 
 impl SceneName {
-    pub fn at(self, time: f32) -> Scene {
+    pub fn at(self, time: f32) -> Moment {
         match self {
-            Self::Model => show::model_scene(time),
-            Self::Field(count) => show::field(count, time),
+            Self::Model => show::model_scene(time).into(),
+            Self::Field(count) => show::field(count, time).into(),
             Self::File(file) => file.at(time),
             Self::Show | Self::ShowScene(_) => {
                 let time = self.start().unwrap_or(0.0) + time;
-                let mut scene = Scene::default();
-                show::at(time.clamp(0.0, show::LENGTH), &mut scene);
-                scene
+                let mut moment = Moment::default();
+                show::at(time.clamp(0.0, show::LENGTH), &mut moment);
+                moment
             }
         }
     }
@@ -62,13 +62,13 @@ impl SceneName {
     }
 
     /// Omits overlays that would count as errors: the method's, and captions that count points.
-    pub fn without_overlay(self, time: f32) -> Scene {
-        let mut scene = self.at(time);
-        scene.method = Method::default();
-        let captions = scene.captions.iter().copied();
-        let captions = captions.filter(|caption| !caption.letters.contains(&b'#'));
-        scene.captions = captions.collect();
-        scene
+    pub fn without_overlay(self, time: f32) -> Moment {
+        let mut moment = self.at(time);
+        let Presentation { method, captions, .. } = &mut moment.presentation;
+        *method = Method::PLAIN;
+        let others = captions.iter().copied();
+        *captions = others.filter(|caption| !caption.letters.contains(&b'#')).collect();
+        moment
     }
 
     /// Returns the start in the show, in seconds; `None` for other scenes.

@@ -6,7 +6,7 @@ use eightfold_harness::Size;
 use eightfold_harness::error::{Difference, pops};
 use eightfold_harness::picture::Mean;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::Moment;
 use eightfold_tracer::{Level, Quality};
 use rayon::prelude::*;
 
@@ -27,11 +27,11 @@ pub fn look(
     techniques: &[Technique],
     level: Level,
     size: Size,
-    scenes: &[Scene],
+    scenes: &[Moment],
     seen: &mut [Seen],
 ) {
     let width = size.width;
-    let draw = |technique: &Technique, scene: &Scene, renderer: &mut ThreadedRenderer| {
+    let draw = |technique: &Technique, scene: &Moment, renderer: &mut ThreadedRenderer| {
         let mut pixels = vec![0; size.area()];
         technique.draw(renderer, level, scene, width, &mut pixels);
         pixels
@@ -77,7 +77,7 @@ pub fn look(
     );
 }
 
-fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Scene) -> Vec<u32> {
+fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Moment) -> Vec<u32> {
     let (mut mean, mut pixels) = (Mean::default(), vec![0; size.area()]);
     for i in 0..GRID * GRID {
         let place = |i: usize| (i as f32 + 0.5) / GRID as f32 - 0.5;

@@ -1,8 +1,7 @@
 use eightfold_harness::Size;
 use eightfold_harness::error::worst_channel;
-use eightfold_harness::threaded_renderer::ThreadedRenderer;
+use eightfold_harness::threaded_renderer::{Shown, ThreadedRenderer};
 use eightfold_tracer::Preset;
-use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Level, Quality};
 use fast_image_resize::images::{Image, ImageRef};
 use fast_image_resize::{FilterType, PixelType, ResizeAlg, ResizeOptions, Resizer};
@@ -64,16 +63,16 @@ impl Technique {
         ])
     }
 
-    pub fn draw(
+    pub fn draw<'a>(
         &self,
         renderer: &mut ThreadedRenderer,
         level: Level,
-        scene: &Scene,
+        shown: impl Into<Shown<'a>>,
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
         let size = Size::new(width, pixels.len() / width);
-        let quality = &self.quality;
+        let (quality, scene) = (&self.quality, shown.into());
         SCRATCH.with_borrow_mut(|Scratch { resizer, small }| match self.sampling {
             Sampling::Full => renderer.draw(level, scene, quality, width, pixels),
             Sampling::Enlarged(scale) => {

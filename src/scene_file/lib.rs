@@ -1,4 +1,4 @@
-//! Scene files in RON: the fields of [`Scene`], named materials, and motions. `examples/scenes` has a file for each feature.
+//! Scene files in RON: the fields of [`Scene`] and [`Presentation`], named materials, and motions. `examples/scenes` has a file for each feature.
 
 mod check;
 mod message;
@@ -8,7 +8,9 @@ mod node;
 
 pub use message::one_line;
 
-use eightfold_tracer::scene::{Camera, Material, Scene};
+use eightfold_tracer::scene::{Camera, Material, Moment};
+#[cfg(doc)]
+use eightfold_tracer::scene::{Presentation, Scene};
 use message::{located, syntax};
 use motion::Motion;
 use moving::Moving;
@@ -88,9 +90,9 @@ impl SceneFile {
         Ok(Self { name, length, text, moving })
     }
 
-    pub fn at(&self, time: f32) -> Scene {
-        let scene = self.moving.scene(time);
-        scene.expect("a file that was read is a scene at all times")
+    pub fn at(&self, time: f32) -> Moment {
+        let moment = self.moving.moment(time);
+        moment.expect("a file that was read is a scene at all times")
     }
 
     /// Checks the scene at a time that may be before the start or after the end.

@@ -1,10 +1,10 @@
 //! A scene that changes with time.
 
 use super::motion::Motion;
-use super::node::{Kind, Mistake, Node, steps};
+use super::node::{Kind, Mistake, Node, PRESENTATION, steps};
 use eightfold_tracer::RangeError;
 use eightfold_tracer::glam::{EulerRot, Mat3};
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::{Moment, Presentation, Scene};
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,14 +17,20 @@ pub struct Moving {
 }
 
 impl Moving {
-    pub fn scene(&self, time: f32) -> Result<Scene, Mistake> {
-        Scene::deserialize(&self.tree_at(time)?)
+    pub fn moment(&self, time: f32) -> Result<Moment, Mistake> {
+        let mut scene = self.tree_at(time)?;
+        let presentation = PRESENTATION.iter().filter_map(|name| scene.take(name)).collect();
+        let presentation = Node { parts: presentation, ..Node::default() };
+        Ok(Moment {
+            scene: Scene::deserialize(&scene)?,
+            presentation: Presentation::deserialize(&presentation)?,
+        })
     }
 
     pub fn valid(&self, time: f32) -> Result<Scene, Mistake> {
-        let scene = self.scene(time)?;
-        match scene.validate() {
-            Ok(()) => Ok(scene),
+        let moment = self.moment(time)?;
+        match moment.validate() {
+            Ok(()) => Ok(moment.scene),
             Err(error) => Err(self.mistake(time, &error)),
         }
     }
@@ -43,8 +49,8 @@ impl Moving {
             if let Some(it) = motions.find(|it| it.index == motion.index) {
                 *it = motion.frozen();
             }
-            let scene = other.scene(time);
-            scene.is_ok_and(|scene| scene.validate().is_ok())
+            let moment = other.moment(time);
+            moment.is_ok_and(|moment| moment.validate().is_ok())
         };
         let motions = self.motions.iter();
         let motions = motions.filter(|motion| time != 0.0 || is_set(motion));

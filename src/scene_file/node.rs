@@ -9,6 +9,9 @@ use serde::de::{Expected, MapAccess, SeqAccess, Unexpected, Visitor};
 use std::cmp::Reverse;
 use std::fmt;
 
+/// The fields of `Presentation`.
+pub const PRESENTATION: [&str; 3] = ["sectors", "method", "captions"];
+
 /// Follows the name of an unknown field.
 pub const UNKNOWN: &str = " is unknown";
 
@@ -231,7 +234,7 @@ impl de::Error for Mistake {
 
     fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
         let own: &[&str] = match known {
-            ["camera", ..] => &["length", "materials", "motions"],
+            ["camera", ..] => &["length", "materials", "motions", "sectors", "method", "captions"],
             ["of", ..] => &["keys"],
             ["shape", ..] => &["turn"],
             _ => &[],

@@ -1,5 +1,5 @@
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Caption, Scene};
+use eightfold_tracer::scene::{Caption, Presentation};
 
 pub(super) struct Cue {
     pub text: &'static str,
@@ -12,13 +12,13 @@ pub(super) struct Cue {
     pub size: f32,
 }
 
-pub(super) fn apply(lines: &[Cue], beat: f32, scene: &mut Scene) {
-    scene.captions.clear();
+pub(super) fn apply(lines: &[Cue], beat: f32, presentation: &mut Presentation) {
+    presentation.captions.clear();
     for line in lines {
         let since = beat - line.first;
         let brightness = smooth_step(since.min(line.beats - since));
         if brightness > 0.0 {
-            scene.captions.push(Caption {
+            presentation.captions.push(Caption {
                 letters: line.text.bytes().collect(),
                 middle: line.middle,
                 size: line.size,

@@ -1,6 +1,6 @@
 use crate::sound::{self, Cue, Track};
 use eightfold_tracer::scene::{
-    Ambience, Film, Light, Material, Method, Plane, Scene, Softbox, Waves,
+    Ambience, Film, Light, Material, Plane, Presentation, Scene, Softbox, Waves,
 };
 use glam::Vec3;
 
@@ -24,6 +24,8 @@ pub(super) struct Environment {
     /// In radians, see [`Camera::field_of_view`](eightfold_tracer::scene::Camera::field_of_view).
     pub field_of_view: f32,
     pub add: fn(Now, &mut Scene),
+    /// Mirrors the picture or marks its squares.
+    pub present: fn(Now, &mut Presentation),
 }
 
 impl Environment {
@@ -43,6 +45,7 @@ impl Environment {
         softboxes: &[],
         field_of_view: 0.6,
         add: |_, _| {},
+        present: |_, _| {},
     };
 }
 
@@ -85,8 +88,6 @@ impl Environment {
         scene.exposure = 1.0;
         scene.black_beyond = false;
         scene.film = Film { filmic: true, vignette: self.vignette, dither: 1.0 };
-        scene.method = Method::default();
-        scene.sectors = 1.0;
         scene.planes.clear();
         if let Some(&material) = self.floor {
             scene.planes.push(Plane::new(Vec3::ZERO, FAR, FAR, material));

@@ -3,23 +3,26 @@ use super::environment::Now;
 use super::path::move_camera;
 use super::scenes::ALL;
 use crate::grid::{BAR, BEATS_PER_BAR};
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::{Method, Moment, Presentation};
 
 const BEATS: f32 = BEATS_PER_BAR as f32;
 
-/// Sets the show's scene at `time` seconds, 0 to [`LENGTH`](super::LENGTH).
-pub fn at(time: f32, scene: &mut Scene) {
-    transition(without_transition(time, scene), scene);
+/// Sets the show's scene and its presentation at `time` seconds, 0 to [`LENGTH`](super::LENGTH).
+pub fn at(time: f32, moment: &mut Moment) {
+    transition(without_transition(time, moment), &mut moment.presentation);
 }
 
 /// Sets a scene like [`at`], without a transition's coarse squares. Returns the transition's halvings.
-pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
+pub fn without_transition(time: f32, Moment { scene, presentation }: &mut Moment) -> f32 {
     let (shown, bar) = playing(&ALL, |scene| scene.bars(), time / BAR);
     let since = bar + shown.environment_since as f32;
     // Rounded, since the difference may be slightly less than a whole number.
     let first = (time / BAR - since + 0.5) as u32;
-    shown.environment.apply(Now { first, beat: since * BEATS }, scene);
-    captions::apply(shown.captions, bar * BEATS, scene);
+    let now = Now { first, beat: since * BEATS };
+    shown.environment.apply(now, scene);
+    (presentation.sectors, presentation.method) = (1.0, Method::PLAIN);
+    (shown.environment.present)(now, presentation);
+    captions::apply(shown.captions, bar * BEATS, presentation);
     let (shot, bar_of_shot) = playing(shown.shots, |shot| shot.bars.into(), bar);
     let time_of_shot = bar_of_shot / f32::from(shot.bars);
     move_camera(shot.views, time_of_shot, shown.environment.field_of_view, scene);
@@ -31,10 +34,10 @@ pub fn without_transition(time: f32, scene: &mut Scene) -> f32 {
 }
 
 /// Coarsens a scene's beginning and end, from squares of 32 pixels. `halvings` counts from the beginning, or to the end.
-fn transition(halvings: f32, scene: &mut Scene) {
+fn transition(halvings: f32, presentation: &mut Presentation) {
     // No squares of a single pixel.
     let side = (32 >> (halvings as u32).min(6) & !1) as f32;
-    let method = &mut scene.method;
+    let method = &mut presentation.method;
     method.coarse = method.coarse.max(side);
     method.squares = method.squares.max(side / 128.0);
 }

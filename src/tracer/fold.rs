@@ -1,4 +1,5 @@
-//! Kaleidoscopes, see [`Scene::sectors`](crate::scene::Scene::sectors): a part of the picture is drawn, and copied to the rest.
+//! Kaleidoscopes, see [`Presentation::sectors`](crate::scene::Presentation::sectors): a part of the picture is drawn, and copied to
+//! the rest.
 
 use crate::maths::to_f32;
 use crate::picture::{Band, CELL};

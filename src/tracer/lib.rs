@@ -36,7 +36,7 @@
 //!
 //! A square is split if its corners differ in colour, objects or light, or if conservative bounds show that an object, a shadow on a
 //! plane, a reflection in the first plane or a highlight may be between them. To draw the outlines of the filled squares over a picture,
-//! set [`Method::squares`](scene::Method::squares):
+//! set [`Method::squares`](scene::Method::squares) in its [`Presentation`](scene::Presentation):
 //!
 #![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
 //!

@@ -2,6 +2,7 @@
 
 use crate::counts::Counts;
 use crate::quality::Quality;
+use crate::scene::Presentation;
 use core::ops::Range;
 use glam::{Vec2, vec2};
 
@@ -25,6 +26,8 @@ pub struct Frame<'a> {
     pub offset: Vec2,
     /// See [`Frame::with_probes`].
     pub probing: Probing,
+    /// See [`Frame::with_presentation`].
+    pub presentation: &'a Presentation,
 }
 
 /// The probed pixels, see [`Frame::with_probes`].
@@ -51,6 +54,7 @@ impl<'a> Frame<'a> {
             stride: width,
             offset: Vec2::ZERO,
             probing: Probing { count: 0, seed: 0 },
+            presentation: &Presentation::PLAIN,
         }
     }
 
@@ -78,6 +82,12 @@ impl<'a> Frame<'a> {
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self { probing: Probing { count, seed }, ..self }
+    }
+
+    /// Sets the presentation, [`Presentation::PLAIN`] by default.
+    #[must_use]
+    pub const fn with_presentation(self, presentation: &'a Presentation) -> Self {
+        Self { presentation, ..self }
     }
 }
 

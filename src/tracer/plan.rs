@@ -3,7 +3,7 @@ use crate::maths::to_f32;
 use crate::picture::{Frame, Probing};
 use crate::prepare;
 use crate::quality::Quality;
-use crate::scene::{Method, Scene};
+use crate::scene::{Method, Presentation, Scene};
 use glam::Vec2;
 
 /// The largest side of squares in a crowd of mirrors and glass, whose images are narrow.
@@ -17,6 +17,7 @@ pub(crate) struct FramePlan {
     pub finished: usize,
     /// See [`Method::coarse`]; below 2 for none.
     pub coarse: usize,
+    pub method: Method,
     pub fold: Fold,
     /// Whether all points of strong mirrors and glass have different keys.
     pub glitters: bool,
@@ -28,14 +29,14 @@ pub(crate) struct FramePlan {
 impl FramePlan {
     pub fn new(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Self {
         let size = [frame.width, frame.height];
-        let method = &scene.method;
+        let Presentation { method, sectors, .. } = frame.presentation;
         let finished = if *method == Method::PLAIN {
             size[0]
         } else {
             ((method.front * to_f32(size[0])) as usize).min(size[0])
         };
         let coarse = method.coarse as usize;
-        let fold = Fold::new(scene.sectors, size);
+        let fold = Fold::new(*sectors, size);
         let is_coarse = coarse >= 2;
         let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
         let square = if glitters { quality.square.min(CROWD_SQUARE) } else { quality.square };
@@ -57,6 +58,7 @@ impl FramePlan {
             size,
             finished,
             coarse,
+            method: *method,
             fold,
             glitters,
             offset: frame.offset + fold.offset,

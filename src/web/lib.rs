@@ -10,7 +10,7 @@ mod share;
 use eightfold::show;
 use eightfold::sound::{self, Synthesizer};
 use eightfold_scene_file::SceneFile;
-use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::scene::{Method, Moment, Presentation};
 use eightfold_tracer::{
     Counts, Frame, Governor, Level, Memory, Preset, Probes, Quality, Renderer, Worker,
 };
@@ -23,7 +23,7 @@ use std::time::Duration;
 struct Workspace {
     memory: Memory,
     worker: Worker,
-    scene: Scene,
+    moment: Moment,
     synthesizer: Synthesizer,
     samples: [[f32; 2]; SAMPLES],
 }
@@ -55,7 +55,7 @@ const SAMPLES: usize = 128;
 static WORKSPACE: Mutex<Workspace> = Mutex::new(Workspace {
     memory: Memory::new(),
     worker: Worker::new(),
-    scene: Scene::ZEROED,
+    moment: Moment::ZEROED,
     synthesizer: Synthesizer::new(),
     samples: [[0.0; 2]; SAMPLES],
 });
@@ -115,17 +115,19 @@ pub extern "C" fn resize(width: usize, height: usize) -> *mut u32 {
 /// Sets the scene to the show's at a time in seconds; a resting picture has no transition.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_show(time: f32, is_resting: bool) {
-    let scene = &mut workspace().scene;
+    let moment = &mut workspace().moment;
     if is_resting {
-        show::without_transition(time, scene);
+        show::without_transition(time, moment);
     } else {
-        show::at(time, scene);
+        show::at(time, moment);
     }
 }
 
 #[unsafe(no_mangle)]
 pub extern "C" fn set_model(time: f32) {
-    show::model(time, &mut workspace().scene);
+    let Moment { scene, presentation } = &mut workspace().moment;
+    show::model(time, scene);
+    *presentation = Presentation::PLAIN;
 }
 
 /// Returns the address of space for a UTF-8 text.
@@ -160,15 +162,15 @@ pub extern "C" fn length() -> f32 {
 #[unsafe(no_mangle)]
 pub extern "C" fn set_file(time: f32) {
     if let Some(file) = &state().file {
-        workspace().scene = file.at(time % file.length);
+        workspace().moment = file.at(time % file.length);
     }
 }
 
 #[unsafe(no_mangle)]
 pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f32) {
-    let scene = &mut workspace().scene;
-    scene.method = Method { points, squares, picture, coarse, ..Method::PLAIN };
-    scene.captions.clear();
+    let presentation = &mut workspace().moment.presentation;
+    presentation.method = Method { points, squares, picture, coarse, ..Method::PLAIN };
+    presentation.captions.clear();
 }
 
 /// Sets the quality of the next frames by its index in [`about`]; `is_reference` selects the reference of its error.
@@ -191,14 +193,15 @@ pub extern "C" fn draw(
     seed: u32,
 ) -> usize {
     let (space, state) = (&mut *workspace(), &mut *state());
+    let Moment { scene, presentation } = &space.moment;
     let mut done = Counts::NONE;
     done.points = before as u64;
-    let rows = rows_of(&space.scene, from..to, state.height);
+    let rows = rows_of(presentation, from..to, state.height);
     let mut share = Share::new(&mut space.worker, rows, pass, done);
     let mut renderer = Renderer::narrow(Level::baseline(), &mut space.memory);
     let frame = Frame::new(state.width, state.height, &mut state.pixels);
-    let frame = frame.with_probes(probes, seed);
-    renderer.render_valid(&space.scene, &state.quality, frame, &mut share);
+    let frame = frame.with_probes(probes, seed).with_presentation(presentation);
+    renderer.render_valid(scene, &state.quality, frame, &mut share);
     let counts = share.counts;
     state.figures = [
         share.drawn[0] as f64,
@@ -244,10 +247,12 @@ fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
     let (space, state) = (&mut *workspace(), &mut *state());
     let inspector = Inspector::new(x, y);
+    let Moment { scene, presentation } = &space.moment;
     let frame = Frame::new(state.width, state.height, &mut state.pixels);
+    let frame = frame.with_presentation(presentation);
     let mut share = Share::new(&mut space.worker, from..to, 0, Counts::NONE);
     let mut renderer = Renderer::narrow(Level::baseline(), &mut space.memory);
-    let _ = renderer.render_observed(&space.scene, &state.quality, frame, &mut share, &inspector);
+    let _ = renderer.render_observed(scene, &state.quality, frame, &mut share, &inspector);
     state.store_text(inspector.json())
 }
 

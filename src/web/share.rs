@@ -1,11 +1,11 @@
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::Presentation;
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
 
 /// Returns the rows in which a worker's bands begin. Kaleidoscopes of four sectors or more copy pixels between rows, so the first
 /// worker draws the whole picture.
-pub fn rows_of(scene: &Scene, rows: Range<usize>, height: usize) -> Range<usize> {
-    match (scene.sectors >= 4.0, rows.start) {
+pub fn rows_of(presentation: &Presentation, rows: Range<usize>, height: usize) -> Range<usize> {
+    match (presentation.sectors >= 4.0, rows.start) {
         (false, _) => rows,
         (true, 0) if !rows.is_empty() => 0..height,
         (true, _) => 0..0,
@@ -60,6 +60,7 @@ impl Threads for Share<'_> {
 mod tests {
     use super::*;
     use eightfold::show;
+    use eightfold_tracer::scene::Moment;
     use eightfold_tracer::{Frame, Level, Memory, Preset, Quality, Renderer};
 
     const WIDTH: usize = 161;
@@ -84,22 +85,24 @@ mod tests {
         /// Returns the number of passes, the rows of its bands, and its points.
         fn draw(
             &mut self,
-            scene: &Scene,
+            moment: &Moment,
             quality: &Quality,
             rows: Range<usize>,
             pass: usize,
             before: Counts,
         ) -> (usize, Range<usize>, u64) {
-            let rows = rows_of(scene, rows, HEIGHT);
+            let Moment { scene, presentation } = moment;
+            let rows = rows_of(presentation, rows, HEIGHT);
             let mut share = Share::new(&mut self.worker, rows, pass, before);
             let frame = Frame::new(WIDTH, HEIGHT, &mut self.pixels);
+            let frame = frame.with_presentation(presentation);
             self.renderer.render_valid(scene, quality, frame, &mut share);
             let [first, end] = share.drawn;
             (share.passes, first..end, share.counts.points)
         }
     }
 
-    fn in_parts(scene: &Scene, quality: &Quality, cuts: &[usize]) -> Vec<u32> {
+    fn in_parts(scene: &Moment, quality: &Quality, cuts: &[usize]) -> Vec<u32> {
         let mut parts: Vec<Part> = cuts[1..].iter().map(|_| Part::new()).collect();
         let (mut pass, mut passes, mut before) = (0, 1, Counts::NONE);
         let mut drawn = Vec::new();
@@ -132,7 +135,7 @@ mod tests {
 
     #[test]
     fn first_worker_draws_kaleidoscopes() {
-        let mut scene = Box::<Scene>::default();
+        let mut scene = Box::<Moment>::default();
         show::at(100.0, &mut scene);
         let [mut first, mut second, mut whole] = [Part::new(), Part::new(), Part::new()];
         // Without antialiasing a frame has one pass.
@@ -140,13 +143,14 @@ mod tests {
         assert_eq!(first.draw(&scene, &quality, 0..64, 0, Counts::NONE).1, 0..HEIGHT);
         assert_eq!(second.draw(&scene, &quality, 64..HEIGHT, 0, Counts::NONE).2, 0);
         let frame = Frame::new(WIDTH, HEIGHT, &mut whole.pixels);
-        whole.renderer.render_valid(&scene, &quality, frame, &mut *whole.worker);
+        let frame = frame.with_presentation(&scene.presentation);
+        whole.renderer.render_valid(&scene.scene, &quality, frame, &mut *whole.worker);
         assert!(first.pixels == whole.pixels);
     }
 
     #[test]
     fn frame_in_parts_has_same_bits() {
-        let mut scene = Box::<Scene>::default();
+        let mut scene = Box::<Moment>::default();
         // With edges, with a caption that shows the points, with squares of 32.
         for time in [62.3, 37.5, 24.05] {
             show::at(time, &mut scene);
@@ -154,7 +158,8 @@ mod tests {
                 let whole = in_parts(&scene, &quality, &[0, HEIGHT]);
                 let mut part = Part::new();
                 let frame = Frame::new(WIDTH, HEIGHT, &mut part.pixels);
-                part.renderer.render_valid(&scene, &quality, frame, &mut *part.worker);
+                let frame = frame.with_presentation(&scene.presentation);
+                part.renderer.render_valid(&scene.scene, &quality, frame, &mut *part.worker);
                 assert!(whole == part.pixels, "{time} s, pass after pass");
                 for cuts in [&[0, 64, HEIGHT][..], &[0, 32, 64, 96, HEIGHT]] {
                     let parts = in_parts(&scene, &quality, cuts);

@@ -10,7 +10,7 @@ use eightfold::show;
 use eightfold_oracle::frame::Frame;
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::{Kinds, Random, cases, crowd, known};
-use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphere};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Scene, Sphere};
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{DVec3, Vec3, vec3};
 
@@ -103,11 +103,9 @@ fn fields_and_crowds_match_the_oracle() {
 #[test]
 fn films_names_and_narrow_lights_match_the_oracle() {
     let text = include_str!("../../examples/scenes/bubbles.ron");
-    let bubbles = SceneFile::parse("", text).expect("a scene").at(1.0);
+    let bubbles = SceneFile::parse("", text).expect("a scene").at(1.0).scene;
     assert_traced(&bubbles, [192, 108], "bubbles");
-    let mut name = of_the_show(9.0);
-    name.captions.clear();
-    assert_traced(&name, [90, 160], "the name");
+    assert_traced(&of_the_show(9.0), [90, 160], "the name");
     for far in [1e2, 1e3, 1e4] {
         let mut scene = show::model_scene(0.0);
         let position = vec3(0.3, 1.0, 0.2) * far;
@@ -119,11 +117,7 @@ fn films_names_and_narrow_lights_match_the_oracle() {
 #[test]
 fn show_matches_the_oracle() {
     for time in TIMES.into_iter().step_by(2) {
-        let mut scene = of_the_show(time as f32 / 1000.0);
-        scene.captions.clear();
-        scene.method = Method::default();
-        // The oracle does not fold.
-        scene.sectors = 1.0;
+        let scene = of_the_show(time as f32 / 1000.0);
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);
         let silhouettes = frame.silhouettes();
         let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180);

@@ -9,7 +9,7 @@ use std::f32::consts::TAU;
 #[test]
 fn points_are_added_between_differing_pixels() {
     for mut random in cases(30) {
-        let scene = Kinds { overlays: false, ..Kinds::EXTREME }.scene(&mut random);
+        let scene = Kinds::EXTREME.scene(&mut random);
         let quality = Quality {
             square: [8, 8, 8, 4, 16, 32][random.below(6)],
             tolerance_agreeing: [7.5, 140.0, 180.0, 250.0, f32::INFINITY][random.below(5)],

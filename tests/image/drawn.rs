@@ -2,10 +2,10 @@
 //! ([`draw_best`]).
 
 use crate::cpu::{self, Isa};
-use crate::threaded_renderer::ThreadedRenderer;
+use crate::threaded_renderer::{Shown, ThreadedRenderer};
 use eightfold::show;
 use eightfold_tracer::observe::{Observer, Split};
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::{Moment, Scene};
 use eightfold_tracer::{Counts, Preset, Quality};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -58,10 +58,10 @@ thread_local! {
     static RENDERERS: RefCell<HashMap<usize, ThreadedRenderer>> = RefCell::default();
 }
 
-pub fn draw(
+pub fn draw<'a>(
     isa: Isa,
     threads: usize,
-    scene: &Scene,
+    shown: impl Into<Shown<'a>>,
     quality: &Quality,
     width: usize,
     height: usize,
@@ -70,30 +70,41 @@ pub fn draw(
     let counts = RENDERERS.with_borrow_mut(|renderers| {
         let renderer = renderers.entry(threads);
         let renderer = renderer.or_insert_with(|| ThreadedRenderer::new(threads));
-        renderer.draw(isa.level, scene, quality, width, &mut pixels)
+        renderer.draw(isa.level, shown, quality, width, &mut pixels)
     });
     let undrawn = pixels.iter().position(|&pixel| pixel >> 24 != 0);
     assert_eq!(undrawn, None, "a pixel was left out, {width}x{height}");
     Drawn { pixels, counts }
 }
 
-pub fn draw_best(scene: &Scene, quality: &Quality, width: usize, height: usize) -> Drawn {
-    draw(cpu::best(), 2, scene, quality, width, height)
+pub fn draw_best<'a>(
+    shown: impl Into<Shown<'a>>,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+) -> Drawn {
+    draw(cpu::best(), 2, shown, quality, width, height)
 }
 
-pub fn draw_by_all(
-    scene: &Scene,
+pub fn draw_by_all<'a>(
+    shown: impl Into<Shown<'a>>,
     quality: &Quality,
     width: usize,
     height: usize,
 ) -> Vec<(Isa, Drawn)> {
-    cpu::instruction_sets().map(|isa| (isa, draw(isa, 2, scene, quality, width, height))).collect()
+    let shown = shown.into();
+    cpu::instruction_sets().map(|isa| (isa, draw(isa, 2, shown, quality, width, height))).collect()
 }
 
+/// Returns a scene of the show without its presentation.
 pub fn of_the_show(time: f32) -> Scene {
-    let mut scene = Scene::default();
-    show::at(time, &mut scene);
-    scene
+    shown(time).scene
+}
+
+pub fn shown(time: f32) -> Moment {
+    let mut moment = Moment::default();
+    show::at(time, &mut moment);
+    moment
 }
 
 /// The work of points, and the squares that were split, by x, y and side.

@@ -4,13 +4,14 @@
 use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, draw, draw_by_all, isa_of, of_side, of_the_show};
 use crate::error::Difference;
+use crate::threaded_renderer::Shown;
 use eightfold::show;
 use eightfold_oracle::frame::Frame as Traced;
 use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::scaled;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::text::Text;
-use eightfold_tracer::scene::{Block, Camera, Caption, Light, List, Scene, Sphere, Waves};
+use eightfold_tracer::scene::{Block, Camera, Caption, Light, List, Moment, Scene, Sphere, Waves};
 use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Quality, Renderer, Worker};
 use glam::{Mat3, Vec3, vec3};
 use std::panic::catch_unwind;
@@ -28,10 +29,10 @@ fn rich() -> Scene {
     scene
 }
 
-fn written() -> Scene {
-    let mut scene = rich();
-    scene.method.points = 0.4;
-    scene.captions.push(Caption {
+fn written() -> Moment {
+    let mut scene = Moment::from(rich());
+    scene.presentation.method.points = 0.4;
+    scene.presentation.captions.push(Caption {
         letters: List::of(b"EIGHTFOLD"),
         middle: 0.5,
         size: 0.2,
@@ -44,7 +45,8 @@ fn rays(drawn: &Drawn) -> u64 {
     drawn.counts.rays + drawn.counts.shadow_rays
 }
 
-fn usual_rays(scene: &Scene) -> Vec<[u64; 4]> {
+fn usual_rays<'a>(shown: impl Into<Shown<'a>>) -> Vec<[u64; 4]> {
+    let scene = shown.into();
     let rays = |isa, quality| rays(&draw(isa, 2, scene, &quality, 64, 48));
     let isas = cpu::instruction_sets();
     isas.map(|isa| REFINEMENTS.map(|quality| rays(isa, quality))).collect()
@@ -52,7 +54,7 @@ fn usual_rays(scene: &Scene) -> Vec<[u64; 4]> {
 
 /// Asserts equal bits on one thread and on two, for at most 2.5 times the usual rays.
 #[track_caller]
-fn assert_bounded(scene: &Scene, usual: &[[u64; 4]], case: usize, what: &str) {
+fn assert_bounded(scene: &Moment, usual: &[[u64; 4]], case: usize, what: &str) {
     let (number, seed) = (case % REFINEMENTS.len(), case / REFINEMENTS.len());
     let isa = isa_of(seed as u64);
     assert!(scene.validate().is_err(), "{what}");
@@ -72,7 +74,7 @@ fn invalid_number_gives_a_picture_for_bounded_work() {
     let mut case = 0;
     for i in 0..text.numbers.len() {
         for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-            let (scene, name) = text.scene_with(i, wrong);
+            let (scene, name) = text.value_with(i, wrong);
             assert_bounded(&scene, &usual, case, &format!("{name} {wrong}"));
             case += 1;
         }
@@ -80,11 +82,11 @@ fn invalid_number_gives_a_picture_for_bounded_work() {
     let field = show::field(100, 1.0);
     let [of_field, of_model] = [&field, &show::model_scene(0.0)].map(usual_rays);
     for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
-        let scene = show::model_scene(wrong);
+        let scene = show::model_scene(wrong).into();
         assert_bounded(&scene, &of_model, case, &format!("at {wrong} s"));
         for every in [1, 3, 50] {
-            let mut scene = field.clone();
-            let spheres = scene.spheres.iter_mut().step_by(every);
+            let mut scene = Moment::from(field.clone());
+            let spheres = scene.scene.spheres.iter_mut().step_by(every);
             spheres.for_each(|sphere| sphere.centre.x = wrong);
             for refinement in 0..REFINEMENTS.len() {
                 assert_bounded(&scene, &of_field, 4 * case + refinement, "spheres");

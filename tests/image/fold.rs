@@ -1,4 +1,4 @@
-//! Kaleidoscopes, see `Scene::sectors`.
+//! Kaleidoscopes, see `Presentation::sectors`.
 
 use crate::cpu;
 use crate::drawn::{draw_best, of_the_show};
@@ -6,7 +6,7 @@ use crate::error::Difference;
 use crate::sameness::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::scene::Moment;
 
 const SIZES: [[usize; 2]; 7] =
     [[640, 360], [203, 357], [333, 331], [1100, 70], [65, 33], [7, 9], [1, 1]];
@@ -32,17 +32,16 @@ fn source(sectors: f32, [width, height]: [usize; 2], [x, y]: [usize; 2]) -> [usi
     }
 }
 
-fn scene(sectors: f32) -> Scene {
-    let mut scene = of_the_show(51.0);
-    (scene.method, scene.sectors) = (Method::default(), sectors);
-    scene.captions.clear();
-    scene
+fn scene(sectors: f32) -> Moment {
+    let mut moment = Moment::from(of_the_show(51.0));
+    moment.presentation.sectors = sectors;
+    moment
 }
 
 /// Draws over other pixels with 1 and 3 threads, and asserts that both agree, and that probes find no error in exhaustive pictures.
 fn draw(
     renderers: &mut [ThreadedRenderer; 2],
-    scene: &Scene,
+    scene: &Moment,
     quality: &Quality,
     [width, height]: [usize; 2],
 ) -> Vec<u32> {

@@ -7,6 +7,7 @@ use crate::drawn::draw_by_all;
 use crate::error::{Difference, worst_channel};
 use crate::picture::png;
 use crate::shipped::Still;
+use crate::threaded_renderer::Shown;
 use eightfold::show;
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::between_corners;
@@ -24,8 +25,14 @@ const OVER_8: usize = 1;
 
 type Named = (&'static str, Vec<u32>);
 
-fn hold(name: &str, scene: &Scene, quality: &Quality, width: usize, height: usize) {
-    let drawn = draw_by_all(scene, quality, width, height);
+fn hold<'a>(
+    name: &str,
+    shown: impl Into<Shown<'a>>,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+) {
+    let drawn = draw_by_all(shown, quality, width, height);
     let drawn: Vec<Named> =
         drawn.into_iter().map(|(isa, drawn)| (isa.name, drawn.pixels)).collect();
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
@@ -69,7 +76,7 @@ fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
 }
 
 fn scene_of(text: &str) -> Scene {
-    SceneFile::parse("", text).expect("a scene").at(0.0)
+    SceneFile::parse("", text).expect("a scene").at(0.0).scene
 }
 
 fn bubbles() -> Scene {

@@ -6,7 +6,7 @@ use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_tracer::observe::Fill;
-use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::scene::{Method, Moment};
 use eightfold_tracer::{Preset, Quality};
 
 const SIZE: (usize, usize) = (331, 217);
@@ -15,8 +15,10 @@ const WHITE: u32 = 0x00ff_ffff;
 
 const MARKS: Method = Method { picture: 0.0, ..Method::PLAIN };
 
-fn scene(method: Method) -> Scene {
-    Scene { method, ..show::model_scene(1.0) }
+fn scene(method: Method) -> Moment {
+    let mut moment = Moment::from(show::model_scene(1.0));
+    moment.presentation.method = method;
+    moment
 }
 
 fn drawn(method: Method, quality: Quality) -> Drawn {

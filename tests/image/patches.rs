@@ -7,7 +7,7 @@ use eightfold_harness::patches::{largest, lost, patches};
 use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{Random, cases, coloured, solids};
 use eightfold_tracer::glam::{Vec3, vec3};
-use eightfold_tracer::scene::{Block, Camera, Light, Material, Method, Scene, Shape};
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
 use eightfold_tracer::{Preset, Quality};
 
 const SIZE: [usize; 2] = [1280, 720];
@@ -46,10 +46,7 @@ fn hold(scenes: impl Iterator<Item = (String, Scene)>, quality: Quality, limit: 
 }
 
 fn show(time: f32) -> (String, Scene) {
-    let mut scene = Scene { method: Method::default(), ..of_the_show(time) };
-    // Captions count points.
-    scene.captions.clear();
-    (format!("{time} s"), scene)
+    (format!("{time} s"), of_the_show(time))
 }
 
 fn room(mut random: Random) -> (String, Scene) {

@@ -83,7 +83,7 @@ fn smooth_examples_match_exhaustive_frames() {
     for (name, least) in [("planet", 55.0), ("city", 55.0), ("bubbles", 50.0)] {
         let path = format!("{}/examples/scenes/{name}.ron", env!("CARGO_MANIFEST_DIR"));
         let file = std::fs::read_to_string(path).expect("an example");
-        let scene = SceneFile::parse(name, &file).expect("a scene").at(0.0);
+        let scene = SceneFile::parse(name, &file).expect("a scene").at(0.0).scene;
         let (psnr, _) = compared(isa_of(0), &scene, Quality::DEFAULT, [960, 540]);
         assert!(psnr > least, "{name}: {psnr:.1} dB");
     }

@@ -1,17 +1,17 @@
 use crate::cpu::{self, Isa};
-use crate::drawn::{REFINEMENTS, draw_best, of_the_show};
+use crate::drawn::{REFINEMENTS, draw_best, shown};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
-use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::scene::{Method, Moment};
 use eightfold_tracer::{Probes, Quality};
 
 const SIZE: (usize, usize) = (200, 149);
 
-fn scenes() -> impl Iterator<Item = Scene> {
+fn scenes() -> impl Iterator<Item = Moment> {
     [20.0, 50.0, 62.0, 110.0].into_iter().map(|time| {
-        let mut scene = of_the_show(time);
-        scene.captions.clear();
-        scene
+        let mut moment = shown(time);
+        moment.presentation.captions.clear();
+        moment
     })
 }
 
@@ -26,7 +26,7 @@ impl Probing {
         Self { renderer: ThreadedRenderer::new(threads), isa, pixels: vec![0; SIZE.0 * SIZE.1] }
     }
 
-    fn draw(&mut self, scene: &Scene, quality: &Quality, count: u16, seed: u32) -> Probes {
+    fn draw(&mut self, scene: &Moment, quality: &Quality, count: u16, seed: u32) -> Probes {
         self.renderer.set_probes(count, seed);
         let (level, pixels) = (self.isa.level, &mut self.pixels);
         let counts = self.renderer.draw(level, scene, quality, SIZE.0, pixels);
@@ -34,7 +34,7 @@ impl Probing {
     }
 }
 
-fn error(scene: &Scene, quality: &Quality) -> u64 {
+fn error(scene: &Moment, quality: &Quality) -> u64 {
     let picture = |quality| draw_best(scene, quality, SIZE.0, SIZE.1).pixels;
     let pairs = picture(&quality.reference()).into_iter().zip(picture(quality));
     let channels = pairs.flat_map(|(a, b)| a.to_le_bytes().into_iter().zip(b.to_le_bytes()));
@@ -100,7 +100,8 @@ fn overlays_and_coarse_pictures_are_not_probed() {
     let coarse = method(0.0, 16.0, 1.0);
     let behind_the_front = method(0.5, 0.0, 0.4);
     for (method, expected) in [(marked, 0), (coarse, 0), (behind_the_front, 1000)] {
-        let scene = Scene { method, ..show::model_scene(2.0) };
+        let mut scene = Moment::from(show::model_scene(2.0));
+        scene.presentation.method = method;
         let mut probing = Probing::new(cpu::best(), 2);
         let probes = probing.draw(&scene, &Quality::EXHAUSTIVE, 1000, 3);
         assert_eq!((probes.pixels, probes.squares), (expected, 0), "{method:?}");

@@ -1,9 +1,8 @@
 use crate::cpu::{self, Isa};
-use crate::drawn::draw;
-use eightfold::show;
+use crate::drawn::{draw, shown};
 use eightfold_stage::{linked_intro, reader::read_ppm};
 use eightfold_tracer::Preset;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::Moment;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use std::process::Command;
 
@@ -21,10 +20,8 @@ impl Still {
         Self { time, quality, width, height }
     }
 
-    pub fn scene(&self) -> Scene {
-        let mut scene = Scene::default();
-        show::at((f64::from(self.time) / 1000.0) as f32, &mut scene);
-        scene
+    pub fn scene(&self) -> Moment {
+        shown((f64::from(self.time) / 1000.0) as f32)
     }
 
     pub fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {

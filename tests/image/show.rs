@@ -1,18 +1,18 @@
-use crate::drawn::{draw_best, of_the_show as at};
+use crate::drawn::{draw_best, of_the_show as at, shown};
 use eightfold::show::{self, grid};
 use eightfold::sound::{Track, cue};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
-use eightfold_tracer::scene::{Block, Caption, List, Scene};
+use eightfold_tracer::scene::{Block, Caption, Moment, Scene};
 
 #[test]
 fn show_is_valid_at_all_times() {
-    let mut scene = at(show::LENGTH);
+    let mut moment = shown(show::LENGTH);
     for i in 0..=(show::LENGTH * 10.0) as usize {
         let time = i as f32 / 10.0;
-        assert_eq!(at(time).validate(), Ok(()), "{time} s");
-        show::at(time, &mut scene);
-        assert!(scene == at(time), "{time} s: depends on the scene before");
+        assert_eq!(shown(time).validate(), Ok(()), "{time} s");
+        show::at(time, &mut moment);
+        assert!(moment == shown(time), "{time} s: depends on the scene before");
     }
 }
 
@@ -21,9 +21,9 @@ fn show_is_valid_at_all_times() {
 fn disc_stands_at_its_place_at_every_cut() {
     const HEIGHT: usize = 90;
     let ring = |time: f32, from: f32, to: f32| {
-        let mut scene = at(time);
+        let mut scene = shown(time);
         show::without_transition(time, &mut scene);
-        scene.captions.clear();
+        scene.presentation.captions.clear();
         let drawn = draw_best(&scene, &Quality::DEFAULT, 160, HEIGHT);
         let (mut sum, mut count) = ([0.0_f32; 3], 0.0);
         for (i, pixel) in drawn.pixels.iter().enumerate() {
@@ -108,13 +108,11 @@ fn captions_are_inside_the_picture_and_bright() {
     for (width, height) in [(640, 360), (3840, 2160), (360, 640)] {
         let mut seen = 0;
         for beat in 0..show::BARS * grid::BEATS_PER_BAR {
-            let mut scene = Scene {
-                captions: at((beat as f32 + 0.5) * grid::BEAT).captions,
-                ..Scene::default()
-            };
-            let captions = scene.captions.iter_mut();
-            captions.for_each(|caption| caption.brightness = caption.brightness.ceil());
-            let shown = scene.captions.iter().filter(|it| it.brightness > 0.0);
+            let mut scene = Moment::default();
+            let captions = &mut scene.presentation.captions;
+            *captions = shown((beat as f32 + 0.5) * grid::BEAT).presentation.captions;
+            captions.iter_mut().for_each(|it| it.brightness = it.brightness.ceil());
+            let shown = captions.iter().filter(|it| it.brightness > 0.0);
             let letters: usize = shown.map(|caption| caption.letters.len()).sum();
             if letters == seen {
                 continue;
@@ -144,7 +142,8 @@ fn caption_shows_points_and_pixels_of_its_frame() {
                 size: 0.05,
                 brightness: 1.0,
             };
-            let scene = Scene { captions: List::of(&[caption]), ..show::model_scene(2.0) };
+            let mut scene = Moment::from(show::model_scene(2.0));
+            scene.presentation.captions.push(caption);
             draw_best(&scene, &Quality::DEFAULT, width, height)
         };
         let counted = with("TRACED ####### OF $$$$$$$ PIXELS");

@@ -11,9 +11,9 @@ use crate::sameness::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_scenes::text::Text;
-use eightfold_scenes::{Random, any, cases};
+use eightfold_scenes::{Random, any, cases, presented};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::scene::{Method, Moment};
 use std::env;
 use std::time::{Duration, Instant};
 
@@ -40,7 +40,7 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
-fn corrupt(scene: &mut Scene, random: &mut Random) -> bool {
+fn corrupt(scene: &mut Moment, random: &mut Random) -> bool {
     let wrong = random.one_of([
         f32::NAN,
         f32::INFINITY,
@@ -53,7 +53,7 @@ fn corrupt(scene: &mut Scene, random: &mut Random) -> bool {
     ]);
     let text = Text::of(scene);
     let number = random.below(text.numbers.len());
-    let (invalid, field) = text.scene_with(number, wrong);
+    let (invalid, field) = text.value_with(number, wrong);
     *scene = invalid;
     field == "axes"
 }
@@ -63,9 +63,9 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     let isa = isa_of(random.seed);
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
     let mut scene = match random.below(6) {
-        0 => show::model_scene(time),
-        1 => show::field(random.below(321), time),
-        _ => any(random),
+        0 => show::model_scene(time).into(),
+        1 => show::field(random.below(321), time).into(),
+        _ => presented(any(random), random),
     };
     assert_eq!(scene.validate(), Ok(()), "{what}");
     let is_corrupt = random.below(4) == 0;
@@ -102,7 +102,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     assert!(counts.points <= most, "{what}: {counts:?}");
     let tree = (2 << quality.depth) - 1;
     assert!(counts.rays <= counts.points * tree, "{what}: {counts:?}");
-    let lights = scene.lights.len() as u64;
+    let lights = scene.scene.lights.len() as u64;
     let most = counts.rays * lights;
     assert!(counts.shadow_rays <= most, "{what}: {counts:?}");
 
@@ -110,7 +110,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     // axes depends on the squares.
     let every = Quality { square: 1, ..quality };
     let (others, _) = draw(one, &every);
-    if !quality.antialias && scene.method == Method::PLAIN && !has_wrong_axes {
+    if !quality.antialias && scene.presentation.method == Method::PLAIN && !has_wrong_axes {
         for y in (0..height).step_by(square) {
             for x in (0..width).step_by(square) {
                 let i = y * width + x;
@@ -118,7 +118,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
             }
         }
     }
-    let is_measured = quality == Quality::DEFAULT && !is_corrupt && scene.haze == 0.0;
+    let is_measured = quality == Quality::DEFAULT && !is_corrupt && scene.scene.haze == 0.0;
     let is_measured = is_measured && pixels.len() > 5000;
     is_measured.then(|| Difference::between(&others, &pixels))
 }

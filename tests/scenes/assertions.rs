@@ -64,7 +64,7 @@ fn invalid_scenes_never_fail_conditions_of_glam() {
         let text = Text::of(&any(&mut random));
         for _ in 0..8 {
             let number = random.below(text.numbers.len());
-            let (scene, field) = text.scene_with(number, random.one_of(wrong));
+            let (scene, field) = text.value_with(number, random.one_of(wrong));
             println!("case {}, {field}", random.seed);
             draw(&mut renderer, &scene);
         }

@@ -1,7 +1,7 @@
 use crate::{Random, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
     Ambience, Block, Camera, Caption, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SOFTBOXES,
-    MAX_SPHERES, Material, Plane, Scene, Shape, Softbox, Sphere, Waves,
+    MAX_SPHERES, Material, Moment, Plane, Scene, Shape, Softbox, Sphere, Waves,
 };
 use glam::{Vec3, vec3};
 
@@ -19,7 +19,6 @@ pub struct Kinds {
     pub air: bool,
     /// Whether objects can touch, overlap, coincide, or form a row.
     pub groups: bool,
-    pub overlays: bool,
     /// The largest scale, as a power of 10; the smallest is its reciprocal.
     pub decades: f32,
 }
@@ -37,7 +36,6 @@ impl Kinds {
         camera: outside,
         air: false,
         groups: false,
-        overlays: false,
         decades: 0.0,
     };
 
@@ -62,7 +60,6 @@ impl Kinds {
         material: materials::extreme,
         camera: anywhere,
         groups: true,
-        overlays: true,
         decades: 5.0,
         ..Self::RICH
     };
@@ -100,9 +97,6 @@ impl Kinds {
         }
         if self.groups {
             add_groups(&mut scene, random);
-        }
-        if self.overlays {
-            add_overlays(&mut scene, random);
         }
         scaled(&scene, random.power(-self.decades, self.decades))
     }
@@ -210,13 +204,16 @@ fn add<T: Copy + Default, const N: usize>(list: &mut List<T, N>, item: T) {
     }
 }
 
-fn add_overlays(scene: &mut Scene, random: &mut Random) {
+/// Returns a scene with a caption in one of four cases.
+pub fn presented(scene: Scene, random: &mut Random) -> Moment {
+    let mut moment = Moment::from(scene);
     if random.below(4) == 0 {
-        scene.captions.push(Caption {
+        moment.presentation.captions.push(Caption {
             letters: List::of(b"EIGHTFOLD"),
             middle: random.between(0.0, 1.0),
             size: random.between(0.01, 0.3),
             brightness: random.between(0.0, 1.0),
         });
     }
+    moment
 }

@@ -32,7 +32,7 @@ mod thin;
 
 pub use crowd::crowd;
 pub use hidden::Hidden;
-pub use kinds::Kinds;
+pub use kinds::{Kinds, presented};
 pub use known::known;
 pub use placed::{between_corners, placed, placed_blocks};
 pub use random::{Random, cases};

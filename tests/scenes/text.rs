@@ -1,17 +1,18 @@
-//! Scenes as text, with other numbers.
+//! Scenes and their presentations as text, with other numbers.
 
-use eightfold_tracer::scene::Scene;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::ops::Range;
 
-/// A scene in RON, and the places of its numbers.
+/// A value in RON, and the places of its numbers.
 pub struct Text {
     ron: String,
     pub numbers: Vec<Range<usize>>,
 }
 
 impl Text {
-    pub fn of(scene: &Scene) -> Self {
-        let ron = ron::to_string(scene).expect("a scene has a text");
+    pub fn of(value: &impl Serialize) -> Self {
+        let ron = ron::to_string(value).expect("it has a text");
         let (mut numbers, mut at) = (Vec::new(), 0);
         for word in ron.split(['(', ')', '[', ']', ',', ':']) {
             if word.parse::<f32>().is_ok() {
@@ -34,8 +35,8 @@ impl Text {
         format!("{}{number:?}{}", &self.ron[..start], &self.ron[end..])
     }
 
-    pub fn scene_with(&self, i: usize, number: f32) -> (Scene, &str) {
-        let scene = ron::from_str(&self.with(i, number)).expect("it is a number");
-        (scene, self.field(i).1)
+    pub fn value_with<T: DeserializeOwned>(&self, i: usize, number: f32) -> (T, &str) {
+        let value = ron::from_str(&self.with(i, number)).expect("it is a number");
+        (value, self.field(i).1)
     }
 }

@@ -2,7 +2,7 @@ use super::{end_by_escape, servers};
 use eightfold::show;
 use eightfold_harness::{error::Difference, threaded_renderer::ThreadedRenderer};
 use eightfold_stage::{DISPLAY, Process, Server, intro, needs, run, wait_for};
-use eightfold_tracer::{Quality, scene::Scene};
+use eightfold_tracer::{Quality, scene::Moment};
 use eightfold_window::cpu;
 use std::{
     process::Command,
@@ -158,11 +158,11 @@ fn display_with_colour_table_is_skipped() {
 fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {
     let mut renderer = ThreadedRenderer::new(1);
     let mut pixels = vec![0; shot.len()];
-    let mut scene = Box::new(Scene::ZEROED);
+    let mut scene = Box::new(Moment::ZEROED);
     let mut difference = |milliseconds: u128| {
         show::at(milliseconds as f32 / 1000.0, &mut scene);
         let level = cpu::best().level;
-        renderer.draw(level, &scene, &Quality::THESIS, width, &mut pixels);
+        renderer.draw(level, &*scene, &Quality::THESIS, width, &mut pixels);
         Difference::between(shot, &pixels).mean
     };
     // In steps of 10 ms, then of 1 ms around the best.

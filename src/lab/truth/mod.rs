@@ -42,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let FrameArguments { scene, time, size } = arguments.frame;
     let samples = arguments.samples;
     scene.check(time)?;
-    let scene = transported(scene.without_overlay(time));
+    let scene = transported(scene.at(time).scene);
     output::check(&arguments.out)?;
     let truth = draw(&scene, size, samples, arguments.seed);
     let pixels: Vec<u32> = truth.iter().map(Estimate::pixel).collect();
@@ -55,7 +55,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 /// Removes effects other than light transport.
 fn transported(mut scene: Scene) -> Scene {
-    scene.captions.clear();
     scene.film = Film::PLAIN;
     for light in scene.lights.iter_mut() {
         light.glow = 0.0;

@@ -4,7 +4,7 @@ use crate::overlay::{draw_error, draw_heat, draw_points, draw_squares};
 use eightfold_harness::Size;
 use eightfold_harness::error::Difference;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::Moment;
 use eightfold_tracer::{Frame, Probes};
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
@@ -91,7 +91,7 @@ impl FrameViewer {
         true
     }
 
-    fn draw_trace(&mut self, scene: &Scene, controls: &Controls, size: Size) {
+    fn draw_trace(&mut self, scene: &Moment, controls: &Controls, size: Size) {
         if matches!(controls.overlay, Overlay::None | Overlay::Error) {
             return;
         }

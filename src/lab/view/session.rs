@@ -79,7 +79,7 @@ impl Session {
                 Input::Key(Press::Help) => self.has_keys = !self.has_keys,
                 Input::Key(Press::Character('v')) => self.subject.reset_camera(),
                 Input::Key(Press::Character('c')) => {
-                    let text = camera::ron(&self.subject.at(time).camera);
+                    let text = camera::ron(&self.subject.at(time).scene.camera);
                     output::write(Path::new("-"), text.as_bytes())?;
                 }
                 Input::Key(press) => self.controls.press(press),

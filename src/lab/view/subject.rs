@@ -2,7 +2,7 @@ use super::camera;
 use super::watched::Watched;
 use crate::scenes::SceneName;
 use eightfold_tracer::glam::{Vec2, vec2};
-use eightfold_tracer::scene::{Camera, Scene};
+use eightfold_tracer::scene::{Camera, Moment};
 use eightfold_window::input::{Action, Button, Mouse};
 use std::f32::consts::PI;
 
@@ -25,15 +25,15 @@ impl Subject {
         Self { name, file, camera: None, pressed: None, version: 0 }
     }
 
-    pub fn at(&self, time: f32) -> Scene {
-        let mut scene = match &self.file {
+    pub fn at(&self, time: f32) -> Moment {
+        let mut moment = match &self.file {
             Some(file) => file.scene.at(time),
             None => self.name.at(time),
         };
         if let Some(camera) = self.camera {
-            scene.camera = camera;
+            moment.scene.camera = camera;
         }
-        scene
+        moment
     }
 
     /// Seconds.
@@ -87,7 +87,7 @@ impl Subject {
 
     /// Ignores invalid results.
     fn move_camera(&mut self, time: f32, change: impl FnOnce(&mut Camera)) {
-        let mut scene = self.at(time);
+        let Moment { mut scene, .. } = self.at(time);
         change(&mut scene.camera);
         if scene.validate().is_ok() {
             self.camera = Some(scene.camera);

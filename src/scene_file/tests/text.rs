@@ -1,15 +1,17 @@
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Kinds, Random, cases};
-use eightfold_tracer::scene::{Caption, List, Scene};
+use eightfold_tracer::RangeError;
+use eightfold_tracer::scene::{Caption, List, Presentation, Scene};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
 use std::fs;
 use std::path::Path;
 
-fn written(kinds: Kinds, random: &mut Random) -> Scene {
-    let mut scene = kinds.scene(random);
-    scene.captions.push(Caption::default());
-    scene.captions[0].letters = List::of(b"\"8\\\x7f\n#");
-    scene
+fn captioned() -> Presentation {
+    let caption = Caption { letters: List::of(b"\"8\\\x7f\n#"), ..Caption::default() };
+    Presentation { captions: List::of(&[caption]), ..Presentation::default() }
 }
 
 fn place(message: &str) -> Option<(usize, usize)> {
@@ -17,12 +19,14 @@ fn place(message: &str) -> Option<(usize, usize)> {
     Some((parts.next()?.parse().ok()?, parts.next()?.parse().ok()?))
 }
 
-#[test]
-fn number_beyond_its_range_is_refused_at_its_place() {
-    let text = Text::of(&written(Kinds::RICH, &mut Random::new(2008)));
-    let mut count = 0;
+/// Refuses the numbers of a value beyond their ranges. Returns the number of ranges' ends.
+fn refuse<T: Serialize + DeserializeOwned>(
+    value: &T,
+    validate: fn(&T) -> Result<(), RangeError>,
+) -> usize {
+    let (text, mut count) = (Text::of(value), 0);
     for i in 0..text.numbers.len() {
-        let error = |number| text.scene_with(i, number).0.validate().err();
+        let error = |number| validate(&text.value_with(i, number).0).err();
         let range = |number| error(number).map(|error| error.range);
         let (start, name) = text.field(i);
         let refusal = error(f32::NAN).expect(name);
@@ -42,21 +46,35 @@ fn number_beyond_its_range_is_refused_at_its_place() {
             }
         }
     }
-    assert!(count > 100, "{count}");
+    count
+}
+
+#[test]
+fn number_beyond_its_range_is_refused_at_its_place() {
+    let count = refuse(&Kinds::RICH.scene(&mut Random::new(2008)), Scene::validate);
+    assert!(count > 90, "{count}");
+    assert_eq!(refuse(&captioned(), Presentation::validate), 18);
+}
+
+fn assert_written<T: Debug>(read: &T, written: &T, random: &Random) {
+    assert_eq!(format!("{read:?}"), format!("{written:?}"), "case {}", random.seed);
 }
 
 #[test]
 fn scene_is_read_as_it_was_written() {
-    let contents = |scene: &Scene| format!("{scene:?}");
+    let presentation = captioned();
+    let end = ron::to_string(&presentation).expect("RON");
     for mut random in cases(8) {
-        let scene = written(Kinds::EXTREME, &mut random);
+        let scene = Kinds::EXTREME.scene(&mut random);
         let ron = ron::to_string(&scene).expect("RON");
         let json = serde_json::to_string(&scene).expect("JSON");
-        let file = SceneFile::parse("a.ron", &ron).expect("a scene file");
-        let read = ron::from_str(&ron).expect("a scene");
-        for read in [file.at(0.0), read, serde_json::from_str(&json).expect(&json)] {
-            assert_eq!(contents(&read), contents(&scene), "case {}", random.seed);
-        }
+        assert_written(&ron::from_str(&ron).expect("a scene"), &scene, &random);
+        assert_written(&serde_json::from_str(&json).expect(&json), &scene, &random);
+        // A file has the fields of both.
+        let text = format!("{},{}", ron.trim_end_matches(')'), &end[1..]);
+        let read = SceneFile::parse("a.ron", &text).expect("a scene file").at(0.0);
+        assert_written(&read.scene, &scene, &random);
+        assert_written(&read.presentation, &presentation, &random);
     }
 }
 

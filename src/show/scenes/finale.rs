@@ -7,7 +7,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Light, Material, Method, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape, Waves};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
@@ -29,6 +29,7 @@ static ENVIRONMENT: Environment = Environment {
     ],
     field_of_view: 0.75,
     add,
+    present,
     ..Environment::EMPTY
 };
 
@@ -79,9 +80,6 @@ fn add(now: Now, scene: &mut Scene) {
     if last.count > 0 {
         return end(last.since, scene);
     }
-    // Squares grow on every second sixteenth of the last row of notes.
-    let side = (1 << now.cue(Track::Square).count.div_ceil(2) & !1) as f32;
-    scene.method = Method { coarse: side, squares: side / 64.0, ..Method::default() };
     // The sun sinks behind the ball until bar 4.
     scene.lights[0].position.y -= 14.0 * smooth_step(now.beat / 16.0);
     add_sphere(BALL, 2.2, &GLASS, scene);
@@ -92,6 +90,14 @@ fn add(now: Now, scene: &mut Scene) {
             let centre = vec3((2.0 + 0.62 * row) * side, 0.47 + float, 0.8 + 1.3 * row);
             add_sphere(centre, 0.4, &PLUM, scene);
         }
+    }
+}
+
+fn present(now: Now, presentation: &mut Presentation) {
+    if now.cue(Track::Marimba).count == 0 {
+        // Squares grow on every second sixteenth of the last row of notes.
+        let side = (1 << now.cue(Track::Square).count.div_ceil(2) & !1) as f32;
+        presentation.method = Method { coarse: side, squares: side / 64.0, ..Method::PLAIN };
     }
 }
 

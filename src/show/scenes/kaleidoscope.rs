@@ -25,6 +25,10 @@ static ENVIRONMENT: Environment = Environment {
     }],
     field_of_view: 0.5,
     add,
+    present: |now, presentation| {
+        // Each boom doubles the sectors: 1, 2, 4, 8.
+        presentation.sectors = (1 << now.cue(Track::Boom).count >> 1) as f32;
+    },
     ..Environment::EMPTY
 };
 
@@ -62,8 +66,6 @@ static BRASS: Material = Material {
 static BALLS: [&Material; 4] = [&RED, &BRASS, &RED, &PEARL];
 
 fn add(now: Now, scene: &mut Scene) {
-    // Each boom doubles the sectors: 1, 2, 4, 8.
-    scene.sectors = (1 << now.cue(Track::Boom).count >> 1) as f32;
     let kick = now.cue(Track::Kick);
     // A sixteenth of a turn per kick: balls stand next to a mirror, or on it.
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;

@@ -5,7 +5,7 @@ use crate::show::captions::Cue;
 use crate::show::environment::{Environment, Now};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::scene::{Method, Presentation};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene {
     environment_since: still_life::SCENE.bars(),
@@ -13,7 +13,7 @@ pub(in crate::show) const SCENE: ShowScene = ShowScene {
     ..ShowScene::new(&ENVIRONMENT, SHOTS)
 };
 
-static ENVIRONMENT: Environment = Environment { add, ..still_life::ENVIRONMENT };
+static ENVIRONMENT: Environment = Environment { present, ..still_life::ENVIRONMENT };
 
 static SHOTS: &[Shot] = &[shot(
     8,
@@ -51,12 +51,11 @@ static OVERLAYS: [[f32; 5]; 9] = [
     [0.0, 0.0, 1.0, 0.0, 1.0],
 ];
 
-fn add(now: Now, scene: &mut Scene) {
-    still_life::add(now, scene);
+fn present(now: Now, presentation: &mut Presentation) {
     let bar = now.beat * 0.25 - SCENE.environment_since as f32;
     let from = (bar as usize).min(OVERLAYS.len() - 2);
     let u = bar - from as f32;
     let at = |i: usize| OVERLAYS[from][i] + (OVERLAYS[from + 1][i] - OVERLAYS[from][i]) * u;
     let [points, squares, picture, coarse, front] = core::array::from_fn(at);
-    scene.method = Method { points, squares, picture, coarse, front };
+    presentation.method = Method { points, squares, picture, coarse, front };
 }

@@ -70,6 +70,7 @@ impl Memory {
         let world = self.prepared.prepare(scene, plan.size, plan.offset);
         self.coverage.set(world, plan.size, plan.offset);
         let context = &Context { plan, kernels, world, coverage: &self.coverage, observer };
+        let captions = &frame.presentation.captions;
         let picture = &mut frame.band(&mut self.rough);
         let has_edges = plan.quality.antialias;
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
@@ -93,7 +94,7 @@ impl Memory {
         }
         plan.fold.copy(picture);
         let overlay = Overlay {
-            captions: &scene.captions,
+            captions,
             numbers: &[counts.points as usize, width * height],
             middle: 0.5,
             height,

@@ -124,7 +124,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// Renders a frame, and returns its work.
     ///
     /// # Errors
-    /// If the frame's size, stride or number of pixels, or a number of the quality or the scene, is out of range: the pixels stay
+    /// If the frame's size, stride or number of pixels, or a number of the quality, the scene or its presentation, is out of range: the pixels stay
     /// unchanged.
     pub fn render(
         &mut self,
@@ -185,5 +185,6 @@ fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), E
     frame.validate()?;
     quality.validate()?;
     scene.validate()?;
+    frame.presentation.validate()?;
     Ok(())
 }

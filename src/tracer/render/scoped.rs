@@ -63,7 +63,7 @@ impl Threads for ScopedThreads {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Scene;
+    use crate::scene::{Presentation, Scene};
     use crate::{Frame, Quality, Renderer};
     use std::vec;
 
@@ -79,16 +79,17 @@ mod tests {
     #[test]
     fn any_number_of_threads_draws_all_bands_per_phase() {
         let mut renderer = Renderer::detect();
-        let mut scene = Scene { background: glam::Vec3::ONE, ..Scene::default() };
+        let scene = Scene { background: glam::Vec3::ONE, ..Scene::default() };
         for (asked, count) in [(0, 1), (1, 1), (3, 3), (100, 100)] {
             for (antialias, captions) in [(false, 0), (false, 1), (true, 0), (true, 1)] {
                 let mut threads = Counting(ScopedThreads::of(asked), 0);
                 assert_eq!(threads.0.count(), count);
-                scene.captions.clear();
-                scene.captions.extend((0..captions).map(|_| Default::default()));
+                let mut presentation = Presentation::default();
+                presentation.captions.extend((0..captions).map(|_| Default::default()));
                 let quality = Quality { antialias, ..Quality::DEFAULT };
                 let mut pixels = vec![0; 200 * 100];
                 let frame = Frame::new(200, 100, &mut pixels);
+                let frame = frame.with_presentation(&presentation);
                 let drawn = renderer.render(&scene, &quality, frame, &mut threads);
                 drawn.expect("a frame");
                 assert!(pixels.iter().all(|&pixel| pixel == 0x00ff_ffff), "{asked}");

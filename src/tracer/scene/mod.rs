@@ -1,4 +1,4 @@
-//! The scene description. Units are in [the crate's conventions](crate#conventions).
+//! The scene description, and its presentation. Units are in [the crate's conventions](crate#conventions).
 
 mod ambience;
 mod block;
@@ -10,6 +10,7 @@ mod material;
 mod method;
 mod overlay;
 mod pattern;
+mod presentation;
 #[cfg(feature = "serde")]
 mod serial;
 mod softbox;
@@ -26,6 +27,7 @@ pub use material::Material;
 pub use method::Method;
 pub use overlay::Caption;
 pub use pattern::Pattern;
+pub use presentation::{Moment, Presentation};
 pub use softbox::Softbox;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
@@ -52,7 +54,7 @@ pub const MAX_CAPTIONS: usize = 10;
 /// The maximum number of letters in a caption. The longest of the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
-/// The content of a frame.
+/// The content of a frame. A [`Presentation`] adds marks, mirrors and text.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -84,14 +86,6 @@ pub struct Scene {
     /// Whether rays beyond [`Quality::depth`](crate::Quality::depth) and
     /// [`Quality::least_contribution`](crate::Quality::least_contribution), and softboxes, are black, as in the 2008 thesis.
     pub black_beyond: bool,
-    /// The number of sectors of a kaleidoscope, 1, 2, 4 or 8, rounded down: 1 for none, 2 for a picture that is mirrored left and
-    /// right, 4 for one that is also mirrored up and down, 8 for one that is also mirrored along diagonals.
-    ///
-    /// The centre is in the middle, at 46 % of the height; the picture moves by up to 8 pixels, so that the centre is the corner of
-    /// a square. Only one sector is traced (with 8 sectors to the lower right), and copied to the rest. Captions are not mirrored.
-    pub sectors: f32,
-    /// The overlay that explains the rendering method.
-    pub method: Method,
     /// The spheres, in any order.
     pub spheres: List<Sphere, MAX_SPHERES>,
     /// The planes: horizontal rectangles.
@@ -104,8 +98,6 @@ pub struct Scene {
     pub lights: List<Light, MAX_LIGHTS>,
     /// The lights beyond the scene that only mirrors and glass show.
     pub softboxes: List<Softbox, MAX_SOFTBOXES>,
-    /// Text over the picture.
-    pub captions: List<Caption, MAX_CAPTIONS>,
 }
 
 impl Default for Scene {
@@ -132,15 +124,12 @@ impl Scene {
             ambient: Vec3::ZERO,
             ambience: Ambience::UNIFORM,
             black_beyond: false,
-            sectors: 1.0,
-            method: Method::PLAIN,
             spheres: List::over(Sphere::new(Vec3::ZERO, 0.0, material)),
             planes: List::over(Plane::new(Vec3::ZERO, 0.0, 0.0, material)),
             water: Waves::CALM,
             blocks: List::over(block),
             lights: List::over(Light::DARK),
             softboxes: List::over(Softbox::ZERO),
-            captions: List::over(Caption::ZERO),
         }
     };
 
@@ -148,8 +137,6 @@ impl Scene {
     pub const ZEROED: Self = Self {
         camera: Camera { eye: Vec3::ZERO, up: Vec3::ZERO, field_of_view: 0.0, ..Camera::STANDARD },
         exposure: 0.0,
-        sectors: 0.0,
-        method: Method { picture: 0.0, ..Method::PLAIN },
         ..Self::EMPTY
     };
 

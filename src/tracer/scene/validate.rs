@@ -1,4 +1,4 @@
-use super::{Block, Caption, Light, Plane, Scene, Softbox, Sphere};
+use super::{Block, Light, Plane, Scene, Softbox, Sphere};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 
@@ -18,7 +18,7 @@ pub(super) fn is_unit(v: Vec3) -> bool {
     (v.length() - 1.0).abs() < 1e-4
 }
 
-fn each<T>(
+pub(super) fn each<T>(
     object: &'static str,
     items: &[T],
     check: fn(&T, Checked) -> Result<(), RangeError>,
@@ -48,14 +48,11 @@ impl Scene {
         self.film.check(Checked::one("film"))?;
         Checked::one("ambient").field("", self.ambient, LENGTH)?;
         self.ambience.check(Checked::one("ambience"))?;
-        Checked::one("sectors").field("", self.sectors, Range(1.0, 8.0, "1 to 8"))?;
-        self.method.check(Checked::one("method"))?;
         each("spheres", &self.spheres, Sphere::check)?;
         each("planes", &self.planes, Plane::check)?;
         self.water.check(Checked::one("water"))?;
         each("blocks", &self.blocks, Block::check)?;
         each("lights", &self.lights, Light::check)?;
-        each("softboxes", &self.softboxes, Softbox::check)?;
-        each("captions", &self.captions, Caption::check)
+        each("softboxes", &self.softboxes, Softbox::check)
     }
 }

@@ -47,7 +47,7 @@ fn seen_of(qualities: [Quality; 2], times: [f32; 2]) -> [Seen; 2] {
     let named = |it: Quality| Technique::new("", it, it.antialias, Sampling::Full);
     let techniques = qualities.map(named);
     let mut seen = [Seen::default(), Seen::default()];
-    let scenes = times.map(show::model_scene);
+    let scenes = times.map(|time| show::model_scene(time).into());
     look(&techniques, cpu::best().level, SIZE, &scenes, &mut seen);
     seen
 }

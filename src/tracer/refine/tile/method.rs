@@ -5,7 +5,6 @@
 use super::Tile;
 use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
-use crate::refine::Context;
 
 /// A pixel on the upper or left side of a filled square; the other sides are its neighbours'.
 const SIDE: u8 = 1;
@@ -15,14 +14,14 @@ const POINT: u8 = 2;
 const FRONT: usize = 3;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Draws the marks of a finished tile, as bright as the scene specifies.
+    /// Draws the marks of a finished tile, as bright as [`Method`](crate::scene::Method) specifies.
     pub(super) fn show_method(&mut self) {
-        let Context { plan, world, .. } = self.context;
+        let plan = self.context.plan;
         let start = plan.finished.max(self.area.left);
         if start >= self.area.right {
             return;
         }
-        let method = &world.scene.method;
+        let method = &plan.method;
         let both = method.squares.max(method.points);
         let blends = [0.0, method.squares, method.points, both].map(|mark| {
             // The picture's weight in 256ths, and the white to add: at most full brightness in sum, for any numbers.
