@@ -1,3 +1,4 @@
 mod dependency;
 mod examples;
+mod modules;
 mod pages;

@@ -5,21 +5,18 @@
 //! e^-u` with `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
 
 use super::Coverage;
-use super::guard::{ALL, Search};
 use super::mirror::Mirror;
 use super::screen::Axes;
-use crate::grid::{Bits, each};
-use crate::maths::sqrt;
-use crate::picture::TILE_HEIGHT;
+use crate::maths::{sqrt, to_f32};
 use crate::prepare::{Object, ObjectId, World};
 use crate::rounding::DRAWN_OUT;
-use crate::scene::camera::pixels;
+
 use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// Per light, one on each sphere and plane, and three on each block.
-pub(super) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
+pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
 /// The side of the largest squares of the named qualities, in pixels.
 const SQUARE: f32 = 8.0;
@@ -38,12 +35,12 @@ const SPARE: f32 = 0.6;
 const COUNTED_DECAY: f32 = 0.75;
 
 #[derive(Clone, Copy, Default)]
-pub(super) struct Highlight {
+pub(crate) struct Highlight {
     pub object: ObjectId,
     /// In pixels.
     middle: Vec2,
     /// In pixels: the least x and y, and the greatest negated.
-    bounds: Vec4,
+    pub bounds: Vec4,
     decay: [f32; 3],
     /// The peak, of 255.
     strength: f32,
@@ -67,8 +64,8 @@ impl Highlight {
     /// Between its minimum and the nearest corner, the decay grows at most by its value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
-        let half = 0.5 * pixels(side);
-        self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.most(pixels(side))
+        let half = 0.5 * to_f32(side);
+        self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.most(to_f32(side))
     }
 
     /// Returns the brightness that a square may exceed its corners by. It grows as squares get smaller, like the tolerances of a quality,
@@ -79,13 +76,13 @@ impl Highlight {
 
     /// Returns the decay beyond which no square of `side` pixels is visibly brighter than its corners, by the bounds of
     /// [`Highlight::is_missed`].
-    fn reach(&self, side: usize) -> f32 {
-        let peak = self.strength / self.most(pixels(side));
+    pub fn reach(&self, side: usize) -> f32 {
+        let peak = self.strength / self.most(to_f32(side));
         (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)
     }
 
     /// Returns the least and greatest x of the highlight between two rows, as far as the decay `reach`.
-    fn columns(&self, top: f32, bottom: f32, reach: f32) -> [f32; 2] {
+    pub fn columns(&self, top: f32, bottom: f32, reach: f32) -> [f32; 2] {
         let [a, b, c] = self.decay;
         let [top, bottom] = [top, bottom].map(|y| y - self.middle.y);
         let near = top.max(0.0).min(bottom);
@@ -131,7 +128,7 @@ impl Coverage {
             }
             let bounds = self.objects[i].screen.in_pixels(&self.axes);
             // The highlights of several lights may add up.
-            let visible = VISIBLE / pixels(world.lights().len());
+            let visible = VISIBLE / to_f32(world.lights().len());
             let tint = Vec3A::ONE.lerp(material.colour.into(), material.metallic);
             for light in world.lights() {
                 let colour = tint * light.colour * (material.ks * world.weight * 255.0);
@@ -208,36 +205,5 @@ impl Mirror {
             decay: [a, b, c],
             ..Highlight::ZERO
         })
-    }
-}
-
-impl Search<'_> {
-    /// Opens squares in which a highlight may be visibly brighter than at the corners that show the object.
-    pub(super) fn look_for_highlight(&mut self, highlight: &Highlight, all: &[Bits; TILE_HEIGHT]) {
-        let squares = self.squares;
-        let side = squares.side();
-        let (is_even, reach) = (highlight.is_even(side), highlight.reach(side));
-        for y in 0..squares.rows {
-            let y = y % TILE_HEIGHT;
-            let row = squares.pixels(0, y);
-            if row.w < highlight.bounds.y || row.y > -highlight.bounds.w {
-                continue;
-            }
-            let ends = highlight.columns(row.y, row.w, reach);
-            let [first, last] = ends.map(|x| {
-                let column = (x - pixels(squares.area.left)) / pixels(side);
-                (column.max(0.0) as i32).min(squares.columns as i32 - 1)
-            });
-            Bits::masks(first, last, |i, mask| {
-                each(all[y].0[i] & !self.open[y].0[i] & mask, |bit| {
-                    let x = 64 * i + bit;
-                    let shown = squares.shown(x, y, highlight.object);
-                    let is_known = shown == 0 || shown == ALL && is_even;
-                    if !is_known && highlight.is_missed(squares.pixels(x, y), shown) {
-                        self.open[y].set(x);
-                    }
-                });
-            });
-        }
     }
 }

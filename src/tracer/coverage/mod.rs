@@ -42,11 +42,10 @@
 //!
 //! At `finest` ([`Quality::unguarded_weight`](crate::Quality::unguarded_weight)) a square is also split if a corner shows a reflection
 //! or a refraction without a bound, if an object lies between a light and the part of a sphere or a block that the corners show, or if
-//! the corners show several objects in one colour (`unguarded`).
+//! the corners show several objects in one colour (`refine::guard::unguarded`).
 //!
 //! `docs/guard.md` shows each in a picture; [`limits`](crate::limits) lists the rest in figures.
 
-mod guard;
 mod highlight;
 mod image;
 mod mirror;
@@ -56,27 +55,26 @@ mod shadow;
 mod sides;
 #[cfg(test)]
 mod tests;
-mod unguarded;
 mod view;
 
-pub(crate) use guard::{Guard, Squares};
-pub(crate) use screen::{Rect, rectangle};
+pub(crate) use highlight::{Highlight, MAX_HIGHLIGHTS};
+pub(crate) use screen::{Rect, corners, rectangle};
+pub(crate) use sides::Region;
 
 use crate::prepare::{GroupSet, MAX_GROUPS, MAX_OBJECTS, ObjectId, VisibleGroups, World};
 use crate::scene::{List, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Plane};
 use glam::{Vec2, Vec3A};
-use highlight::{Highlight, MAX_HIGHLIGHTS};
 use object::ObjectBounds;
 use screen::{Axes, ScreenBounds};
-use sides::{Region, Sides};
+use sides::Sides;
 use view::View;
 
 /// One per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
-const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
+pub(crate) const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
 /// Something with a convex outline in the picture.
 #[derive(Clone, Copy)]
-enum Outline {
+pub(crate) enum Outline {
     /// An object in direct view.
     Object(ObjectId),
     Image(ObjectId),
@@ -92,18 +90,18 @@ pub(crate) struct Coverage {
     pub axes: Axes,
     /// Bounds of each group's objects, and of their images in the first plane.
     groups: [[ScreenBounds; MAX_GROUPS]; 2],
-    objects: [ObjectBounds; MAX_OBJECTS],
+    pub objects: [ObjectBounds; MAX_OBJECTS],
     eye: View,
     image: View,
     /// By plane and light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
-    highlights: List<Highlight, MAX_HIGHLIGHTS>,
+    pub highlights: List<Highlight, MAX_HIGHLIGHTS>,
     /// The outlines that may meet the picture, with their bounding rectangles.
-    outlines: [Outline; MAX_OUTLINES],
-    screen: [ScreenBounds; MAX_OUTLINES],
+    pub outlines: [Outline; MAX_OUTLINES],
+    pub screen: [ScreenBounds; MAX_OUTLINES],
     /// The least width of each in pixels, up to 255.
-    widths: [u8; MAX_OUTLINES],
-    outlined: usize,
+    pub widths: [u8; MAX_OUTLINES],
+    pub outlined: usize,
 }
 
 impl Coverage {
@@ -145,7 +143,7 @@ impl Coverage {
     }
 
     #[inline(never)]
-    fn region(&self, world: World<'_>, number: usize) -> Region {
+    pub fn region(&self, world: World<'_>, number: usize) -> Region {
         // The object, the view, and the plane and viewer of an image or shadow.
         let (id, view, shown) = match self.outlines[number] {
             Outline::Object(id) => (id, &self.eye, None),

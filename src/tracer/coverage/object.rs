@@ -9,7 +9,7 @@ use crate::rounding::{CORNER, HIT, SEEN, TOUCHING, hit_error};
 use crate::scene::Block;
 use glam::{Mat3A, Vec3A, Vec4};
 
-pub(super) struct ObjectBounds {
+pub(crate) struct ObjectBounds {
     /// The index of its node in the tree, for solids and lights.
     pub node: u16,
     pub screen: ScreenBounds,
@@ -152,7 +152,7 @@ impl Coverage {
     }
 
     /// Returns whether the sphere `front` is in front of the sphere `back` wherever both are visible, see [`ObjectBounds::power`].
-    pub(super) fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
+    pub fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
         let power = |id: ObjectId| self.objects[id.index()].power;
         match (power(front), power(back)) {
             (Some([_, front]), Some([back, _])) => front < back,

@@ -21,7 +21,7 @@ pub(crate) struct Axes {
 pub(crate) type Rect = Vec4;
 
 #[derive(Clone, Copy)]
-pub(super) struct Rects<S: Isa> {
+pub(crate) struct Rects<S: Isa> {
     pub left: F<S>,
     pub top: F<S>,
     pub right: F<S>,
@@ -36,13 +36,13 @@ pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) ->
 
 /// Returns the coordinates of a rectangle's corners: upper left, upper right, lower left, lower right.
 #[inline(always)]
-pub(super) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
+pub(crate) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
     [rect.xzxz(), rect.yyww()].map(|ends| F::<Baseline>::simd_from(baseline(), ends.to_array()))
 }
 
 /// A bounding rectangle: the least u and v, and the greatest negated.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct ScreenBounds(Vec4);
+pub(crate) struct ScreenBounds(Vec4);
 
 impl Axes {
     pub const ZERO: Self =
@@ -67,12 +67,7 @@ impl Axes {
 
     /// Returns a column of rectangles of `size` pixels, one per lane; `[left, top]` is the first one's corner.
     #[inline(always)]
-    pub(super) fn rects<S: Isa>(
-        &self,
-        simd: S,
-        [left, top]: [usize; 2],
-        size: [usize; 2],
-    ) -> Rects<S> {
+    pub fn rects<S: Isa>(&self, simd: S, [left, top]: [usize; 2], size: [usize; 2]) -> Rects<S> {
         let [width, height] = size.map(to_f32);
         let [x, y, ..] = self.middle.to_array();
         let left = splat(simd, to_f32(left) - x);

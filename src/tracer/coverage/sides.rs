@@ -24,10 +24,10 @@ const SHORTEST: f32 = 1e-20;
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
-pub(super) type Terms = [Vec4; 3];
+pub(crate) type Terms = [Vec4; 3];
 
 #[derive(Clone, Copy)]
-pub(super) enum Sides {
+pub(crate) enum Sides {
     /// All rays: the origin is inside the object, or nearly.
     All,
     /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
@@ -183,7 +183,7 @@ impl<S: Isa> Rects<S> {
     }
 }
 
-pub(super) struct Region {
+pub(crate) struct Region {
     pub bounds: ScreenBounds,
     pub sides: Sides,
     /// The bound on the rounding error of a side's inequality.

@@ -22,12 +22,14 @@
 
 use super::Context;
 use super::worker::{Interval, STRETCH, Worker};
-use crate::MAX_WIDTH;
+
 use crate::coverage::rectangle;
 use crate::grid::{SCRATCH, each};
 use crate::lanes::*;
 use crate::observe::Observer;
-use crate::picture::{Band, CELL, CELL_ROWS, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
+use crate::picture::{
+    Band, CELL, CELL_ROWS, MAX_BANDS, MAX_WIDTH, RoughRow, TILE_HEIGHT, TILE_WIDTH,
+};
 use crate::plan::FramePlan;
 use crate::prepare::VisibleGroups;
 use crate::quality::Quality;

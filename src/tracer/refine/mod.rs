@@ -16,7 +16,7 @@
 //!
 //! 1. *Points* (`tile::points`): shifts and ORs of the squares' bits. Points with two even coordinates come from the level above, and a
 //!    midpoint averages its ends if they agree. The others are traced in full packets, in clusters of 4x16: neighbours hit the same objects.
-//! 2. *Guard* ([`coverage`](crate::coverage)): keeps squares open that may show something between their corners.
+//! 2. *Guard* (`guard`): keeps squares open that may show something between their corners.
 //! 3. *Verdict* (`verdict`): compares keys and channels at the corners in vector registers: a bit for each closed square that passes the
 //!    [`Quality`](crate::Quality)'s rules.
 //! 4. *Fill* (`fill`): interpolates the corners' colours over these squares, eight pixels at once.
@@ -44,6 +44,7 @@
 pub(crate) mod antialias;
 mod context;
 mod fill;
+mod guard;
 mod kernels;
 pub(crate) mod probe;
 mod tile;

@@ -1,5 +1,5 @@
+use super::guard::Guard;
 use crate::counts::Counts;
-use crate::coverage::Guard;
 use crate::grid::{Bits, LEVELS, Pyramid};
 use crate::picture::TILE_HEIGHT;
 use crate::trace::{BATCH, Batch};

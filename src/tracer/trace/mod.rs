@@ -46,6 +46,7 @@ use crate::quality::Quality;
 use accumulator::Accumulator;
 use candidates::{Candidates, Occluders};
 use queue::Queue;
+use rays::Rays;
 use stack::RayStack;
 use surface::SurfaceRows;
 
@@ -105,7 +106,7 @@ fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut
     loop {
         let is_primary = batch.stack.len() < lanes::<S>() && next < batch.points.len();
         let (rays, count) = if is_primary {
-            let rays = batch.points.primary_rays(simd, world, next);
+            let rays = Rays::primary(simd, world, &batch.points, next);
             (rays, (batch.points.len() - next).min(lanes::<S>()))
         } else {
             batch.stack.pop(simd)

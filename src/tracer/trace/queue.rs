@@ -1,6 +1,4 @@
-use super::rays::{Rays, primary_directions};
 use crate::lanes::*;
-use crate::prepare::World;
 use core::ops::Range;
 use fearless_simd::{f32x4, i32x4, u32x4};
 
@@ -63,19 +61,11 @@ impl Queue {
             .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
-    /// Returns the primary rays of a packet. Lanes after the last point have stale rays, which are ignored.
+    /// Returns the positions of a packet in pixels. Lanes after the last point have stale ones, which are ignored.
     #[inline(always)]
-    pub(super) fn primary_rays<S: Isa>(&self, simd: S, world: World<'_>, start: usize) -> Rays<S> {
+    pub(super) fn packet<S: Isa>(&self, simd: S, start: usize) -> [F<S>; 2] {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);
-        let x: I<S> = (positions & 0xffff).bitcast();
-        let y: I<S> = (positions >> 16).bitcast();
-        let (x, y): (F<S>, F<S>) = (x.to_float(), y.to_float());
-        Rays {
-            o: Vec3x::splat(simd, world.eye),
-            d: primary_directions(simd, world, x * PART, y * PART),
-            weight: splat(simd, world.weight),
-            slot_path: Rays::slot_paths(simd, start),
-        }
+        [positions & 0xffff, positions >> 16].map(|c| c.bitcast::<I<S>>().to_float::<F<S>>() * PART)
     }
 }
 

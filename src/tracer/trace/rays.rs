@@ -1,4 +1,4 @@
-use super::queue::BATCH;
+use super::queue::{BATCH, Queue};
 use crate::lanes::*;
 use crate::prepare::{MAX_OBJECTS, ObjectId, World};
 use crate::quality::Quality;
@@ -44,6 +44,18 @@ pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> 
 pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
 
 impl<S: Isa> Rays<S> {
+    /// Returns the primary rays of a packet of points.
+    #[inline(always)]
+    pub fn primary(simd: S, world: World<'_>, points: &Queue, start: usize) -> Self {
+        let [x, y] = points.packet(simd, start);
+        Self {
+            o: Vec3x::splat(simd, world.eye),
+            d: primary_directions(simd, world, x, y),
+            weight: splat(simd, world.weight),
+            slot_path: Self::slot_paths(simd, start),
+        }
+    }
+
     #[inline(always)]
     pub fn slot_paths(simd: S, slot: usize) -> U<S> {
         (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)

@@ -5,7 +5,7 @@ mod method;
 mod patterned;
 pub(super) mod points;
 
-use crate::coverage::{Rect, Squares, rectangle};
+use crate::coverage::{Rect, rectangle};
 use crate::grid::{Area, Bits, Pyramid};
 use crate::maths::to_f32;
 use crate::observe::{Fill, Observer, Split};
@@ -13,6 +13,7 @@ use crate::picture::{Band, CELL, TILE_HEIGHT, TILE_WIDTH};
 use crate::prepare::VisibleGroups;
 use crate::refine::Context;
 use crate::refine::fill::Run;
+use crate::refine::guard::Squares;
 use crate::refine::verdict::{Verdict, growth, limits};
 use crate::refine::worker::Worker;
 use crate::trace::{BATCH, Sample};

@@ -1,7 +1,7 @@
 //! Squares with light that has no bound: reflections, refractions, and shadows on spheres and blocks.
 
-use super::guard::Squares;
-use super::screen::corners;
+use super::squares::Squares;
+use crate::coverage::corners;
 use crate::grid::Bits;
 use crate::maths::sqrt;
 use crate::picture::TILE_HEIGHT;

@@ -1,0 +1,151 @@
+//! Finds the squares of a tile that may show something between their corners.
+//!
+//! A tile meets few of the outlines. Tangents give the range of squares that an outline covers in each row, for four rows at once.
+//! Tracing gives the object at a corner, but not the shadows and images there. For these the guard tests whether a corner that
+//! shows the plane is inside the outline: it then shows the shadow or image, or an occluder of it.
+
+mod highlights;
+mod objects;
+mod planes;
+mod squares;
+mod unguarded;
+
+use crate::coverage::{Coverage, MAX_HIGHLIGHTS, MAX_OUTLINES, Outline, Rect, Region, rectangle};
+use crate::grid::{Area, Bits, each};
+use crate::picture::TILE_HEIGHT;
+use crate::prepare::ObjectId;
+use crate::quality::Quality;
+use planes::{Covered, SQUARE_ROWS};
+pub(crate) use squares::Squares;
+
+/// A tile's highlights, and the outlines that its next level has to test.
+pub(crate) struct Guard {
+    outlines: [u16; MAX_OUTLINES],
+    count: usize,
+    highlights: [u64; MAX_HIGHLIGHTS.div_ceil(64)],
+}
+
+impl Guard {
+    pub const fn new() -> Self {
+        Self { outlines: [0; MAX_OUTLINES], count: 0, highlights: [0; _] }
+    }
+
+    pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
+        let pixels = rectangle(area.left, area.top, area.right, area.bottom);
+        self.highlights = [0; _];
+        for (number, highlight) in coverage.highlights.iter().enumerate() {
+            self.highlights[number / 64] |= u64::from(highlight.meets(pixels)) << (number % 64);
+        }
+        self.count = 0;
+        for (number, bounds) in coverage.screen[..coverage.outlined].iter().enumerate() {
+            // Branch-free: the outcome is unpredictable.
+            self.outlines[self.count] = number as u16;
+            self.count += usize::from(bounds.meets(rect));
+        }
+    }
+
+    /// Sets `open` to the squares of a level that may show something that their corners do not: tests outlines in the squares that were
+    /// open, highlights in `all` squares of the level.
+    pub fn look(
+        &mut self,
+        squares: &Squares<'_>,
+        quality: &Quality,
+        all: &[Bits; TILE_HEIGHT],
+        open: &mut [Bits; TILE_HEIGHT],
+    ) {
+        let mut search = Search {
+            squares,
+            open: [Bits::NONE; TILE_HEIGHT],
+            light: None,
+            enough: ALL,
+            covered: [Covered::NONE; SQUARE_ROWS],
+        };
+        let mut kept = 0;
+        for i in 0..self.count {
+            let number = self.outlines[i];
+            self.outlines[kept] = number;
+            let number = usize::from(number);
+            let region = squares.coverage.region(squares.world, number);
+            let outline = squares.coverage.outlines[number];
+            let width = squares.coverage.widths[number];
+            let is_thin = 2 * usize::from(width) < THIN * squares.side();
+            search.enough = if is_thin { ALL } else { 1 };
+            kept += usize::from(search.look_for(outline, &region, open));
+        }
+        self.count = kept;
+        search.settle();
+        for (i, &word) in self.highlights.iter().enumerate() {
+            each(word, |bit| {
+                let highlight = &squares.coverage.highlights[64 * i + bit];
+                search.look_for_highlight(highlight, all);
+            });
+        }
+        let rows = squares.rows;
+        open[..rows].copy_from_slice(&search.open[..rows]);
+        if quality.unguarded_weight < f32::INFINITY {
+            squares.look_for_unguarded(all, &mut open[..rows]);
+        }
+    }
+}
+
+/// The state of a search through a level's squares.
+struct Search<'a> {
+    squares: &'a Squares<'a>,
+    open: [Bits; TILE_HEIGHT],
+    light: Option<u8>,
+    /// The least corner mask that clears a square: 1 (any corner), or [`ALL`] for a thin outline.
+    enough: u64,
+    /// The corners that this light's shadows, or images, cover in each row of squares.
+    covered: [Covered; SQUARE_ROWS],
+}
+
+impl Search<'_> {
+    /// Tests the open squares against an outline. Returns whether their parts have to be tested.
+    fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
+        let plane = |i: u8| ObjectId::new(self.squares.world.first_plane() + usize::from(i));
+        // The light, and the object or the plane that shows the image or shadow.
+        let (light, id) = match outline {
+            Outline::Object(id) => (None, id),
+            Outline::Image(_) => (None, plane(0)),
+            Outline::Shadow { plane: i, light, .. } => (Some(light), plane(i)),
+        };
+        let is_object = matches!(outline, Outline::Object(_));
+        if light != self.light {
+            self.settle();
+            self.light = light;
+        }
+        let mut may_be_missed = false;
+        let squares = self.squares;
+        squares.for_each_row(
+            region,
+            open,
+            #[inline(always)]
+            |y, [first, last]| {
+                Bits::masks(first, last, |i, mask| {
+                    // If the parts are to be tested anyway, open squares need no test.
+                    let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
+                    each(open[y].0[i] & mask & !known, |bit| {
+                        let x = 64 * i + bit;
+                        let shown = squares.shown(x, y, id);
+                        if is_object {
+                            may_be_missed |= self.look_for_object(id, shown, x, y);
+                            return;
+                        }
+                        may_be_missed = true;
+                        // Otherwise the plane is hidden, or its own outline has opened the square.
+                        if shown != 0 {
+                            self.look_on_plane(shown, region, x, y);
+                        }
+                    });
+                });
+            },
+        );
+        may_be_missed
+    }
+}
+
+/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side covers a corner; the other half is for
+/// partly hidden ones.
+const THIN: usize = 3;
+
+const ALL: u64 = 0b1111;

@@ -1,0 +1,46 @@
+//! Objects in direct view between the corners of a square.
+
+use super::Search;
+use super::squares::Squares;
+use crate::coverage::corners;
+use crate::lanes::*;
+use crate::prepare::ObjectId;
+use crate::trace::seen_points;
+
+impl Search<'_> {
+    /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
+    pub(super) fn look_for_object(&mut self, id: ObjectId, shown: u64, x: usize, y: usize) -> bool {
+        let labels = self.squares.labels(x, y);
+        let is_same = labels.simd_eq(labels[0]).all_true();
+        let is_missed =
+            shown < self.enough && !(shown == 0 && is_same && self.is_hidden(id, labels[0], x, y));
+        if is_missed {
+            self.open[y].set(x);
+        }
+        is_missed
+    }
+
+    /// Returns whether the object `back` is hidden in a square whose corners all have the label `front`.
+    ///
+    /// Occluders are convex: if the eye is outside, everything that the square shows in front of the occluder lies in the pyramid of the
+    /// eye and the corners' points. A plane that separates `back` from the pyramid proves that it is hidden.
+    #[inline(never)]
+    fn is_hidden(&self, back: ObjectId, front: u32, x: usize, y: usize) -> bool {
+        let &Squares { world, coverage, .. } = self.squares;
+        if front == 0 || front as usize > world.background() {
+            return false;
+        }
+        let front = ObjectId::new(front as usize - 1);
+        if coverage.has_less_power(front, back) {
+            return true;
+        }
+        let points = || {
+            let places = corners(self.squares.pixels(x, y));
+            let (d, t) = seen_points(world, &world.object(front).0, places);
+            [d.x * t, d.y * t, d.z * t, t]
+        };
+        let [front, back] = [front, back].map(|id| &coverage.objects[id.index()]);
+        let eye = world.eye.extend(0.0);
+        front.excludes(eye) && back.is_beyond(front, eye, points)
+    }
+}

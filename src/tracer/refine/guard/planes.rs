@@ -1,0 +1,67 @@
+//! Shadows and images on planes between the corners of a square.
+
+use super::{ALL, Search};
+use crate::coverage::Region;
+use crate::grid::Bits;
+use crate::picture::TILE_HEIGHT;
+
+pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
+
+/// How the shadows of one light, or the images, cover the corners of a row of squares.
+///
+/// A square stays open if two outlines each cover some corners: something may lie between them. An outline that covers all corners covers
+/// the square, as it is convex.
+#[derive(Clone, Copy)]
+pub(super) struct Covered {
+    /// One outline covers all corners.
+    wholly: Bits,
+    /// One outline covers some corners that show the plane.
+    partly: Bits,
+    /// An outline covers no corner that shows the plane, or two outlines each cover some.
+    missed: Bits,
+}
+
+impl Covered {
+    pub const NONE: Self = Self { wholly: Bits::NONE, partly: Bits::NONE, missed: Bits::NONE };
+}
+
+impl Search<'_> {
+    /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
+    /// is inside the region. If all corners show the plane and one side of the region cuts the square, one of them is inside: a half-plane
+    /// that meets a square contains a corner. If an object hides the other corners, one that shows the plane has to be outside, too. Shadows
+    /// wait for [`Search::settle`], since another one may cover the square.
+    pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
+        let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
+        let cuts = region.sides.cuts(rect, region.margin);
+        let is_cut_once = cuts == 1 && shown == ALL;
+        let inside = match cuts {
+            0 => ALL,
+            // Any one corner.
+            _ if is_cut_once => 1,
+            _ => region.corners(rect),
+        };
+        let covered = &mut self.covered[y % SQUARE_ROWS];
+        // Where an object hides the other corners, the plane may show between the object and the outline.
+        let is_between = shown != ALL && shown & !inside == 0;
+        let is_open = is_between || shown & inside < self.enough;
+        if inside == ALL {
+            covered.wholly.set(x);
+        } else if is_open && self.light.is_none() {
+            self.open[y].set(x);
+        } else if is_open || shown & !inside != 0 && covered.partly.has(x) {
+            covered.missed.set(x);
+        } else if shown & !inside != 0 {
+            covered.partly.set(x);
+        }
+    }
+
+    /// Opens the squares that may miss a shadow from the current light, an image, or a slit between two of them.
+    #[inline(never)]
+    pub(super) fn settle(&mut self) {
+        let rows = self.squares.rows;
+        for (covered, open) in self.covered[..rows].iter_mut().zip(&mut self.open) {
+            *open |= covered.missed.without(covered.wholly);
+            *covered = Covered::NONE;
+        }
+    }
+}
