@@ -126,8 +126,8 @@ impl Governor {
         let time = (time.as_nanos() as u64).min(MAX_LATENESS * budget);
         self.age += 1;
         self.mean = if self.age == 1 { time } else { (3 * self.mean + time) / 4 };
-        let hold = (CALM / budget).max(2);
-        let too_late = TOO_LATE.min(hold);
+        let calm_frames = (CALM / budget).max(2);
+        let too_late = TOO_LATE.min(calm_frames);
         // A sixteenth of the budget is reserved for the system.
         if time > budget / 16 * 15 {
             let frames = (time / budget).max(1).min(too_late - 1);
@@ -143,11 +143,11 @@ impl Governor {
         }
         self.calm = if self.mean < *threshold { self.calm + 1 } else { 0 };
         let has_doubt = self.rung >= PRESETS && self.mean > *threshold / 2;
-        let hold = if has_doubt { SIZE_CALM * hold } else { hold };
+        let calm_frames = if has_doubt { SIZE_CALM * calm_frames } else { calm_frames };
         if self.late == too_late && self.rung < self.last {
             self.before = self.mean;
             self.rung += 1;
-        } else if self.calm >= hold && self.rung > 0 {
+        } else if self.calm >= calm_frames && self.rung > 0 {
             self.before = 0;
             self.rung -= 1;
         } else {

@@ -17,7 +17,7 @@
 //!   computed, must not be much farther from the eye.)
 //! - The distance of the point from the eye: some `u` of it; [`SIDE`] is 1e-5 of it, since a side's terms are scaled by a length above the
 //!   eye's height.
-//! - The cone's own terms: below [`SIDE`], and [`WIDE`] covers the cosine.
+//! - The cone's own terms: below [`SIDE`], and [`CONE_RADIUS_FACTOR`] covers the cosine.
 //!
 //! # Lights and eyes far away
 //!
@@ -26,7 +26,7 @@
 //! with `D`: suns a thousand or a million units away open as many squares (`far_suns_and_telescopes_open_few_squares`). For telescopes
 //! [`CORNER`] and [`SIDE`] are at most a tenth of a pixel. In numbers near 1:
 //!
-//! - `1 - r^2 / D^2`, a cone's squared cosine, is within some `u` even if it cancels near the sphere, and [`WIDE`] enlarges it.
+//! - `1 - r^2 / D^2`, a cone's squared cosine, is within some `u` even if it cancels near the sphere, and [`CONE_RADIUS_FACTOR`] enlarges it.
 //! - The point of tangency, the sphere's chord and the squared chord of a shadow's cone are products with `r / D`: they have no difference
 //!   that cancels.
 //! - Differences of coordinates near an edge are exact; those that are small for their terms, like a sphere's power, get a margin in `u` of
@@ -64,9 +64,9 @@ pub(crate) const DEEP: f32 = 2e-6;
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
 /// The least such offset, twice the rounding error, of blocks whose side is nearer to the eye than [`AT_EYE`] usual offsets.
-pub(crate) const LEAST_BLOCK_HIT: f32 = 2.0 / (1 << 24) as f32;
+pub(crate) const MIN_BLOCK_HIT: f32 = 2.0 / (1 << 24) as f32;
 
-/// See [`LEAST_BLOCK_HIT`]. The usual offset is then visible.
+/// See [`MIN_BLOCK_HIT`]. The usual offset is then visible.
 pub(crate) const AT_EYE: f32 = 16.0;
 
 /// The relative enlargement of a block's bounding sphere: many times its corners' rounding.
@@ -82,7 +82,7 @@ pub(crate) const COSINE2: f32 = 4e-6;
 pub(crate) const BOUND: f32 = 1e-3;
 
 /// The enlargement of a sphere before its bounding cone is computed: the cosine of any cone grows by more than its rounding error.
-pub(crate) const WIDE: f32 = 1.0 + 1e-6;
+pub(crate) const CONE_RADIUS_FACTOR: f32 = 1.0 + 1e-6;
 
 /// The multiple of a shadow's errors within which a point is uncertain: 1 for the wider cone, 1 for the smaller radius of shadow
 /// rays, and less than 1/3 for their origins.
@@ -93,7 +93,7 @@ pub(crate) const SIDE: f32 = 1e-5;
 
 /// The usual part of [`SIDE`], some 5 roundings: enough for soft shadows, and small enough for certain points in shadows by lights
 /// a thousand times as far away.
-pub(crate) const USUAL: f32 = 0.03;
+pub(crate) const USUAL_SIDE_SHARE: f32 = 0.03;
 
 /// The largest error of a block's corner, relative to its distance and size, far above rounding.
 pub(crate) const CORNER: f32 = 2e-4;
@@ -103,17 +103,17 @@ pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
 /// Returns a margin of at most a tenth of a pixel, but of 5 roundings: telescopes have small pixels.
 pub(crate) fn within_pixel(margin: f32, pixel: f32) -> f32 {
-    margin.min((0.1 * pixel).max(SIDE * USUAL))
+    margin.min((0.1 * pixel).max(SIDE * USUAL_SIDE_SHARE))
 }
 
 /// The largest distance between an object and its point recomputed from the picture, relative to the largest coordinate: some `u`.
-pub(crate) const SEEN: f32 = 1e-5;
+pub(crate) const SURFACE_POINT: f32 = 1e-5;
 
 /// The distance from a sphere, in hit errors, within which the eye may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
 /// The least height of a light above a plane, relative to its distance from the eye, for reliable bounds of shadows.
-pub(crate) const LEAST_HEIGHT: f32 = 0.01;
+pub(crate) const MIN_HEIGHT: f32 = 0.01;
 
 /// The margin of a bounding rectangle in pixels, far above rounding.
 pub(crate) const PIXELS_AROUND: f32 = 0.5;

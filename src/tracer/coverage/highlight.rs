@@ -65,19 +65,19 @@ impl Highlight {
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * to_f32(side);
-        self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.most(to_f32(side))
+        self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.threshold(to_f32(side))
     }
 
     /// Returns the brightness that a square may exceed its corners by. It grows as squares get smaller, like the tolerances of a quality,
     /// up to 0.3 of the highlight.
-    fn most(&self, width: f32) -> f32 {
+    fn threshold(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
 
     /// Returns the decay beyond which no square of `side` pixels is visibly brighter than its corners, by the bounds of
     /// [`Highlight::is_missed`].
     pub fn reach(&self, side: usize) -> f32 {
-        let peak = self.strength / self.most(to_f32(side));
+        let peak = self.strength / self.threshold(to_f32(side));
         (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)
     }
 
@@ -99,20 +99,67 @@ impl Highlight {
         let [a, b, c] = self.decay;
         let rect = rect - Vec4::from((self.middle, self.middle));
         let u = |x: Vec4, y: Vec4| a * x * x + y * (2.0 * b * x + c * y);
-        let unseen = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
-        let seen = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(unseen)).min_element();
+        let hidden = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
+        let corner = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(hidden)).min_element();
         // The maximum is at the centre if the square contains it; otherwise on a side.
-        let mut least = 0.0;
+        let mut min = 0.0;
         if rect.xy().max(-rect.zw()).max_element() > 0.0 {
             let sides = rect.xzyw();
             let along = (-b * sides / Vec4::new(c, c, a, a)).max(rect.yyxx()).min(rect.wwzz());
             let x = Vec4::from((sides.xy(), along.zw()));
             let y = Vec4::from((along.xy(), sides.zw()));
-            least = u(x, y).min_element();
+            min = u(x, y).min_element();
         }
         // e^-u is at most 1 / (1 + u + u^2 / 2), and e^-u - e^-v at most min(1, v - u) e^-u.
-        let most = self.most(rect.z - rect.x);
-        self.strength * (seen - least).min(1.0) > most * (1.0 + least + 0.5 * least * least)
+        let threshold = self.threshold(rect.z - rect.x);
+        self.strength * (corner - min).min(1.0) > threshold * (1.0 + min + 0.5 * min * min)
+    }
+
+    /// Returns whether the highlight can lie between corners: u is at most 64 times the larger of a and c at 4 pixels across and
+    /// down.
+    fn is_small(&self, visible: f32) -> bool {
+        let [a, _, c] = self.decay;
+        self.strength * a.max(c) * SQUARE * SQUARE > visible
+    }
+
+    /// Returns the highlight at a mirror point; `None` if it is hidden from the eye or light, both relative to the object's centre.
+    fn at(
+        mirror: &Mirror,
+        axes: &Axes,
+        eye: Vec3A,
+        light: Vec3A,
+        half_exponent: f32,
+    ) -> Option<Self> {
+        let &Mirror { p, n, curvature, axis } = mirror;
+        let (to, to_light) = (p - eye, light - p);
+        let (distance, light_distance) = (to.length(), to_light.length());
+        let (d, l) = (to / distance, to_light / light_distance);
+        let [x, y, depth] = axes.rows.map(|row| row.dot(to));
+        let facing = -d.dot(n);
+        let is_visible = depth.min(facing).min(l.dot(n)) > 0.0;
+        if !is_visible {
+            return None;
+        }
+        // The change of d - l from pixel to pixel.
+        let [right, down] = [axes.rows[0], axes.rows[1]].map(|step| {
+            let step = (step + d * (step.dot(n) / facing)) * (depth * axes.pixel);
+            let turned = (step - axis * step.dot(axis)) * curvature;
+            let ray = (step - d * d.dot(step)) / distance;
+            let mirrored = ray - (n * (ray.dot(n) + d.dot(turned)) - turned * facing) * 2.0;
+            mirrored + (step - l * l.dot(step)) / light_distance
+        });
+        let scale = COUNTED_DECAY * half_exponent;
+        let [a, b, c] =
+            [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
+        let scale = REACH / (a * c - b * b).max(a * c * DRAWN_OUT);
+        let middle = axes.pixel_at(x / depth, y / depth);
+        let reach = Vec2::new(sqrt(c * scale), sqrt(a * scale));
+        Some(Self {
+            middle,
+            bounds: Vec4::from((middle - reach, -middle - reach)),
+            decay: [a, b, c],
+            ..Self::ZERO
+        })
     }
 }
 
@@ -123,7 +170,7 @@ impl Coverage {
         for i in 0..world.background() {
             let (object, material) = world.object(ObjectId::new(i));
             let centre = Vec3A::from(object.centre());
-            if i == world.first_plane() && !world.scene.water.are_calm() {
+            if i == world.first_plane() && !world.scene.water.is_calm() {
                 continue;
             }
             let bounds = self.objects[i].screen.in_pixels(&self.axes);
@@ -145,65 +192,18 @@ impl Coverage {
                         place.p = axes * (axes.transpose() * place.p).max(-half).min(half);
                     }
                     let half_exponent = 0.5 * material.exponent;
-                    let Some(seen) = place.seen(&self.axes, eye, light, half_exponent) else {
+                    let lobe = Highlight::at(&place, &self.axes, eye, light, half_exponent);
+                    let Some(lobe) = lobe else {
                         return;
                     };
-                    let highlight = Highlight {
-                        object: ObjectId::new(i),
-                        bounds: seen.bounds.max(bounds),
-                        strength,
-                        ..seen
-                    };
+                    let object = ObjectId::new(i);
+                    let bounds = lobe.bounds.max(bounds);
+                    let highlight = Highlight { object, bounds, strength, ..lobe };
                     if highlight.is_small(visible) {
                         self.highlights.push(highlight);
                     }
                 });
             }
         }
-    }
-}
-
-impl Highlight {
-    /// Returns whether the highlight can lie between corners: u is at most 64 times the larger of a and c at 4 pixels across and
-    /// down.
-    fn is_small(&self, visible: f32) -> bool {
-        let [a, _, c] = self.decay;
-        self.strength * a.max(c) * SQUARE * SQUARE > visible
-    }
-}
-
-impl Mirror {
-    /// Returns the highlight at this point; `None` if it is hidden from the eye or light, both relative to the object's centre.
-    fn seen(&self, axes: &Axes, eye: Vec3A, light: Vec3A, half_exponent: f32) -> Option<Highlight> {
-        let &Self { p, n, curvature, axis } = self;
-        let (to, to_light) = (p - eye, light - p);
-        let (distance, light_distance) = (to.length(), to_light.length());
-        let (d, l) = (to / distance, to_light / light_distance);
-        let [x, y, depth] = axes.rows.map(|row| row.dot(to));
-        let facing = -d.dot(n);
-        let is_seen = depth.min(facing).min(l.dot(n)) > 0.0;
-        if !is_seen {
-            return None;
-        }
-        // The change of d - l from pixel to pixel.
-        let [right, down] = [axes.rows[0], axes.rows[1]].map(|step| {
-            let step = (step + d * (step.dot(n) / facing)) * (depth * axes.pixel);
-            let turned = (step - axis * step.dot(axis)) * curvature;
-            let ray = (step - d * d.dot(step)) / distance;
-            let mirrored = ray - (n * (ray.dot(n) + d.dot(turned)) - turned * facing) * 2.0;
-            mirrored + (step - l * l.dot(step)) / light_distance
-        });
-        let scale = COUNTED_DECAY * half_exponent;
-        let [a, b, c] =
-            [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
-        let scale = REACH / (a * c - b * b).max(a * c * DRAWN_OUT);
-        let middle = axes.pixel_at(x / depth, y / depth);
-        let reach = Vec2::new(sqrt(c * scale), sqrt(a * scale));
-        Some(Highlight {
-            middle,
-            bounds: Vec4::from((middle - reach, -middle - reach)),
-            decay: [a, b, c],
-            ..Highlight::ZERO
-        })
     }
 }

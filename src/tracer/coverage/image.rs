@@ -11,7 +11,7 @@ impl Coverage {
         let Some(plane) = world.scene.planes.first() else {
             return;
         };
-        if !world.scene.water.are_calm() {
+        if !world.scene.water.is_calm() {
             // Images in waves may be anywhere.
             self.groups[1] = [ScreenBounds::ALL; MAX_GROUPS];
         } else if plane.material.is_specular() {
@@ -23,8 +23,8 @@ impl Coverage {
                 let screen = self.image.screen(node, self.axes.pixel);
                 self.groups[1][node.group()].join(screen);
                 // An object beyond the plane has no image.
-                let [_, most] = self.heights(node.object, &world.planes()[0], world.eye);
-                if self.objects[node.object.index()].is_finite() && most >= 0.0 {
+                let [_, max] = self.heights(node.object, &world.planes()[0], world.eye);
+                if self.objects[node.object.index()].is_finite() && max >= 0.0 {
                     let far = self.image.reach(node.centre, node.radius);
                     let width = 2.0 * self.objects[node.object.index()].thickness / far;
                     self.list(Outline::Image(node.object), screen, width);

@@ -175,11 +175,11 @@ impl Coverage {
     /// the shadow's light, or the eye for an image.
     fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
-        let (error, [least, most]) = (object.hit_error(), object.above(plane.centre.y));
+        let (error, [min, max]) = (object.hit_error(), object.above(plane.centre.y));
         if viewer.y > plane.centre.y {
-            [least + error, most + error]
+            [min + error, max + error]
         } else {
-            [error - most, error - least]
+            [error - max, error - min]
         }
     }
 

@@ -5,7 +5,7 @@ use super::{Coverage, Outline};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::prepare::{BvhNode, Object, ObjectId, World};
-use crate::rounding::{CORNER, HIT, SEEN, TOUCHING, hit_error};
+use crate::rounding::{CORNER, HIT, SURFACE_POINT, TOUCHING, hit_error};
 use crate::scene::Block;
 use glam::{Mat3A, Vec3A, Vec4};
 
@@ -20,8 +20,8 @@ pub(crate) struct ObjectBounds {
     /// Half of the least extent.
     pub thickness: f32,
     /// The extent along the scene's axes, and forward from the eye.
-    least: Vec4,
-    most: Vec4,
+    min: Vec4,
+    max: Vec4,
 }
 
 impl ObjectBounds {
@@ -30,23 +30,23 @@ impl ObjectBounds {
         screen: ScreenBounds::ZERO,
         power: None,
         thickness: 0.0,
-        least: Vec4::ZERO,
-        most: Vec4::ZERO,
+        min: Vec4::ZERO,
+        max: Vec4::ZERO,
     };
 
     #[inline(never)]
     pub fn hit_error(&self) -> f32 {
-        let reach = self.least.abs().max(self.most.abs());
+        let reach = self.min.abs().max(self.max.abs());
         hit_error(Vec3A::from_vec4(reach), 0.0)
     }
 
     pub fn is_finite(&self) -> bool {
-        self.most.is_finite()
+        self.max.is_finite()
     }
 
     /// Returns the object's least and greatest height above `height`.
     pub fn above(&self, height: f32) -> [f32; 2] {
-        [self.least.y - height, self.most.y - height]
+        [self.min.y - height, self.max.y - height]
     }
 
     /// Returns whether a plane across an axis separates the object from the eye and `points` on the object `front`: the coordinates of the
@@ -57,11 +57,12 @@ impl ObjectBounds {
         eye: Vec4,
         points: impl FnOnce() -> [F<Baseline>; 4],
     ) -> bool {
-        let slack = SEEN / HIT * (front.hit_error() + hit_error(Vec3A::from_vec4(eye), 0.0));
-        let [least, most] = [self.least, self.most].map(|end| end - eye);
-        let gaps = least.max(-most) - (least.abs() + most.abs()) * SEEN - slack;
-        let is_negative = most.cmplt(Vec4::ZERO);
-        let reach = Vec4::select(is_negative, eye - front.least, front.most - eye);
+        let slack =
+            SURFACE_POINT / HIT * (front.hit_error() + hit_error(Vec3A::from_vec4(eye), 0.0));
+        let [min, max] = [self.min, self.max].map(|end| end - eye);
+        let gaps = min.max(-max) - (min.abs() + max.abs()) * SURFACE_POINT - slack;
+        let is_negative = max.cmplt(Vec4::ZERO);
+        let reach = Vec4::select(is_negative, eye - front.min, front.max - eye);
         let is_gap = gaps.cmpge(Vec4::ZERO);
         // All of `front` is on the eye's side.
         if (is_gap & reach.cmple(gaps)).any() {
@@ -69,14 +70,14 @@ impl ObjectBounds {
         }
         let axes = points().into_iter().enumerate();
         axes.fold(false, |is_beyond, (i, along)| {
-            let along = if most[i] < 0.0 { -along } else { along };
+            let along = if max[i] < 0.0 { -along } else { along };
             is_beyond | (gaps[i] >= 0.0) & along.simd_le(gaps[i]).all_true()
         })
     }
 
     /// Returns whether a point is certainly outside.
     pub fn excludes(&self, point: Vec4) -> bool {
-        let is_outside = self.least.cmpgt(point) | self.most.cmplt(point);
+        let is_outside = self.min.cmpgt(point) | self.max.cmplt(point);
         is_outside.bitmask() & 0b111 != 0
     }
 }
@@ -120,14 +121,14 @@ impl Coverage {
                 Object::Block(block) => (None, block.half.min_element(), extent(block, forward)),
                 _ => (power(node.centre - world.eye, node), node.radius, Vec4::splat(node.radius)),
             };
-            let [least, most] = ends(node.centre, extent);
+            let [min, max] = ends(node.centre, extent);
             let object = ObjectBounds {
                 node: number as u16,
-                screen: if most.is_finite() { screen } else { ScreenBounds::NONE },
+                screen: if max.is_finite() { screen } else { ScreenBounds::NONE },
                 power,
                 thickness,
-                least,
-                most,
+                min,
+                max,
             };
             let width = 2.0 * object.thickness / self.eye.reach(node.centre, node.radius);
             self.list(Outline::Object(node.object), object.screen, width);
@@ -137,9 +138,9 @@ impl Coverage {
             let id = ObjectId::new(world.first_plane() + i);
             // No bound forward: planes have no order.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
-            let [least, most] = ends(plane.centre.into(), extent);
+            let [min, max] = ends(plane.centre.into(), extent);
             self.objects[id.index()] =
-                ObjectBounds { screen: ScreenBounds::ALL, least, most, ..ObjectBounds::ZERO };
+                ObjectBounds { screen: ScreenBounds::ALL, min, max, ..ObjectBounds::ZERO };
             let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
             let far = self.eye.reach(centre, half.length());
             let to = (centre - world.eye).abs();

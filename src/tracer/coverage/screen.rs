@@ -71,7 +71,8 @@ impl Axes {
         let [width, height] = size.map(to_f32);
         let [x, y, ..] = self.middle.to_array();
         let left = splat(simd, to_f32(left) - x);
-        let top = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() * height + (to_f32(top) - y);
+        let top =
+            lane_numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() * height + (to_f32(top) - y);
         Rects {
             left: left * self.pixel,
             top: top * self.pixel,

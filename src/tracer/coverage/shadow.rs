@@ -2,29 +2,7 @@
 
 use super::view::View;
 use super::{Coverage, Outline};
-use crate::prepare::{PreparedLight, World};
-use crate::rounding::{CORNER_BY_LIGHT, USUAL};
-use crate::scene::Plane;
-
-impl View {
-    /// Returns the view of a light from points on a plane.
-    fn light(light: &PreparedLight, plane: &Plane, eye: &Self) -> Self {
-        let (height, to_light) = (eye.eye.y - plane.centre.y, light.position - eye.eye);
-        // Points towards the plane.
-        let scale = (1.0 / to_light.extend(height).length()).copysign(height);
-        Self {
-            from: light.position,
-            to_light: to_light * scale,
-            above: (light.position.y - plane.centre.y) * scale,
-            ground: plane.centre.y,
-            height: height.abs(),
-            side: 1.0_f32.copysign(height),
-            corner: CORNER_BY_LIGHT,
-            rounding: if light.is_point { 1.0 } else { USUAL },
-            ..*eye
-        }
-    }
-}
+use crate::prepare::World;
 
 impl Coverage {
     pub(super) fn set_shadows(&mut self, world: World<'_>) {
@@ -39,8 +17,8 @@ impl Coverage {
                     // Neither a sphere around the light nor a solid beyond the plane casts a shadow.
                     let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
-                    let [_, most] = self.heights(node.object, rectangle, light.position);
-                    if is_outside && most >= 0.0 {
+                    let [_, max] = self.heights(node.object, rectangle, light.position);
+                    if is_outside && max >= 0.0 {
                         let shadow = Outline::Shadow {
                             object: node.object,
                             plane: plane as u8,

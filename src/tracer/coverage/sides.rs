@@ -12,7 +12,7 @@ use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::prepare::BvhNode;
-use crate::rounding::{HIT, SIDE, UNSURE, WIDE, within_pixel};
+use crate::rounding::{CONE_RADIUS_FACTOR, HIT, SIDE, UNSURE, within_pixel};
 use crate::scene::{Block, Plane, Shape};
 use crate::shapes::plane;
 use core::array;
@@ -45,7 +45,7 @@ impl Sides {
     /// their shares of the vector to it.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
-        let radius = (node.radius + node.hit_error) * WIDE;
+        let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
         let distance2 = to.length_squared();
         let cosine2 = (distance2 - radius * radius) / distance2;
         if cosine2 < 0.0 {
@@ -95,9 +95,9 @@ impl Sides {
         match self {
             Self::All => {}
             Self::Round { terms, .. } => {
-                let [right, down, terms] = terms.map(|terms| terms.to_array());
+                let [right, down, origin] = terms.map(|term| term.to_array());
                 let middle = (rects.top + rects.bottom) * 0.5;
-                let row: [F<S>; 3] = array::from_fn(|i| middle * down[i] + terms[i]);
+                let row: [F<S>; 3] = array::from_fn(|i| middle * down[i] + origin[i]);
                 for _ in 0..TANGENTS {
                     if rects.left.simd_gt(rects.right).all_true() {
                         return;
@@ -107,19 +107,19 @@ impl Sides {
                         // On the axis any direction across is valid, also zero.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
-                        [side(right), side(down), side(terms) - length * margin]
+                        [side(right), side(down), side(origin) - length * margin]
                     });
-                    for [right, down, terms] in tangents {
-                        rects.cut(right, down, terms);
+                    for [right, down, origin] in tangents {
+                        rects.cut(right, down, origin);
                     }
                 }
             }
             Self::Flat { outer, .. } => {
                 for terms in outer {
-                    let terms = terms.map(|terms| terms.to_array());
+                    let terms = terms.map(|term| term.to_array());
                     for i in 0..4 {
-                        let [right, down, terms] = terms.map(|terms| splat(simd, terms[i]));
-                        rects.cut(right, down, terms - margin);
+                        let [right, down, origin] = terms.map(|term| splat(simd, term[i]));
+                        rects.cut(right, down, origin - margin);
                     }
                 }
             }
@@ -134,12 +134,12 @@ impl Sides {
         };
         let middle = (rect.xy() + rect.zw()) * 0.5;
         let half = rect.zw() - middle;
-        let cuts = inner.map(|[right, down, terms]| {
-            let least = right * middle.x - right.abs() * half.x
+        let cuts = inner.map(|[right, down, origin]| {
+            let min = right * middle.x - right.abs() * half.x
                 + (down * middle.y - down.abs() * half.y)
-                + terms;
+                + origin;
             // NaN counts as a cut.
-            (!least.cmpge(Vec4::splat(margin))).bitmask().count_ones()
+            (!min.cmpge(Vec4::splat(margin))).bitmask().count_ones()
         });
         cuts[0] + cuts[1]
     }
@@ -148,8 +148,8 @@ impl Sides {
     #[inline(always)]
     fn depth(&self, u: F<Baseline>, v: F<Baseline>) -> F<Baseline> {
         let at = |terms: &Terms| -> [F<Baseline>; 4] {
-            let [right, down, terms] = terms.map(|terms| terms.to_array());
-            array::from_fn(|i| u * right[i] + v * down[i] + terms[i])
+            let [right, down, origin] = terms.map(|term| term.to_array());
+            array::from_fn(|i| u * right[i] + v * down[i] + origin[i])
         };
         match self {
             Self::All => splat(u.token(), f32::NEG_INFINITY),
@@ -169,16 +169,16 @@ impl Sides {
 }
 
 impl<S: Isa> Rects<S> {
-    /// Clips rectangles to the range of u where `right u + down v + terms >= 0` for some v.
+    /// Clips rectangles to the range of u where `right u + down v + origin >= 0` for some v.
     #[inline(never)]
-    fn cut(&mut self, right: F<S>, down: F<S>, terms: F<S>) {
+    fn cut(&mut self, right: F<S>, down: F<S>, origin: F<S>) {
         let zero = splat(right.token(), 0.0);
-        let most = (down * self.top).max(down * self.bottom) + terms;
+        let max = (down * self.top).max(down * self.bottom) + origin;
         // NaN clips nothing. If `right` is 0, which must not be -0, the clip is all or nothing.
-        let end = -most / (right + zero);
-        let least = at_least::<S>(end, self.left);
+        let end = -max / (right + zero);
+        let min = at_least::<S>(end, self.left);
         let greatest = at_most::<S>(end, self.right);
-        self.left = right.simd_ge(zero).select(least, self.left);
+        self.left = right.simd_ge(zero).select(min, self.left);
         self.right = right.simd_lt(zero).select(greatest, self.right);
     }
 }

@@ -150,7 +150,7 @@ fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
 }
 
 /// Returns the pixel that shows a point, if it is in the picture.
-fn seen(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
+fn pixel_of(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
     let d = point - eye.as_dvec3();
     let [x, y, z] = axes.rows.map(|axis| axis.as_dvec3().dot(d));
     let pixel = f64::from(axes.pixel);
@@ -179,12 +179,12 @@ proptest! {
             let in_sphere = at.clamp_length_max(0.999) * f64::from(sphere.radius);
             let points = [sphere.centre.as_dvec3() + in_sphere, within(block, at)];
             for (solid, point) in points.into_iter().enumerate() {
-                if let Some(place) = seen(axes, scene.camera.eye, point) {
+                if let Some(place) = pixel_of(axes, scene.camera.eye, point) {
                     let is_asked = |it| matches!(it, Outline::Object(id) if id.index() == solid);
                     prop_assert!(bounds.have(&scene, place, is_asked));
                 }
                 let below = light + (point - light) * (light.y / (light.y - point.y));
-                if let Some(place) = seen(axes, scene.camera.eye, below) {
+                if let Some(place) = pixel_of(axes, scene.camera.eye, below) {
                     let is_there = bounds.have(&scene, place, is_shadow_of(solid));
                     prop_assert!(is_there, "{solid}, {place:?}");
                 }
@@ -216,7 +216,7 @@ fn certain_points_are_in_shadow() {
         for &at in &points {
             let point = within(block, at);
             let below = light + (point - light) * (light.y / (light.y - point.y));
-            let Some([x, y]) = seen(axes, scene.camera.eye, below) else {
+            let Some([x, y]) = pixel_of(axes, scene.camera.eye, below) else {
                 continue;
             };
             let rect = axes.rect(rectangle(x, y, x + 1, y + 1));
@@ -224,8 +224,8 @@ fn certain_points_are_in_shadow() {
                 let [right, down, ahead] = axes.rows.map(|row| row.as_dvec3());
                 let d = right * f64::from(rect.x) + down * f64::from(rect.y) + ahead;
                 let off = nearest(block, eye - d * (eye.y / d.y), light);
-                let most = [1.087, 1.0][usize::from(block.shape == Shape::Box)];
-                assert!(off < most + 1e-3, "{off} of {block:?}");
+                let max = [1.087, 1.0][usize::from(block.shape == Shape::Box)];
+                assert!(off < max + 1e-3, "{off} of {block:?}");
                 certain += 1;
             }
         }

@@ -3,8 +3,12 @@
 use super::screen::ScreenBounds;
 use super::sides::Sides;
 use crate::maths::sqrt;
-use crate::prepare::{BvhNode, Object};
-use crate::rounding::{CORNER, LEAST_HEIGHT, WIDE, hit_error, within_pixel};
+use crate::prepare::{BvhNode, Object, PreparedLight};
+use crate::rounding::{
+    CONE_RADIUS_FACTOR, CORNER, CORNER_BY_LIGHT, MIN_HEIGHT, USUAL_SIDE_SHARE, hit_error,
+    within_pixel,
+};
+use crate::scene::Plane;
 use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
@@ -48,6 +52,24 @@ impl View {
         Self { from: eye, eye, axes, above: 1.0, height: 1.0, corner, rounding: 1.0, ..Self::ZERO }
     }
 
+    /// Returns the view of a light from points on a plane.
+    pub fn light(light: &PreparedLight, plane: &Plane, eye: &Self) -> Self {
+        let (height, to_light) = (eye.eye.y - plane.centre.y, light.position - eye.eye);
+        // Points towards the plane.
+        let scale = (1.0 / to_light.extend(height).length()).copysign(height);
+        Self {
+            from: light.position,
+            to_light: to_light * scale,
+            above: (light.position.y - plane.centre.y) * scale,
+            ground: plane.centre.y,
+            height: height.abs(),
+            side: 1.0_f32.copysign(height),
+            corner: CORNER_BY_LIGHT,
+            rounding: if light.is_point { 1.0 } else { USUAL_SIDE_SHARE },
+            ..*eye
+        }
+    }
+
     pub fn reach(&self, centre: Vec3A, radius: f32) -> f32 {
         (centre - self.from).length() + radius
     }
@@ -62,10 +84,10 @@ impl View {
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;
-        if above <= LEAST_HEIGHT {
+        if above <= MIN_HEIGHT {
             return ScreenBounds::ALL;
         }
-        let radius = (node.radius + node.hit_error) * WIDE;
+        let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
         let to = (node.centre - self.eye) * above - to_light * (node.centre.y - self.ground);
         let [right, down, (forward, ahead)] =
             self.axes.map(|n| (n * above - Vec3A::Y * n.dot(to_light), n.dot(to)));

@@ -4,7 +4,7 @@ mod bits;
 mod pyramid;
 
 pub(crate) use bits::{Bits, WORDS, each};
-pub(crate) use pyramid::{GridRow, LEVELS, Pyramid, SCRATCH};
+pub(crate) use pyramid::{CHANGES, GridRow, LEVELS, Pyramid};
 
 pub(crate) struct Area {
     pub left: usize,

@@ -43,7 +43,7 @@ const STARTS: [usize; LEVELS + 1] = {
 const POINTS: usize = STARTS[LEVELS] + 2 * MAX_LANES;
 
 /// Two words for each pixel of an eighth of a tile.
-pub(crate) const SCRATCH: usize = 2 * TILE_WIDTH * TILE_HEIGHT / 8;
+pub(crate) const CHANGES: usize = 2 * TILE_WIDTH * TILE_HEIGHT / 8;
 
 impl Pyramid {
     pub const fn new() -> Self {
@@ -67,8 +67,8 @@ impl Pyramid {
         self.keys[index] = key;
     }
 
-    /// Returns the samples' memory, for other purposes between tiles.
-    pub fn scratch(&mut self) -> &mut [u64; SCRATCH] {
+    /// Returns the changes of pixels by antialiasing, in the samples' memory: no tile is drawn meanwhile.
+    pub fn changes(&mut self) -> &mut [u64; CHANGES] {
         self.samples.first_chunk_mut().expect("enough points")
     }
 

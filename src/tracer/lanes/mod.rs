@@ -44,7 +44,7 @@ pub(crate) fn splat<S: Simd>(simd: S, v: f32) -> F<S> {
 }
 
 #[inline(always)]
-pub(crate) fn first<S: Simd>(simd: S, count: usize) -> M<S> {
+pub(crate) fn first_lanes<S: Simd>(simd: S, count: usize) -> M<S> {
     M::<S>::from_bitmask(simd, (1 << count) - 1)
 }
 
@@ -53,22 +53,22 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
-/// Returns the maximum, or `least` where `v` is NaN. (The result of `max` depends on the CPU.)
+/// Returns the maximum, or `min` where `v` is NaN. (The result of `max` depends on the CPU.)
 #[inline(always)]
-pub(crate) fn at_least<S: Isa>(v: F<S>, least: F<S>) -> F<S> {
-    if S::LIMITS_REPLACE_NAN { v.max(least) } else { v.simd_gt(least).select(v, least) }
+pub(crate) fn at_least<S: Isa>(v: F<S>, min: F<S>) -> F<S> {
+    if S::LIMITS_REPLACE_NAN { v.max(min) } else { v.simd_gt(min).select(v, min) }
 }
 
-/// Returns the minimum, or `most` where `v` is NaN.
+/// Returns the minimum, or `max` where `v` is NaN.
 #[inline(always)]
-pub(crate) fn at_most<S: Isa>(v: F<S>, most: F<S>) -> F<S> {
-    if S::LIMITS_REPLACE_NAN { v.min(most) } else { v.simd_lt(most).select(v, most) }
+pub(crate) fn at_most<S: Isa>(v: F<S>, max: F<S>) -> F<S> {
+    if S::LIMITS_REPLACE_NAN { v.min(max) } else { v.simd_lt(max).select(v, max) }
 }
 
-/// Clamps to `least` to `most`; `least` where `v` is NaN.
+/// Clamps to `min` to `max`; `min` where `v` is NaN.
 #[inline(always)]
-pub(crate) fn clamp<S: Isa>(v: F<S>, least: F<S>, most: F<S>) -> F<S> {
-    at_most::<S>(at_least::<S>(v, least), most)
+pub(crate) fn clamp<S: Isa>(v: F<S>, min: F<S>, max: F<S>) -> F<S> {
+    at_most::<S>(at_least::<S>(v, min), max)
 }
 
 /// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, in the low bits of the sum; subtracting
@@ -87,7 +87,7 @@ pub(crate) fn smooth_step<S: Simd>(v: F<S>) -> F<S> {
 }
 
 #[inline(always)]
-pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {
+pub(crate) fn lane_numbers<S: Simd>(simd: S) -> U<S> {
     const NUMBERS: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
     U::<S>::from_slice(simd, &NUMBERS[..lanes::<S>()])
 }

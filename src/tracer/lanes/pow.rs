@@ -80,7 +80,7 @@ mod tests {
     use fearless_simd::dispatch;
 
     #[inline(always)]
-    fn hold<S: Simd>(simd: S) {
+    fn assert_errors_are_small<S: Simd>(simd: S) {
         // One in 997 of all floats from 1e-6 to 1.001, and 10,000 consecutive ones around 1.
         let (first, last) = (1e-6_f32.to_bits(), 1.001_f32.to_bits());
         let dense = 1_f32.to_bits() - 5000..1_f32.to_bits() + 5000;
@@ -100,7 +100,7 @@ mod tests {
     #[test]
     fn pow_error_is_within_stated_bound() {
         for level in isas() {
-            dispatch!(level, simd => hold(simd));
+            dispatch!(level, simd => assert_errors_are_small(simd));
         }
     }
 }

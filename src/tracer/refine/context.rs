@@ -15,7 +15,7 @@ pub(crate) struct Context<'a, O> {
 }
 
 impl<O> Context<'_, O> {
-    pub fn trace(&self, quality: &Quality, seen: VisibleGroups, batch: &mut Batch) {
-        self.kernels.trace(self.world, quality, seen, batch);
+    pub fn trace(&self, quality: &Quality, visible: VisibleGroups, batch: &mut Batch) {
+        self.kernels.trace(self.world, quality, visible, batch);
     }
 }

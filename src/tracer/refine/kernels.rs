@@ -5,7 +5,7 @@ use crate::lanes::{Baseline, Isa};
 use crate::picture::Band;
 use crate::prepare::{VisibleGroups, World};
 use crate::quality::Quality;
-use crate::trace::{self, Batch, SeenPattern, Tracer};
+use crate::trace::{self, Batch, PatternOnScreen, Tracer};
 use fearless_simd::Level;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Avx2, Avx512};
@@ -17,7 +17,7 @@ pub(crate) struct Kernels {
     trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
     judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
     fill: fn(Level, &mut Band<'_>, &Run<'_>),
-    pattern: fn(Level, &SeenPattern<'_>, [usize; 2], usize, usize) -> [f32; 64],
+    pattern: fn(Level, &PatternOnScreen<'_>, [usize; 2], usize, usize) -> [f32; 64],
 }
 
 impl Kernels {
@@ -50,10 +50,10 @@ impl Kernels {
     fn of<R: Isa, S: Isa>(level: Level) -> Self {
         Self {
             level,
-            trace: |level, world, quality, seen, batch| {
+            trace: |level, world, quality, visible, batch| {
                 let isa = in_level::<R>(level);
                 let tracer = Tracer { isa, world, quality };
-                trace::trace(tracer, seen, batch);
+                trace::trace(tracer, visible, batch);
             },
             judge: |level, limits, squares, above, below| {
                 verdict::judge(in_level::<S>(level), limits, squares, above, below)
@@ -70,10 +70,10 @@ impl Kernels {
         &self,
         world: World<'_>,
         quality: &Quality,
-        seen: VisibleGroups,
+        visible: VisibleGroups,
         batch: &mut Batch,
     ) {
-        (self.trace)(self.level, world, quality, seen, batch);
+        (self.trace)(self.level, world, quality, visible, batch);
     }
 
     /// See [`verdict::judge`].
@@ -92,10 +92,10 @@ impl Kernels {
         (self.fill)(self.level, band, run);
     }
 
-    /// See [`SeenPattern::at`].
+    /// See [`PatternOnScreen::at`].
     pub fn pattern(
         &self,
-        pattern: &SeenPattern<'_>,
+        pattern: &PatternOnScreen<'_>,
         start: [usize; 2],
         width: usize,
         count: usize,

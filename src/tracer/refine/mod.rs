@@ -42,6 +42,7 @@
 //! tolerances are the better trade.
 
 pub(crate) mod antialias;
+mod bisect;
 mod context;
 mod fill;
 mod guard;

@@ -5,7 +5,8 @@
 
 use super::Context;
 use super::Worker;
-use super::antialias::{add_middle, bisect, is_edge, mix_pixel};
+use super::antialias::is_edge;
+use super::bisect::{add_middle, bisect, mix_pixel};
 use crate::counts::Counts;
 use crate::picture::{Band, CELL, Probing};
 use crate::plan::FramePlan;
@@ -23,17 +24,18 @@ const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 
 const POINTS: usize = 1 + 2 * SIDES.len();
 
-impl Probing {
-    /// Returns the probed pixels. The seeds visit all pixels in one random order, `count` per seed, and then start again.
-    fn places(self, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
-        let pixels = (columns * rows) as u32;
-        let count = u32::from(self.count);
-        let first = self.seed.wrapping_mul(count);
-        (0..count).map(move |i| {
-            let place = shuffled(first.wrapping_add(i) % pixels, pixels) as usize;
-            [place % columns, place / columns]
-        })
-    }
+/// The probes of a batch, at most: a power of two bounds an index.
+const PROBES: usize = (BATCH / POINTS).next_power_of_two();
+
+/// Returns the probed pixels. The seeds visit all pixels in one random order, `count` per seed, and then start again.
+fn places(probing: Probing, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
+    let pixels = (columns * rows) as u32;
+    let count = u32::from(probing.count);
+    let first = probing.seed.wrapping_mul(count);
+    (0..count).map(move |i| {
+        let place = shuffled(first.wrapping_add(i) % pixels, pixels) as usize;
+        [place % columns, place / columns]
+    })
 }
 
 /// Returns element `index` of a random permutation of the numbers below `count`.
@@ -68,10 +70,11 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     let count = band.pixels.len();
     // A fold copies other pixels later.
     let is_drawn = |[x, y]: [usize; 2]| x / CELL >= plan.fold.start(y / CELL, 0);
-    let places = plan.probing.places(size);
-    let mut places = places.filter(|&place| index(place) < count && is_drawn(place));
+    let mut places =
+        places(plan.probing, size).filter(|&place| index(place) < count && is_drawn(place));
     worker.batch.begin();
-    worker.pyramid.scratch().fill(0);
+    worker.pyramid.changes().fill(0);
+    let mut pixels = [0; PROBES];
     loop {
         let mut probes = 0;
         for place in places.by_ref().take(BATCH / POINTS) {
@@ -86,16 +89,15 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         let quality = &Quality::EXHAUSTIVE;
         context.trace(quality, all, &mut worker.batch);
         for probe in 0..probes {
-            worker.targets[BATCH / 2 + probe] =
-                add_sides(plan, &world.film, worker, probe, sides.len());
+            pixels[probe % PROBES] = add_sides(plan, &world.film, worker, probe, sides.len());
         }
         worker.batch.points.clear();
         bisect(context, quality, all, worker);
         for probe in 0..probes {
-            let mut traced = worker.targets[BATCH / 2 + probe];
-            mix_pixel(&mut traced, probe, worker);
+            let traced = &mut pixels[probe % PROBES];
+            mix_pixel(traced, probe, worker);
             let drawn = band.pixels[worker.targets[probe] as usize];
-            band.counts.probes.compare(drawn, traced);
+            band.counts.probes.compare(drawn, *traced);
         }
     }
     worker.batch.counts = Counts::NONE;

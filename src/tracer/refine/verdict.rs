@@ -103,12 +103,12 @@ fn judge_by<S: Simd>(
                 let samples: [S::u64s; 4] = corners(simd, rows);
                 // Channels are below 2^15; SSE2 cannot compare unsigned words.
                 let [a, b, c, d] = samples.map(|corner| corner.bitcast::<S::i16s>());
-                let (most, least) = (a.max(b).max(c.max(d)), a.min(b).min(c.min(d)));
+                let (max, min) = (a.max(b).max(c.max(d)), a.min(b).min(c.min(d)));
                 let first = first + half;
                 for (near, limit) in near.iter_mut().zip(limits) {
-                    *near |= within(simd, most, least, limit) << first;
+                    *near |= within(simd, max, min, limit) << first;
                 }
-                flat |= same_pixel(simd, most, least) << first;
+                flat |= same_pixel(simd, max, min) << first;
                 patterned |= any_patterned(simd, samples) << first;
             }
             let [near_agreeing, near_differing] = near;
@@ -137,8 +137,8 @@ fn any_patterned<S: Simd>(simd: S, [a, b, c, d]: [S::u64s; 4]) -> u64 {
 }
 
 #[inline(always)]
-fn within<S: Simd>(simd: S, most: S::i16s, least: S::i16s, limit: Limit) -> u64 {
-    let span: S::u16s = (most - least).bitcast();
+fn within<S: Simd>(simd: S, max: S::i16s, min: S::i16s, limit: Limit) -> u64 {
+    let span: S::u16s = (max - min).bitcast();
     let limit: S::u16s = S::u64s::splat(simd, limit.0).bitcast();
     let excess: S::u64s = span.saturating_sub(limit).bitcast();
     excess.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
@@ -146,10 +146,10 @@ fn within<S: Simd>(simd: S, most: S::i16s, least: S::i16s, limit: Limit) -> u64 
 
 /// Rounding is monotonic, so comparing the extremes suffices.
 #[inline(always)]
-fn same_pixel<S: Simd>(simd: S, most: S::i16s, least: S::i16s) -> u64 {
+fn same_pixel<S: Simd>(simd: S, max: S::i16s, min: S::i16s) -> u64 {
     let half = S::i16s::splat(simd, STEP as i16 / 2);
     let step = |channel: S::i16s| (channel + half) >> STEP.trailing_zeros();
-    let differing: S::u64s = (step(most) ^ step(least)).bitcast();
+    let differing: S::u64s = (step(max) ^ step(min)).bitcast();
     let differing = differing & S::u64s::splat(simd, Sample::COLOUR);
     differing.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
 }

@@ -19,8 +19,7 @@ pub use threads::{Job, Threads};
 
 use crate::counts::Counts;
 use crate::observe::Observer;
-use crate::picture::Frame;
-use crate::picture::{MAX_HEIGHT, MAX_WIDTH};
+use crate::picture::{Frame, MAX_HEIGHT, MAX_WIDTH};
 use crate::plan::FramePlan;
 use crate::quality::Quality;
 use crate::refine::Kernels;
@@ -29,23 +28,6 @@ use core::borrow::BorrowMut;
 use fearless_simd::Level;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::x86::Avx2;
-
-impl Frame<'_> {
-    fn validate(&self) -> Result<(), Error> {
-        let (width, height, stride) = (self.width, self.height, self.stride);
-        if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
-            return Err(Error::Size { width, height });
-        }
-        if stride < width {
-            return Err(Error::Stride { width, stride });
-        }
-        let (needed, given) = (self.count(), self.pixels.len());
-        if given < needed {
-            return Err(Error::Pixels { needed, given });
-        }
-        Ok(())
-    }
-}
 
 /// Renders frames, with one instruction set and one [`Memory`].
 ///
@@ -176,15 +158,30 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
 }
 
 fn plan(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
-    let is_valid = frame.validate().is_ok() && quality.is_drawable();
+    let is_valid = validate_frame(frame).is_ok() && quality.is_drawable();
     assert!(is_valid, "size or quality out of range");
     FramePlan::new(scene, quality, frame)
 }
 
 fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), Error> {
-    frame.validate()?;
+    validate_frame(frame)?;
     quality.validate()?;
     scene.validate()?;
     frame.presentation.validate()?;
+    Ok(())
+}
+
+fn validate_frame(frame: &Frame<'_>) -> Result<(), Error> {
+    let &Frame { width, height, stride, .. } = frame;
+    if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
+        return Err(Error::Size { width, height });
+    }
+    if stride < width {
+        return Err(Error::Stride { width, stride });
+    }
+    let (needed, given) = (frame.count(), frame.pixels.len());
+    if given < needed {
+        return Err(Error::Pixels { needed, given });
+    }
     Ok(())
 }

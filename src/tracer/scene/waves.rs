@@ -44,12 +44,12 @@ impl Waves {
     /// A flat mirror.
     pub const CALM: Self = Self { slope: 0.0, length: 0.0, phase: 0.0 };
 
-    pub(crate) fn are_calm(&self) -> bool {
+    pub(crate) fn is_calm(&self) -> bool {
         self.slope == 0.0
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        let has_length = EXTENT.holds(self.length) || self.are_calm() && self.length == 0.0;
+        let has_length = EXTENT.holds(self.length) || self.is_calm() && self.length == 0.0;
         of.field("slope", self.slope, Range(0.0, 0.1, "0 to 0.1"))?;
         of.rule("length", self.length, has_length, EXTENT.2)?;
         of.field("phase", self.phase, Range(-1e6, 1e6, "-1e6 to 1e6"))

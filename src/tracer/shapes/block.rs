@@ -90,7 +90,7 @@ pub(crate) fn hit_error(block: &Block, eye: Vec3A) -> f32 {
     let reach = Vec3A::from(block.centre).abs() + Vec3A::from(block.half);
     let error = rounding::BLOCK_HIT * reach.element_sum();
     if above(block, eye).abs() < rounding::AT_EYE * error {
-        rounding::LEAST_BLOCK_HIT * reach.element_sum()
+        rounding::MIN_BLOCK_HIT * reach.element_sum()
     } else {
         error
     }

@@ -122,7 +122,7 @@ impl Accumulator {
         let first = slots.as_slice()[0];
         let start = first as usize % BATCH;
         // Most packets have consecutive slots: a vector sum.
-        let in_order = slots.simd_eq(numbers(simd) + first).all_true();
+        let in_order = slots.simd_eq(lane_numbers(simd) + first).all_true();
         if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
             let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());
             for i in (0..4 * lanes::<S>()).step_by(lanes::<S>()) {

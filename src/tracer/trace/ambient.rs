@@ -191,8 +191,8 @@ fn by_block<S: Isa>(
 
 #[inline(always)]
 fn extent<S: Isa>(simd: S, c: F<S>, mask: M<S>) -> [f32; 2] {
-    let [least, most] = [splat(simd, f32::NEG_INFINITY), splat(simd, f32::INFINITY)];
-    [mask.select(c, most).reduce_min(), mask.select(c, least).reduce_max()]
+    let [min, max] = [splat(simd, f32::NEG_INFINITY), splat(simd, f32::INFINITY)];
+    [mask.select(c, max).reduce_min(), mask.select(c, min).reduce_max()]
 }
 
 #[inline(always)]

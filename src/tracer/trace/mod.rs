@@ -37,7 +37,7 @@ mod waves;
 pub(crate) use accumulator::Layers;
 pub(crate) use queue::{BATCH, PARTS};
 pub(crate) use sample::{STEP, Sample};
-pub(crate) use texture::{SeenPattern, seen_points};
+pub(crate) use texture::{PatternOnScreen, surface_points};
 
 use crate::counts::Counts;
 use crate::lanes::*;
@@ -92,15 +92,15 @@ pub(crate) struct Tracer<'a, S> {
     pub quality: &'a Quality,
 }
 
-/// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `seen`.
+/// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `visible`.
 #[inline(always)]
-pub(crate) fn trace<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut Batch) {
+pub(crate) fn trace<S: Isa>(tracer: Tracer<'_, S>, visible: VisibleGroups, batch: &mut Batch) {
     let isa = tracer.isa;
-    by_isa!(isa: trace_packets(tracer, seen, batch));
+    by_isa!(isa: trace_packets(tracer, visible, batch));
 }
 
 #[inline(always)]
-fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut Batch) {
+fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, visible: VisibleGroups, batch: &mut Batch) {
     let (simd, world) = (tracer.isa, tracer.world);
     let mut next = 0;
     loop {
@@ -114,11 +114,11 @@ fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut
         if count == 0 {
             break;
         }
-        let active = first(simd, count);
+        let active = first_lanes(simd, count);
         let groups = if is_primary {
-            seen.directly
+            visible.directly
         } else if (rays.mirrored(simd) | !active).all_true() {
-            seen.mirrored
+            visible.mirrored
         } else {
             GroupSet::MAX
         };

@@ -46,7 +46,7 @@ impl<S: Isa> ShadingPoint<S> {
         if world.has_details {
             point.add_detail(simd, world, rays, hit);
         }
-        if !world.scene.water.are_calm() {
+        if !world.scene.water.is_calm() {
             point.ripple(simd, world, rays, hit);
         }
         point.face(simd, rays, hit);

@@ -58,7 +58,7 @@ impl<S: Isa> Rays<S> {
 
     #[inline(always)]
     pub fn slot_paths(simd: S, slot: usize) -> U<S> {
-        (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
+        (lane_numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
     }
 
     #[inline(always)]

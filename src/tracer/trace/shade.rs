@@ -122,7 +122,7 @@ fn scatter<S: Isa>(
     let (simd, quality) = (tracer.isa, tracer.quality);
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
-    let least = splat(simd, quality.least_contribution);
+    let min_weight = splat(simd, quality.least_contribution);
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
     let follow = point.shaded & parents.paths().simd_lt(deepest);
     let reflected = parents.reflected_slot_paths();
@@ -154,12 +154,12 @@ fn scatter<S: Isa>(
         kr = (glass & total).select(kr + kt, kr);
         transmitted.weight = parents.weight * kt;
         refracted = glass & !total;
-        through = follow & refracted & transmitted.weight.simd_ge(least);
+        through = follow & refracted & transmitted.weight.simd_ge(min_weight);
         let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
         transmitted.d = parents.d.scaled(eta).add_scaled(n, along);
     }
     let weight = parents.weight * kr;
-    let mut back = follow & weight.simd_ge(least);
+    let mut back = follow & weight.simd_ge(min_weight);
     let mut mirrored = Vec3x::equal(weight);
     let film = surface.number(Parameter::IsLit) - 1.0;
     let is_film = film.simd_gt(zero);
@@ -171,7 +171,7 @@ fn scatter<S: Isa>(
     let reflected = Rays { o: p, d: point.r, weight, slot_path: reflected | departure | marks };
     let much = splat(simd, quality.unguarded_weight);
     let mut unguarded = back & weight.simd_ge(much);
-    if tracer.world.scene.water.are_calm() {
+    if tracer.world.scene.water.is_calm() {
         unguarded &= marks.simd_eq(U::<S>::splat(simd, 0));
     }
     unguarded |= through & transmitted.weight.simd_ge(much);

@@ -50,13 +50,13 @@ impl<S: Isa> TexturePoint<S> {
     }
 }
 
-pub(crate) struct SeenPattern<'a> {
+pub(crate) struct PatternOnScreen<'a> {
     world: World<'a>,
     object: Object<'a>,
     pattern: &'a Pattern,
 }
 
-impl<'a> SeenPattern<'a> {
+impl<'a> PatternOnScreen<'a> {
     pub fn new(world: World<'a>, id: ObjectId) -> Self {
         let (object, material) = world.object(id);
         Self { world, object, pattern: &material.pattern }
@@ -83,7 +83,7 @@ impl<'a> SeenPattern<'a> {
         let world = self.world;
         let from = Vec3x::splat(simd, world.eye) - Vec3x::splat(simd, self.object.centre());
         for first in (0..count.min(64)).step_by(lanes::<S>()) {
-            let i = numbers(simd) + first as u32;
+            let i = lane_numbers(simd) + first as u32;
             let columns = (i & (width as u32 - 1)).to_float::<F<S>>() + x;
             let rows = (i >> width.trailing_zeros()).to_float::<F<S>>() + y;
             let (d, t) = hits(simd, world, &self.object, [columns, rows]);
@@ -96,7 +96,7 @@ impl<'a> SeenPattern<'a> {
 
 /// Compiled by the baseline, once for all callers.
 #[inline(never)]
-pub(crate) fn seen_points(
+pub(crate) fn surface_points(
     world: World<'_>,
     object: &Object<'_>,
     at: [f32x4<Baseline>; 2],

@@ -55,14 +55,14 @@ fn tilt_by<S: Isa>(simd: S, world: World<'_>, rows: &mut [PerLane; 4], count: us
 }
 
 #[inline(always)]
-fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>; 2] {
+fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, footprint: F<S>) -> [F<S>; 2] {
     let zero = splat(simd, 0.0);
     let [mut slope_x, mut slope_z] = [zero; 2];
     let [mut along_x, mut along_z] = [0.0, 1.0];
     let (mut per_unit, mut phase) = (1.0 / waves.length, waves.phase);
     let finest = Waves::FINEST * per_unit;
     while per_unit < finest {
-        let share = at_least::<S>(seen * (per_unit * -Waves::PIXELS) + 1.0, zero);
+        let share = at_least::<S>(footprint * (per_unit * -Waves::PIXELS) + 1.0, zero);
         let is_seen = share.simd_gt(zero);
         if !is_seen.any_true() {
             // Shorter waves are invisible, too.

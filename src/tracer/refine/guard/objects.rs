@@ -5,7 +5,7 @@ use super::squares::Squares;
 use crate::coverage::corners;
 use crate::lanes::*;
 use crate::prepare::ObjectId;
-use crate::trace::seen_points;
+use crate::trace::surface_points;
 
 impl Search<'_> {
     /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
@@ -36,7 +36,7 @@ impl Search<'_> {
         }
         let points = || {
             let places = corners(self.squares.pixels(x, y));
-            let (d, t) = seen_points(world, &world.object(front).0, places);
+            let (d, t) = surface_points(world, &world.object(front).0, places);
             [d.x * t, d.y * t, d.z * t, t]
         };
         let [front, back] = [front, back].map(|id| &coverage.objects[id.index()]);

@@ -6,7 +6,7 @@ use crate::grid::Bits;
 use crate::maths::sqrt;
 use crate::picture::TILE_HEIGHT;
 use crate::prepare::{BvhNode, ObjectId, PreparedLight};
-use crate::trace::{Sample, seen_points};
+use crate::trace::{Sample, surface_points};
 use glam::Vec3A;
 
 impl Squares<'_> {
@@ -48,7 +48,7 @@ impl Squares<'_> {
         if id.index() >= world.background() || lights.peek().is_none() {
             return false;
         }
-        let (d, t) = seen_points(world, &world.object(id).0, corners(self.pixels(x, y)));
+        let (d, t) = surface_points(world, &world.object(id).0, corners(self.pixels(x, y)));
         let [x, y, z] = [d.x * t, d.y * t, d.z * t].map(<[f32; 4]>::from);
         let points = [0, 1, 2, 3].map(|i| Vec3A::new(x[i], y[i], z[i]));
         let middle = points.iter().sum::<Vec3A>() * 0.25;

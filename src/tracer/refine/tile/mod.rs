@@ -46,7 +46,7 @@ pub(crate) fn draw<O: Observer>(
         ));
         let mut tile = Tile {
             context,
-            seen: coverage.visible_groups(rect),
+            visible: coverage.visible_groups(rect),
             area,
             crowding: 0.0,
             rect,
@@ -73,7 +73,7 @@ pub(super) struct Tile<'a, 'b, O: Observer> {
     /// The part of the picture that its squares cover.
     pub rect: Rect,
     /// The groups that may be visible in the tile.
-    pub seen: VisibleGroups,
+    pub visible: VisibleGroups,
     pub worker: &'a mut Worker,
     pub band: &'a mut Band<'b>,
 }

@@ -9,7 +9,7 @@ use crate::picture::Band;
 use crate::prepare::{Four, ObjectId, World};
 use crate::refine::Kernels;
 use crate::refine::verdict::Verdict;
-use crate::trace::{Layers, STEP, Sample, SeenPattern};
+use crate::trace::{Layers, PatternOnScreen, STEP, Sample};
 use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
@@ -73,7 +73,7 @@ fn interpolate(
     let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(simd, layers));
     let (mut first, mut step) = (a, (b - a) * part);
     let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
-    let pattern = SeenPattern::new(world, object);
+    let pattern = PatternOnScreen::new(world, object);
     let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
     // Squares of up to 8 pixels are evaluated at once, larger ones by eight pixels.
     let (width, count) = (side.min(8), if side > 8 { 8 } else { side * side });
@@ -121,9 +121,9 @@ fn span(corners: &[Layers; 4]) -> f32 {
 /// Converts four colours to pixels, with thresholds for rounding. Words are 128ths of an output step.
 #[inline(always)]
 fn rounded(simd: Baseline, colours: Four, [first, last]: [u16x8<Baseline>; 2]) -> [u32; 4] {
-    let most = splat(simd, (255 * STEP) as f32);
+    let max = splat(simd, (255 * STEP) as f32);
     let [a, b, c, d] = colours
-        .map(|colour| at_most::<Baseline>(colour * STEP as f32, most).to_int::<i32x4<Baseline>>());
+        .map(|colour| at_most::<Baseline>(colour * STEP as f32, max).to_int::<i32x4<Baseline>>());
     let steps = |a: i32x4<Baseline>, b, threshold| {
         let words = a.saturating_narrow(b).max(i16x8::splat(simd, 0));
         (words.bitcast::<u16x8<Baseline>>() + threshold) >> STEP.trailing_zeros()

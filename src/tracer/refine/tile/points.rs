@@ -145,7 +145,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     pub(super) fn trace(&mut self, level: usize) {
         let Context { plan, world, .. } = self.context;
         let batch = &mut self.worker.batch;
-        self.context.trace(&plan.quality, self.seen, batch);
+        self.context.trace(&plan.quality, self.visible, batch);
         let Worker { batch, pyramid, targets, .. } = &mut *self.worker;
         let has_patterns = world.has_patterns;
         for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
@@ -189,7 +189,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             batch.counts = Counts::NONE;
             batch.points.push_pixel(x, y);
             let quality = &self.context.plan.quality;
-            self.context.trace(quality, self.seen, batch);
+            self.context.trace(quality, self.visible, batch);
             self.context.observer.point(x, y, batch.counts);
         }
         batch.counts = counts;

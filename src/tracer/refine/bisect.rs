@@ -1,0 +1,139 @@
+//! Bisects the halves of a pixel's axes at edges, and blends the pixel with their points.
+
+use super::Context;
+use super::worker::{Interval, Worker};
+use crate::grid::CHANGES;
+use crate::plan::FramePlan;
+use crate::prepare::VisibleGroups;
+use crate::quality::Quality;
+use crate::trace::{BATCH, PARTS, STEP, Sample};
+
+/// The least difference of pixel and midpoint that starts the bisection, in units of a sample, is this times [`Quality::edge`].
+const HALF: u64 = 2 * STEP as u64;
+
+/// The least difference for the second step is 64/10 times [`Quality::edge`], and twice as much for the third: more than 255 from
+/// an edge of 20 on, so there is none.
+const QUARTER: u64 = 64 * STEP as u64;
+
+/// The bits of a channel in a change.
+const FIELD: usize = 21;
+
+const SIGN: u64 = 1 << (FIELD - 1);
+
+/// The unit of a change is 1/32 of a sample's: all weights are whole. A change is a word of [`Pyramid::changes`](crate::grid::Pyramid::changes),
+/// per pixel and axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
+const WEIGHTS: u64 = 2 * PARTS as u64;
+
+/// Adds a traced midpoint on one side of a pixel to its changes, and queues the interval if it has an edge.
+#[inline(never)]
+pub(super) fn add_middle(
+    plan: &FramePlan,
+    worker: &mut Worker,
+    point: usize,
+    drawn: u32,
+    [x, y]: [usize; 2],
+    pixel: usize,
+    side: usize,
+) {
+    let ends = [widened(drawn), spread(worker.batch.results.sample(point))];
+    let word = 2 * pixel + side / 2;
+    let change = &mut worker.pyramid.changes()[word % CHANGES];
+    *change = change.wrapping_add(ends[1].wrapping_sub(ends[0]).wrapping_mul(WEIGHTS / 4));
+    if contrast(ends) >= HALF * u64::from(plan.quality.edge) {
+        worker.intervals[worker.found % BATCH] = Interval {
+            ends,
+            start: (PARTS * (y << 16 | x)) as u32,
+            half: (PARTS / 4) as i16 * (2 * (side % 2) as i16 - 1),
+            word: word as u16,
+        };
+        worker.found += 1;
+    }
+}
+
+/// Bisects the queued intervals. The batch is empty before and after.
+#[inline(never)]
+pub(super) fn bisect<O>(
+    context: &Context<'_, O>,
+    quality: &Quality,
+    visible: VisibleGroups,
+    worker: &mut Worker,
+) {
+    while worker.found > 0 {
+        let count = core::mem::take(&mut worker.found);
+        for i in 0..count {
+            let middle = worker.intervals[i % BATCH].middle();
+            worker.batch.points.push_at(middle);
+        }
+        context.trace(quality, visible, &mut worker.batch);
+        worker.batch.points.clear();
+        for i in 0..count {
+            halve(worker, i, context.plan.quality.edge);
+        }
+    }
+}
+
+/// Adds the traced middle of interval `i` to the pixel's change, and queues the half with more contrast if it has an edge.
+fn halve(worker: &mut Worker, i: usize, edge: u8) {
+    let mut interval = worker.intervals[i % BATCH];
+    let [start, end] = interval.ends;
+    let middle = spread(worker.batch.results.sample(i));
+    // From the mean of two to the mean of three points by the trapezoid rule.
+    let more = (2 * middle).wrapping_sub(start + end);
+    let weight = u64::from(interval.half.unsigned_abs());
+    let change = &mut worker.pyramid.changes()[usize::from(interval.word) % CHANGES];
+    *change = change.wrapping_add(more.wrapping_mul(weight));
+    interval.ends = [start, middle];
+    let mut max = contrast(interval.ends);
+    let other = contrast([middle, end]);
+    if max < other {
+        max = other;
+        interval.ends = [middle, end];
+        interval.start = interval.middle();
+    }
+    if 5 * max * (weight / 2) >= QUARTER * u64::from(edge) {
+        interval.half /= 2;
+        worker.intervals[worker.found % BATCH] = interval;
+        worker.found += 1;
+    }
+}
+
+/// Blends a pixel along the axis with the larger change in a channel, and resets both changes.
+#[inline(never)]
+pub(super) fn mix_pixel(drawn: &mut u32, pixel: usize, worker: &mut Worker) {
+    const UNIT: u64 = WEIGHTS * STEP as u64;
+    let changes = worker.pyramid.changes();
+    let [x, y] = [0, 1].map(|axis| core::mem::take(&mut changes[(2 * pixel + axis) % CHANGES]));
+    let signs = colour(|_| SIGN);
+    let [max_x, max_y] = [x, y].map(|change| contrast([change.wrapping_add(signs), signs]));
+    let change = if max_x < max_y { y } else { x };
+    let sum = WEIGHTS * widened(*drawn) + colour(|_| UNIT / 2);
+    let steps = sum.wrapping_add(change) / UNIT;
+    let channel = |number: usize| (steps >> ((FIELD - 8) * number)) as u32 & 0xff << (8 * number);
+    *drawn = channel(0) | channel(1) | channel(2);
+}
+
+#[inline(never)]
+fn contrast([a, b]: [u64; 2]) -> u64 {
+    let channels = [0, 1, 2].map(|number| channel(a, number).abs_diff(channel(b, number)));
+    channels.into_iter().fold(0, u64::max)
+}
+
+/// Blue is channel 0.
+fn channel(colour: u64, number: usize) -> u64 {
+    colour >> (FIELD * number) & ((1 << FIELD) - 1)
+}
+
+fn colour(channel: impl Fn(usize) -> u64) -> u64 {
+    channel(0) | channel(1) << FIELD | channel(2) << (2 * FIELD)
+}
+
+/// Spreads the channels over the fields of a change.
+#[inline(never)]
+fn spread(sample: Sample) -> u64 {
+    colour(|number| sample.0 >> (16 * number) & 0xffff)
+}
+
+#[inline(never)]
+fn widened(pixel: u32) -> u64 {
+    colour(|number| u64::from(pixel >> (8 * number) & 0xff) * STEP as u64)
+}
