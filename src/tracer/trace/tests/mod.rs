@@ -200,7 +200,7 @@ impl<S: Isa> Kernels for By<S> {
         let rays = self.rays(packet, 0);
         let hit = self.nearest(world, &rays);
         let point = by_isa!(simd: {
-            let active = first(simd, lanes::<S>());
+            let active = first_lanes(simd, lanes::<S>());
             let mut rows = SurfaceRows::NONE;
             let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
             ShadingPoint::new(simd, world, &rays, &hit, &surface, active)
@@ -229,7 +229,7 @@ impl<S: Isa> Kernels for By<S> {
         by_isa!(simd: {
             let tracer = Tracer { isa: simd, world, quality: &Quality::EXHAUSTIVE };
             batch.begin();
-            shade(tracer, &rays, &hit, first(simd, lanes::<S>()), batch);
+            shade(tracer, &rays, &hit, first_lanes(simd, lanes::<S>()), batch);
             while batch.stack.len() > 0 {
                 let (rays, count) = batch.stack.pop(simd);
                 let (paths, slots) = (rays.paths(), rays.slots());
