@@ -21,7 +21,7 @@ fn code(path: &Path) -> String {
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder");
     let paths = entries.map(|entry| entry.expect("an entry").path());
-    let paths = paths.filter(|path| !path.file_stem().is_some_and(|name| name == "tests"));
+    let paths = paths.filter(|path| path.file_stem().is_none_or(|name| name != "tests"));
     let files = paths.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] });
     files.filter(|path| path.extension().is_some_and(|end| end == "rs")).collect()
 }
