@@ -3,6 +3,7 @@
 
 use crate::maths::to_f32;
 use crate::picture::{Band, CELL};
+use crate::scene::Camera;
 use glam::{Vec2, vec2};
 
 #[derive(Clone, Copy)]
@@ -20,10 +21,12 @@ pub(crate) struct Fold {
 const NONE: usize = 1 << 16;
 
 impl Fold {
-    pub fn new(sectors: f32, [width, height]: [usize; 2]) -> Self {
+    pub fn new(sectors: f32, camera: &Camera, [width, height]: [usize; 2]) -> Self {
         let exact = |share: f32, is_folded: bool| if is_folded { share } else { 0.0 };
         let x = exact(0.5 * to_f32(width), sectors >= 2.0);
-        let y = exact(0.46 * to_f32(height), sectors >= 4.0);
+        // The same point of the picture plane at all aspects.
+        let above = 0.04 / camera.widening(width, height);
+        let y = exact((0.5 - above) * to_f32(height), sectors >= 4.0);
         let centre = [x, y].map(|at| at as usize / CELL);
         let [left, top] = centre.map(|cells| cells * CELL);
         Self {

@@ -36,7 +36,7 @@ impl FramePlan {
             ((method.front * to_f32(size[0])) as usize).min(size[0])
         };
         let coarse = method.coarse as usize;
-        let fold = Fold::new(*sectors, size);
+        let fold = Fold::new(*sectors, &scene.camera, size);
         let is_coarse = coarse >= 2;
         let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
         let square = if glitters { quality.square.min(CROWD_SQUARE) } else { quality.square };

@@ -12,8 +12,14 @@ const SIZES: [[usize; 2]; 7] =
     [[640, 360], [203, 357], [333, 331], [1100, 70], [65, 33], [7, 9], [1, 1]];
 const SECTORS: [f32; 5] = [1.0, 2.0, 4.0, 5.5, 8.0];
 
+/// Returns the centre of folds in pictures of the show, which show all of a picture of 4:3.
+fn centre([width, height]: [usize; 2]) -> [f32; 2] {
+    let [width, height] = [width, height].map(|side| side as f32);
+    [0.5 * width, (0.5 - 0.04 / f32::max(4.0 / 3.0 * height / width, 1.0)) * height]
+}
+
 fn source(sectors: f32, [width, height]: [usize; 2], [x, y]: [usize; 2]) -> [usize; 2] {
-    let [mut left, mut top] = [width / 2 / 8 * 8, height * 46 / 100 / 8 * 8];
+    let [mut left, mut top] = centre([width, height]).map(|at| at as usize / 8 * 8);
     if sectors < 4.0 {
         top = 0;
     }
@@ -68,7 +74,7 @@ fn folded_picture_equals_its_reflections() {
     for size in SIZES {
         for quality in [Quality::DEFAULT, Quality::THESIS, Quality::EXHAUSTIVE, jagged] {
             for sectors in SECTORS {
-                let [x, y] = [0, 1].map(|i| size[i] as f32 * [0.5, 0.46][i]).map(|at| at % 8.0);
+                let [x, y] = centre(size).map(|at| at % 8.0);
                 let (x, y) =
                     (if sectors < 2.0 { 0.0 } else { x }, if sectors < 4.0 { 0.0 } else { y });
                 renderers.iter_mut().for_each(|it| it.set_offset(x, y));
@@ -96,4 +102,19 @@ fn folded_picture_equals_its_reflections() {
 fn eight_sectors_trace_a_quarter_of_the_picture() {
     let points = |sectors| draw_best(&scene(sectors), &Quality::EXHAUSTIVE, 640, 360).counts.points;
     assert!(points(8.0) < points(1.0) / 4, "{} of {}", points(8.0), points(1.0));
+}
+
+/// The lamp is as high in a folded picture as in the whole one: no mirror cuts or doubles a part of it.
+#[test]
+fn lamp_is_the_centre_of_folds_at_all_aspects() {
+    for [width, height] in [[180, 320], [240, 240], [320, 240], [320, 180], [420, 180]] {
+        let [whole, folded] = [1.0, 8.0].map(|sectors| {
+            let scene = Scene { sectors, ..of_the_show(98.0) };
+            let drawn = draw_best(&scene, &Quality::EXHAUSTIVE, width, height);
+            let column = drawn.pixels.chunks(width).map(|row| row[width / 2]);
+            column.filter(|pixel| pixel & 255 > 215).count()
+        });
+        let is_lamp = whole > width.min(height) / 8;
+        assert!(is_lamp && whole.abs_diff(folded) <= 1, "{width}x{height}: {whole}, {folded}");
+    }
 }

@@ -78,7 +78,13 @@ impl Camera {
     pub fn pixel(&self, width: usize, height: usize) -> f32 {
         let half_angle = self.field_of_view * 0.5;
         let pixel = 2.0 * sin(half_angle) / cos(half_angle) / to_f32(height);
-        pixel * (self.min_aspect * to_f32(height) / to_f32(width)).max(1.0)
+        pixel * self.widening(width, height)
+    }
+
+    /// Returns the factor by which a picture narrower than `min_aspect` shows more.
+    #[inline]
+    pub(crate) fn widening(&self, width: usize, height: usize) -> f32 {
+        (self.min_aspect * to_f32(height) / to_f32(width)).max(1.0)
     }
 
     /// Returns the rays through a picture of `width` by `height` pixels.

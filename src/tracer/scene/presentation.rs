@@ -10,8 +10,9 @@ pub struct Presentation {
     /// The number of sectors of a kaleidoscope, 1, 2, 4 or 8, rounded down: 1 for none, 2 for a picture that is mirrored left and
     /// right, 4 for one that is also mirrored up and down, 8 for one that is also mirrored along diagonals.
     ///
-    /// The centre is in the middle, at 46 % of the height; the picture moves by up to 8 pixels, so that the centre is the corner of
-    /// a square. Only one sector is traced (with 8 sectors to the lower right), and copied to the rest. Captions are not mirrored.
+    /// The centre is in the middle, at 46 % of the height, and closer to the middle where
+    /// [`Camera::min_aspect`](super::Camera::min_aspect) widens the view; the picture moves by up to 8 pixels, so that the centre is the
+    /// corner of a square. Only one sector is traced (with 8 sectors to the lower right), and copied to the rest. Captions are not mirrored.
     pub sectors: f32,
     /// The overlay that explains the rendering method.
     pub method: Method,
