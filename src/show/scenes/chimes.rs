@@ -3,7 +3,7 @@
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::{add_block, add_sphere, around};
+use crate::show::solids::{add_block, add_sphere, around, fraction};
 use crate::sound::{THEME, Track};
 use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Spot};
 use glam::{Mat3, Vec3, vec3};
@@ -11,21 +11,19 @@ use glam::{Mat3, Vec3, vec3};
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.02, 0.06, 0.065),
-    sky: vec3(-0.018, -0.045, -0.04),
-    ambient: vec3(0.16, 0.17, 0.19),
-    ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.12, 0.13, 0.12), bounce: 0.9 },
-    haze: 0.02,
-    vignette: 0.25,
-    floor: Some(&PAPER),
+    background: vec3(0.06, 0.17, 0.17),
+    sky: vec3(-0.059, -0.167, -0.165),
+    ambient: vec3(0.10, 0.12, 0.15),
+    ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.05, 0.06, 0.06), bounce: 0.9 },
+    haze: 0.03,
+    vignette: 0.3,
+    floor: Some(&LACQUER),
     lights: &[
-        Light { diameter: 14.0, ..point([-30.0, 55.0, 30.0], [0.55, 0.48, 0.38]) },
-        Light { glow: 0.8, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
+        Light { diameter: 25.0, ..point([45.0, 70.0, 20.0], [1.4, 1.1, 0.8]) },
+        Light { glow: 0.2, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
     ],
-    softboxes: &[
-        softbox([-4.0, 3.0, 8.0], [0.25, 1.5, 0.25], [6.0, 5.5, 5.0]),
-        softbox([8.0, 2.0, 2.0], [0.4, 1.0, 0.4], [2.0, 2.2, 2.4]),
-    ],
+    softboxes: &[softbox([-4.0, 0.0, 8.0], [1.0, 1.3, 1.0], [2.6, 2.5, 2.4])],
+    field_of_view: 0.75,
     add,
     ..Environment::EMPTY
 };
@@ -34,35 +32,38 @@ static SHOTS: &[Shot] = &[
     shot(
         5,
         &[
-            view([-1.4, 3.7, 8.05], [-0.834, 2.77, 2.568]),
-            view([0.0, 4.2, 10.4], [0.3, 2.4, 0.8]),
-            view([3.0, 4.6, 10.2], [0.0, 2.4, 0.0]),
-            view([6.8, 5.0, 7.8], [0.0, 2.3, 0.0]),
-            view([9.4, 5.4, 4.0], [0.0, 2.1, 0.0]),
+            view([-1.2, 3.6, 6.9], [-0.834, 2.76, 2.568]),
+            view([-0.2, 3.2, 6.9], [-0.2, 2.8, 0.8]),
+            view([2.4, 3.2, 6.5], [0.0, 2.8, 0.0]),
+            view([4.7, 3.4, 5.0], [0.0, 2.8, 0.0]),
+            view([6.6, 3.6, 2.6], [0.0, 2.8, 0.0]),
         ],
     ),
     shot(
         1,
         &[
-            view([0.0, 15.0, 2.0], [0.0, 2.0, -1.0]).tilted(0.0, -1.0),
-            view([-0.8, 12.5, 1.6], [-0.8, 2.8, 0.0]).tilted(0.0, -1.0),
-            view([-2.406, 7.1, 1.226], [-2.406, 3.62, 1.226]).tilted(0.0, -1.0),
+            view([2.2, 7.4, 7.2], [0.0, 3.3, -0.4]).tilted(0.0, -1.0),
+            view([0.0, 8.8, 4.2], [-0.8, 3.2, 0.2]).tilted(0.0, -1.0),
+            view([-2.406, 6.7, 1.226], [-2.406, 4.0, 1.226]).tilted(0.0, -1.0),
         ],
     ),
 ];
 
-static PAPER: Material = Material::matt(vec3(0.07, 0.16, 0.16), 0.8);
+static LACQUER: Material =
+    Material { kr: 0.08, fresnel: 0.5, ..Material::matt(vec3(0.03, 0.09, 0.095), 0.8) };
+// A film of this thickness is gold, and white at grazing angles.
 static BRASS: Material = Material {
     ks: 1.0,
-    exponent: 10.0,
+    exponent: 8.0,
     metallic: 1.0,
-    kr: 0.35,
-    film_thickness: 330.0,
+    kr: 0.7,
+    film_thickness: 158.0,
     anisotropy: 0.85,
-    ..Material::matt(vec3(0.69, 0.355, 0.084), 0.46)
+    ..Material::matt(vec3(0.69, 0.355, 0.084), 0.3)
 };
-static BORE: Material = Material::matt(vec3(0.12, 0.05, 0.012), 0.8);
-static BALL: Material = Material {
+static BORE: Material = Material::matt(vec3(0.02, 0.008, 0.004), 0.8);
+static EMBER: Material = Material { tint: Vec3::ONE, ..Material::matt(vec3(9.0, 2.6, 0.4), 1.0) };
+pub(super) static BALL: Material = Material {
     ks: 0.5,
     exponent: 50.0,
     kr: 0.02,
@@ -70,19 +71,19 @@ static BALL: Material = Material {
     ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85)
 };
 /// The light of a struck pipe's bore.
-const GLOW: Vec3 = vec3(16.0, 11.0, 5.0);
+const GLOW: Vec3 = vec3(24.0, 13.0, 4.0);
 
-const RADIUS: f32 = 0.52;
+const RADIUS: f32 = 0.42;
 const BALL_RADIUS: f32 = 0.62;
 /// The height of a hop above the line between two pipes.
-const HOP: f32 = 1.1;
+const HOP: f32 = 0.9;
 /// The depth to which a struck pipe sinks.
 const SINK: f32 = 0.25;
 
 /// Returns the middle of the upper end, at rest, of the pipe that sounds a note of the theme. Lower notes have longer pipes.
 fn top(note: usize) -> Vec3 {
     let pitch = f32::from(THEME[note % 8]);
-    around(note as f32 * 0.125 + 0.95) * 2.7 + Vec3::Y * (18.11 - 0.21 * pitch)
+    around(note as f32 * 0.125 + 0.95) * 2.7 + Vec3::Y * (22.1 - 0.2625 * pitch)
 }
 
 fn add(now: Now, scene: &mut Scene) {
@@ -94,19 +95,30 @@ fn add(now: Now, scene: &mut Scene) {
     let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 2.0 * u) };
     for note in 0..8 {
         let mut end = top(note);
-        // Struck bores glow on.
+        // Beats since it was struck: bores glow on.
         let age = u + ((struck + 8 - note) % 8) as f32;
         let mut bore = BORE;
-        bore.colour += GLOW * (glow / (1.0 + age * age));
+        let fade = age * age;
+        bore.colour += GLOW * (glow / (1.0 + 4.0 * fade * fade));
         if note == struck {
             end.y -= SINK * 4.0 * u * (1.0 - u) * glow;
-            scene.lights[1].position = end + Vec3::Y * 0.05;
-            scene.lights[1].colour = vec3(2.4, 1.4, 0.5) * glow;
+            // Near the mouth, whose shadow on the floor then begins at the horizon.
+            scene.lights[1].position = end + Vec3::Y * 0.006;
+            scene.lights[1].colour = GLOW * (0.1 * glow);
         }
         let half = vec3(RADIUS, 0.5 * end.y, RADIUS);
         add_block(Shape::Cylinder, end - Vec3::Y * half.y, half, Mat3::IDENTITY, &BRASS, scene);
-        let half = vec3(0.4, 0.004, 0.4);
+        let half = vec3(0.35, 0.004, 0.35);
         add_block(Shape::Cylinder, end, half, Mat3::IDENTITY, &bore, scene);
+        // Embers rise for four beats.
+        for number in 0..6 {
+            let number = (6 * note + number) as f32;
+            let drift = around(number * 0.618) * (0.3 + 0.2 * age);
+            let up = Vec3::Y * age * (0.6 + fraction(number * 0.755));
+            if age < 4.0 {
+                add_sphere(end + drift + up, 0.05 - 0.0124 * age, &EMBER, scene);
+            }
+        }
     }
     let from = top(struck);
     let to = if is_last { from.with_y(1.0) * 3.0 } else { top(struck + 1) };
