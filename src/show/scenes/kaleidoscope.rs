@@ -1,6 +1,8 @@
-//! The kaleidoscope: balls on marble around the only light, folded into eight.
+//! The kaleidoscope: balls and brass pipes on marble around the only light, folded into eight.
 
-use crate::show::environment::{Environment, Now, point};
+use super::chimes::BALL;
+use super::planet::GIANT;
+use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
@@ -12,18 +14,20 @@ use glam::{Mat3, Vec3, vec3};
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.05, 0.03, 0.05),
-    ambient: vec3(0.06, 0.066, 0.11),
-    ambience: Ambience { occlusion: 1.0, reach: 1.5, ground: vec3(0.11, 0.08, 0.055), bounce: 1.0 },
+    background: vec3(0.02, 0.03, 0.08),
+    ambient: vec3(0.02, 0.025, 0.05),
+    ambience: Ambience { occlusion: 1.0, reach: 2.0, ground: vec3(0.11, 0.08, 0.055), bounce: 1.0 },
     vignette: 0.1,
-    floor: Some(&PAPER),
+    floor: Some(&MARBLE),
     lights: &[Light {
         drawn_radius: 1.5,
-        diameter: 3.6,
-        glow: 0.7,
-        ..point([0.0, 15.0, 0.0], [1.7, 1.45, 1.15])
+        diameter: 1.6,
+        core: 1.5,
+        glow: 0.12,
+        ..point([0.0, 8.0, 0.0], [1.9, 1.4, 0.9])
     }],
-    field_of_view: 0.5,
+    softboxes: &[softbox([0.3, 1.0, 0.0], [2.5, 2.5, 2.5], [2.2, 2.2, 2.2])],
+    field_of_view: 0.9,
     add,
     present: |now, presentation| {
         // Each boom doubles the sectors: 1, 2, 4, 8.
@@ -35,12 +39,12 @@ static ENVIRONMENT: Environment = Environment {
 static SHOTS: &[Shot] = &[shot(
     6,
     &[
-        view([0.0, 39.2, 0.0], [0.0; 3]).tilted(0.0, -1.0),
-        view([0.0, 39.2, 0.0], [0.0; 3]).tilted(0.0, -1.0),
+        view([0.0, 20.7, 0.0], [0.0; 3]).tilted(0.0, -1.0),
+        view([0.0, 19.0, 0.0], [0.0; 3]).tilted(0.0, -1.0),
     ],
 )];
 
-static PAPER: Material = Material {
+static MARBLE: Material = Material {
     pattern: Pattern {
         waves: vec3(0.16, 0.0, 0.0),
         depth: 1.0,
@@ -50,33 +54,42 @@ static PAPER: Material = Material {
         tint: vec3(0.14, 0.05, 0.16),
         ..Pattern::NONE
     },
-    ..Material::matt(vec3(0.07, 0.12, 0.38), 0.9)
+    ..Material::matt(vec3(0.02, 0.05, 0.3), 0.9)
 };
-static RED: Material =
-    Material { ks: 0.25, exponent: 14.0, ..Material::matt(vec3(0.615, 0.038, 0.014), 0.95) };
 static PEARL: Material =
-    Material { ks: 0.3, exponent: 40.0, ..Material::matt(vec3(1.0, 0.95, 0.86), 1.0) };
+    Material { ks: 0.3, exponent: 40.0, ..Material::matt(vec3(0.8, 0.7, 0.6), 1.0) };
 static BRASS: Material = Material {
-    ks: 0.5,
-    exponent: 14.0,
+    ks: 1.0,
+    exponent: 12.0,
     metallic: 1.0,
-    ..Material::matt(vec3(0.724, 0.394, 0.084), 0.8)
+    anisotropy: 0.9,
+    ..Material::matt(vec3(0.724, 0.34, 0.06), 0.35)
 };
 
-static BALLS: [&Material; 4] = [&RED, &BRASS, &RED, &PEARL];
+// A thick film, whose colours repeat in rings.
+static OPAL: Material =
+    Material { kr: 0.8, film_thickness: 700.0, ..Material::matt(vec3(0.01, 0.05, 0.1), 1.0) };
 
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
-    // A sixteenth of a turn per kick: balls stand next to a mirror, or on it.
+    // A sixteenth of a turn per kick: balls and pipes stand next to a mirror, or on it.
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
     // The marble of the floor moves along.
     scene.planes[0].centre = around(turns) * 9.0;
-    let half = vec3(3.5, 0.9, 3.5);
-    add_block(Shape::Cylinder, Vec3::Y * 0.9, half, Mat3::IDENTITY, &BRASS, scene);
+    // A gold ring around the lamp.
+    let half = vec3(3.3, 0.1, 3.3);
+    add_block(Shape::Cylinder, Vec3::ZERO, half, Mat3::IDENTITY, &BRASS, scene);
     for number in 0..8 {
         let part = number as f32 / 8.0;
-        let [near, far] = [0, 2].map(|i| BALLS[(number + i) % 4]);
-        add_sphere(around(part + turns) * 7.4 + Vec3::Y * 2.3, 2.3, near, scene);
-        add_sphere(around(part - turns + 0.0625) * 13.0 + Vec3::Y * 1.9, 1.9, far, scene);
+        // Pipes that end outside the picture are rays.
+        let half = vec3(0.7, 8.0, 0.7);
+        for i in [0.0, 0.0625] {
+            let at = around(part - turns + i) * (8.2 + 80.0 * i);
+            add_block(Shape::Cylinder, at + Vec3::Y * 8.0, half, Mat3::IDENTITY, &BRASS, scene);
+        }
+        let at = around(part + turns) * 5.2;
+        add_sphere(at + Vec3::Y * 1.4, 1.4, [&BALL, &PEARL][number % 2], scene);
+        let at = around(part - turns + 0.0625) * 8.2 + Vec3::Y * 1.8;
+        add_sphere(at, 1.8, [&GIANT, &OPAL][number % 2], scene);
     }
 }
