@@ -109,7 +109,8 @@ fn eight_sectors_trace_a_quarter_of_the_picture() {
 fn lamp_is_the_centre_of_folds_at_all_aspects() {
     for [width, height] in [[180, 320], [240, 240], [320, 240], [320, 180], [420, 180]] {
         let [whole, folded] = [1.0, 8.0].map(|sectors| {
-            let scene = Scene { sectors, ..of_the_show(98.0) };
+            let mut scene = Moment::from(of_the_show(98.0));
+            scene.presentation.sectors = sectors;
             let drawn = draw_best(&scene, &Quality::EXHAUSTIVE, width, height);
             let column = drawn.pixels.chunks(width).map(|row| row[width / 2]);
             column.filter(|pixel| pixel & 255 > 215).count()
