@@ -99,7 +99,8 @@ fn add(now: Now, scene: &mut Scene) {
     }
 }
 
-/// Returns the offset of a floating bubble from its place at rest.
+/// Returns the offset of a floating bubble from its place at rest. Not inlined: saves 29 packed bytes.
+#[inline(never)]
 fn float(number: f32, now: Now) -> Vec3 {
     Vec3::Y * (0.07 * sin(now.beat * 0.7 + 2.0 * number))
 }

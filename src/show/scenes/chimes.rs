@@ -63,7 +63,7 @@ static BRASS: Material = Material {
 };
 static BORE: Material = Material::matt(vec3(0.02, 0.008, 0.004), 0.8);
 static EMBER: Material = Material { tint: Vec3::ONE, ..Material::matt(vec3(9.0, 2.6, 0.4), 1.0) };
-pub(super) static BALL: Material = Material {
+static BALL: Material = Material {
     ks: 0.5,
     exponent: 50.0,
     kr: 0.02,

@@ -1,6 +1,5 @@
 //! The kaleidoscope: balls and brass pipes on marble around the only light, folded into eight.
 
-use super::chimes::BALL;
 use super::planet::GIANT;
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
@@ -58,6 +57,9 @@ static MARBLE: Material = Material {
 };
 static PEARL: Material =
     Material { ks: 0.3, exponent: 40.0, ..Material::matt(vec3(0.8, 0.7, 0.6), 1.0) };
+// Matt: reflections of the other balls would move and pop.
+static RED: Material =
+    Material { ks: 0.25, exponent: 14.0, ..Material::matt(vec3(0.615, 0.02, 0.01), 0.95) };
 static BRASS: Material = Material {
     ks: 1.0,
     exponent: 12.0,
@@ -88,7 +90,7 @@ fn add(now: Now, scene: &mut Scene) {
             add_block(Shape::Cylinder, at + Vec3::Y * 8.0, half, Mat3::IDENTITY, &BRASS, scene);
         }
         let at = around(part + turns) * 5.2;
-        add_sphere(at + Vec3::Y * 1.4, 1.4, [&BALL, &PEARL][number % 2], scene);
+        add_sphere(at + Vec3::Y * 1.4, 1.4, [&RED, &PEARL][number % 2], scene);
         let at = around(part - turns + 0.0625) * 8.2 + Vec3::Y * 1.8;
         add_sphere(at, 1.8, [&GIANT, &OPAL][number % 2], scene);
     }
