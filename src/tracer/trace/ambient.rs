@@ -13,12 +13,22 @@ use glam::Vec3A;
 /// Paths below this have a depth of at most 1.
 const DEEP: u32 = 4;
 
+/// Returns the ambient light that surfaces reflect; `unoccluded` without [`crate::scene::Ambience`].
 #[inline(always)]
 pub(super) fn light<S: Isa>(
     tracer: Tracer<'_, S>,
     rays: &Rays<S>,
     point: &ShadingPoint<S>,
+    unoccluded: Vec3x<S>,
 ) -> Vec3x<S> {
+    if !tracer.world.ambience.is_on {
+        return unoccluded;
+    }
+    Vec3x::select(point.shaded, unoccluded * arriving(tracer, rays, point), unoccluded)
+}
+
+#[inline(always)]
+fn arriving<S: Isa>(tracer: Tracer<'_, S>, rays: &Rays<S>, point: &ShadingPoint<S>) -> Vec3x<S> {
     let (simd, world) = (tracer.isa, tracer.world);
     let ambience = &world.ambience;
     let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));

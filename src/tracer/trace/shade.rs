@@ -10,7 +10,7 @@ use super::stack::RayStack;
 use super::surface::SurfaceLanes;
 use super::{Batch, Tracer};
 use crate::lanes::*;
-use crate::prepare::Parameter;
+use crate::prepare::{Parameter, World};
 use glam::Vec3A;
 
 #[inline(always)]
@@ -38,31 +38,13 @@ pub(super) fn shade<S: Isa>(
     let mut keys = Keys::new(simd, quality, active, rays);
     if shaded.any_true() {
         let point = &ShadingPoint::new(simd, world, rays, hit, &surface, shaded);
-        let ambient = if world.ambience.is_on {
-            let light = ambient::light(tracer, rays, point);
-            Vec3x::select(shaded, colour * light, colour)
-        } else {
-            colour
-        };
-        let reflected = light::gather(
-            tracer,
-            &surface,
-            point,
-            ambient,
-            &mut keys,
-            &mut batch.occluders,
-            &mut batch.counts,
-        );
-        untextured = reflected.untextured;
+        let ambient = ambient::light(tracer, rays, point, colour);
+        let Batch { occluders, counts, .. } = batch;
+        let reflected =
+            light::gather(tracer, &surface, point, ambient, &mut keys, occluders, counts);
+        (colour, untextured) = textured(world, reflected, point);
         reflectance = point.reflectance;
         field = point.field;
-        let mut plain = reflected.specular;
-        if world.has_patterns {
-            let tinted = untextured * point.tint;
-            plain = plain + tinted;
-            untextured = untextured - tinted;
-        }
-        colour = plain.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scattered = scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
@@ -77,20 +59,50 @@ pub(super) fn shade<S: Isa>(
     if world.glows {
         colour = colour + air::glow(simd, world, rays, hit.t);
     }
-    let mut untraced = scattered.untraced;
-    if !(world.softboxes().is_empty() || world.scene.black_beyond) {
-        let leaving = surface.is_background & rays.paths().simd_gt(U::<S>::splat(simd, 1));
-        let weight = Vec3x::select(leaving, Vec3x::equal(rays.weight), scattered.mirrored);
-        let d = Vec3x::select(leaving, rays.d, scattered.d);
-        let light = air::softboxes(simd, world, &d) * weight;
-        untraced = Vec3x::select(active, untraced + light, untraced);
-    }
+    let untraced = untraced_light(tracer, rays, &surface, active, &scattered);
     Contribution {
         colour: untraced.add_scaled(colour, active.select(rays.weight, splat(simd, 0.0))),
         key: keys.terms(simd, quality, hit.object, field),
         untextured: untextured.scaled(weight),
         reflectance,
     }
+}
+
+/// Returns the points' colours, and the light in them that the patterns' reflectance scales.
+#[inline(always)]
+fn textured<S: Isa>(
+    world: World<'_>,
+    reflected: light::Reflected<S>,
+    point: &ShadingPoint<S>,
+) -> (Vec3x<S>, Vec3x<S>) {
+    let light::Reflected { mut untextured, specular: mut plain } = reflected;
+    if world.has_patterns {
+        let tinted = untextured * point.tint;
+        plain = plain + tinted;
+        untextured = untextured - tinted;
+    }
+    (plain.add_scaled(untextured, point.reflectance.abs()), untextured)
+}
+
+/// Returns the light of untraced rays, with the softboxes that they and rays to the background meet.
+#[inline(always)]
+fn untraced_light<S: Isa>(
+    tracer: Tracer<'_, S>,
+    rays: &Rays<S>,
+    surface: &SurfaceLanes<'_, S>,
+    active: M<S>,
+    scattered: &Scattered<S>,
+) -> Vec3x<S> {
+    let (simd, world) = (tracer.isa, tracer.world);
+    let untraced = scattered.untraced;
+    if world.softboxes().is_empty() || world.scene.black_beyond {
+        return untraced;
+    }
+    let leaving = surface.is_background & rays.paths().simd_gt(U::<S>::splat(simd, 1));
+    let weight = Vec3x::select(leaving, Vec3x::equal(rays.weight), scattered.mirrored);
+    let d = Vec3x::select(leaving, rays.d, scattered.d);
+    let light = air::softboxes(simd, world, &d) * weight;
+    Vec3x::select(active, untraced + light, untraced)
 }
 
 struct Scattered<S: Isa> {
@@ -120,55 +132,25 @@ fn scatter<S: Isa>(
     stack: &mut RayStack,
 ) -> Scattered<S> {
     let (simd, quality) = (tracer.isa, tracer.quality);
-    let zero = splat(simd, 0.0);
-    let one = splat(simd, 1.0);
     let min_weight = splat(simd, quality.least_contribution);
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
     let follow = point.shaded & parents.paths().simd_lt(deepest);
     let reflected = parents.reflected_slot_paths();
-    let ShadingPoint { p, n, dn, hit_error, departure, .. } = *point;
-    // Schlick's approximation.
-    let grazing = dn + 1.0;
-    let grazing2 = grazing * grazing;
-    let gain = surface.number(Parameter::Fresnel) * (grazing2 * grazing2 * grazing);
-    let mut kr = surface.number(Parameter::Kr);
-    kr = kr + gain * (one - kr);
-    let kt = surface.number(Parameter::Kt) * (one - gain);
-    // On total reflection the transmitted weight goes to the reflected ray.
-    let mut refracted = M::<S>::splat(simd, false);
-    let mut through = refracted;
-    let mut transmitted = Rays {
-        o: p.add_scaled(n, hit_error * -2.0),
-        d: point.r,
-        weight: zero,
-        slot_path: (reflected + 1) | (departure ^ INWARD),
-    };
-    let glass = point.shaded & kt.simd_gt(zero);
-    if glass.any_true() {
-        let eta = point
-            .inside
-            .select(surface.number(Parameter::Index), one / surface.number(Parameter::Index));
-        // The squared cosine of the transmitted ray, negative on total reflection.
-        let k = one - eta * eta * (one - dn * dn);
-        let total = k.simd_lt(zero);
-        kr = (glass & total).select(kr + kt, kr);
-        transmitted.weight = parents.weight * kt;
-        refracted = glass & !total;
-        through = follow & refracted & transmitted.weight.simd_ge(min_weight);
-        let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
-        transmitted.d = parents.d.scaled(eta).add_scaled(n, along);
-    }
+    let Refraction { rays: transmitted, refracted, through, kr } =
+        refract(tracer, parents, surface, point, reflected, follow);
     let weight = parents.weight * kr;
     let mut back = follow & weight.simd_ge(min_weight);
     let mut mirrored = Vec3x::equal(weight);
     let film = surface.number(Parameter::IsLit) - 1.0;
+    let zero = splat(simd, 0.0);
     let is_film = film.simd_gt(zero);
     if is_film.any_true() {
         back &= !is_film;
         let colour = film_colour(film, surface, point);
         mirrored = Vec3x::select(is_film, colour.scaled(weight), mirrored);
     }
-    let reflected = Rays { o: p, d: point.r, weight, slot_path: reflected | departure | marks };
+    let slot_path = reflected | point.departure | marks;
+    let reflected = Rays { o: point.p, d: point.r, weight, slot_path };
     let much = splat(simd, quality.unguarded_weight);
     let mut unguarded = back & weight.simd_ge(much);
     if tracer.world.scene.water.is_calm() {
@@ -194,6 +176,63 @@ fn scatter<S: Isa>(
         mirrored: Vec3x::select(lost, mirrored, Vec3x::splat(simd, Vec3A::ZERO)),
         unguarded,
     }
+}
+
+struct Refraction<S: Isa> {
+    /// The transmitted rays; other lanes have no weight.
+    rays: Rays<S>,
+    refracted: M<S>,
+    /// The rays within the quality's limits.
+    through: M<S>,
+    /// The share of the parents' weight that reflected rays have.
+    kr: F<S>,
+}
+
+/// Returns the transmitted rays. `reflected` are [`Rays::reflected_slot_paths`].
+#[inline(always)]
+fn refract<S: Isa>(
+    tracer: Tracer<'_, S>,
+    parents: &Rays<S>,
+    surface: &SurfaceLanes<'_, S>,
+    point: &ShadingPoint<S>,
+    reflected: U<S>,
+    follow: M<S>,
+) -> Refraction<S> {
+    let simd = tracer.isa;
+    let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
+    let ShadingPoint { p, n, dn, hit_error, departure, .. } = *point;
+    // Schlick's approximation.
+    let grazing = dn + 1.0;
+    let grazing2 = grazing * grazing;
+    let gain = surface.number(Parameter::Fresnel) * (grazing2 * grazing2 * grazing);
+    let mut kr = surface.number(Parameter::Kr);
+    kr = kr + gain * (one - kr);
+    let kt = surface.number(Parameter::Kt) * (one - gain);
+    let mut refracted = M::<S>::splat(simd, false);
+    let mut through = refracted;
+    let mut rays = Rays {
+        o: p.add_scaled(n, hit_error * -2.0),
+        d: point.r,
+        weight: zero,
+        slot_path: (reflected + 1) | (departure ^ INWARD),
+    };
+    let glass = point.shaded & kt.simd_gt(zero);
+    if glass.any_true() {
+        let index = surface.number(Parameter::Index);
+        let eta = point.inside.select(index, one / index);
+        // The squared cosine of the transmitted ray, negative on total reflection.
+        let k = one - eta * eta * (one - dn * dn);
+        let total = k.simd_lt(zero);
+        // On total reflection the transmitted weight goes to the reflected ray.
+        kr = (glass & total).select(kr + kt, kr);
+        refracted = glass & !total;
+        rays.weight = parents.weight * kt;
+        let min_weight = splat(simd, tracer.quality.least_contribution);
+        through = follow & refracted & rays.weight.simd_ge(min_weight);
+        let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
+        rays.d = parents.d.scaled(eta).add_scaled(n, along);
+    }
+    Refraction { rays, refracted, through, kr }
 }
 
 /// Returns the light of rays that are not traced: the brighter of background and ambient light in each channel. In crowds of glass
