@@ -74,7 +74,7 @@ fn by_block(block: &Block, hit: &Hit<'_>, ambience: &Ambience) -> Cover {
     let half = block.half.as_dvec3();
     let middle = match block.shape {
         Shape::Box => half.element_sum() - half.max_element() - half.min_element(),
-        Shape::Cylinder | Shape::Capsule => half.x,
+        _ => half.x,
     };
     let reach = f64::from(ambience.reach).min(2.5 * middle);
     let (mut share, mut sum, mut from) = (0.0, 0.09 * reach, DVec3::ZERO);

@@ -152,7 +152,7 @@ impl Shape {
                 let met = match shape {
                     BlockShape::Box => cuboid(own, half),
                     BlockShape::Cylinder => cylinder(own, half),
-                    BlockShape::Capsule => capsule(own, half),
+                    _ => capsule(own, half),
                 };
                 met.map(|met| Met { normal: axes * met.normal, ..met })
             }

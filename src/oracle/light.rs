@@ -139,7 +139,7 @@ pub(super) fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
     let core = match block.shape {
         Shape::Box => DVec3::ZERO,
         Shape::Cylinder => p.with_y(0.0).clamp_length_max(half.x),
-        Shape::Capsule => DVec3::Y * p.y.clamp(half.x - half.y, half.y - half.x),
+        _ => DVec3::Y * p.y.clamp(half.x - half.y, half.y - half.x),
     };
     match block.shape {
         Shape::Box => {
@@ -151,7 +151,7 @@ pub(super) fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
             let deepest = (p.with_y(0.0).length() - half.x).max(p.y.abs() - half.y);
             (out, out.length() + deepest.min(0.0))
         }
-        Shape::Capsule => {
+        _ => {
             let from_core = p - core;
             let off = from_core.length() - half.x;
             (from_core.normalize_or_zero() * off.max(0.0), off)

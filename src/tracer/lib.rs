@@ -48,6 +48,9 @@
 //! [`Governor`] selects the preset that holds a frame rate, and optionally a smaller size. An [`AccuracyGovernor`] selects the preset
 //! that holds an accuracy, measured by [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
 //!
+//! Rays end at [`Quality::depth`], or if they are fainter than [`Quality::least_contribution`]. They then see the background or the
+//! ambient light, the brighter in each channel.
+//!
 //! # Memory and threads
 //!
 //! Rendering never allocates. A renderer needs one [`Memory`] of [`Memory::BYTES`] bytes, and one [`Worker`] of [`Worker::BYTES`]
@@ -95,11 +98,13 @@ mod counts;
 mod coverage;
 mod debug;
 mod fold;
+#[doc(hidden)]
 pub mod font;
 mod governor;
 mod grid;
 mod lanes;
 pub mod limits;
+#[doc(hidden)]
 pub mod maths;
 pub mod observe;
 mod overlay;

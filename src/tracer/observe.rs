@@ -22,6 +22,7 @@ pub trait Observer: Copy + Sync {
 
 /// The reason why a square was split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Split {
     /// It may show something that its corners do not, see [`Quality::guarded`](crate::Quality::guarded).
     Uncovered,
@@ -35,6 +36,7 @@ pub enum Split {
 
 /// The way in which the pixels of a square were computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Fill {
     /// All pixels have one colour.
     Flat,

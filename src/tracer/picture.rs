@@ -149,6 +149,7 @@ impl Band<'_> {
 
     /// Marks the band as drawn by the caller, with edges anywhere. Draw its rows next to the renderer's bands before the renderer
     /// antialiases those.
+    #[doc(hidden)]
     pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);
     }

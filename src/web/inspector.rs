@@ -52,7 +52,7 @@ impl Observer for &Inspector {
             Fill::Flat => "filled with one colour",
             Fill::Bilinear => "filled by interpolation between its corners",
             Fill::Patterned => "filled with interpolated light; each pixel has its own pattern",
-            Fill::Points => "each pixel traced or averaged",
+            _ => "each pixel traced or averaged",
         };
         self.note([x, y], [w, h], what);
     }
@@ -62,7 +62,7 @@ impl Observer for &Inspector {
             Split::Uncovered => "split: an object or a shadow may be between its corners",
             Split::Keys => "split: its corners show different objects or light",
             Split::Colours => "split: its corners\u{2019} colours differ too much",
-            Split::Gap => "split: it lies between two split squares",
+            _ => "split: it lies between two split squares",
         };
         self.note([x, y], [side; 2], what);
     }

@@ -96,7 +96,7 @@ fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 
     block.half *= radius / block.half.length();
     block.half *= match block.shape {
         Shape::Box => vec3(1.0, thin, 1.0),
-        Shape::Cylinder | Shape::Capsule => vec3(thin, 1.0, thin),
+        _ => vec3(thin, 1.0, thin),
     };
     block.axes = random.one_of([Mat3::IDENTITY, block.axes, block.axes]);
     view.scene.blocks.push(block);

@@ -8,7 +8,7 @@ pub fn fitting(shape: Shape, half: Vec3) -> Vec3 {
     match shape {
         Shape::Box => half,
         Shape::Cylinder => half.with_z(half.x),
-        Shape::Capsule => Vec3::new(half.x, half.y.max(half.x), half.x),
+        _ => Vec3::new(half.x, half.y.max(half.x), half.x),
     }
 }
 

@@ -89,6 +89,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
 
     /// Returns a renderer that uses AVX2 at most. The linker then leaves the AVX-512 kernel, of 16 kB, out of a program that makes
     /// no other renderer.
+    #[doc(hidden)]
     #[must_use]
     pub fn narrow(level: Level, memory: M) -> Self {
         let kernels = Kernels::narrow(level);
@@ -97,6 +98,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
 
     /// Returns a renderer by AVX2. The linker then leaves all other kernels out of a program that makes no other renderer.
     #[cfg(target_arch = "x86_64")]
+    #[doc(hidden)]
     #[must_use]
     pub fn avx2(simd: Avx2, memory: M) -> Self {
         let kernels = Kernels::avx2(simd);

@@ -134,6 +134,7 @@ impl Scene {
     };
 
     /// All zeros, for a `static` scene that takes no space in an executable file. It is invalid.
+    #[doc(hidden)]
     pub const ZEROED: Self = Self {
         camera: Camera { eye: Vec3::ZERO, up: Vec3::ZERO, field_of_view: 0.0, ..Camera::STANDARD },
         exposure: 0.0,
@@ -206,6 +207,7 @@ impl Plane {
 /// The shape of a [`Block`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Shape {
     /// A box.
     #[default]
