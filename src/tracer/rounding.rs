@@ -1,44 +1,40 @@
 //! Error bounds of single-precision geometry.
 //!
-//! Rounding has a relative error of at most `u` = 2^-24. A bound is the sum of the errors of its operations, in `u` of their
-//! largest number, plus some margin.
+//! Rounding has a relative error of at most `u` = 2^-24. A bound is the sum of its operations' errors plus a margin.
 //!
 //! # Shadows of spheres from point lights
 //!
 //! All pixels of a sphere's shadow on a plane lie inside the shadow's cone in the picture, and a point that is certainly inside
-//! (see [`UNSURE`]) is dark. Let `h` be the sphere's hit error and `e` its distance from the light times [`HIT`]. Shadow rays meet
-//! a sphere with the radius reduced by `h + e` (see `ShadowCone::r2`), the cone's radius is enlarged by `h`, and the cone of
-//! certain points has a radius reduced by `2 h + 3 e`. This leaves `2 h + e` outside and `h + 2 e` inside for these errors at the
-//! sphere:
+//! (see [`UNSURE`]) is dark. Let `h` be the sphere's hit error, and `e` the sphere's distance from the light times [`HIT`]. Shadow rays
+//! meet a sphere of a radius reduced by `h + e` (see `ShadowCone::r2`), the cone's radius is enlarged by `h`, and the cone of certain
+//! points has a radius reduced by `2 h + 3 e`. These margins leave `2 h + e` outside and `h + 2 e` inside for the following errors:
 //!
 //! - The vector from the light and the perpendicular: some `u` of the light's distance, below `e / 2`.
-//! - The coordinates of the point on the plane: less than `h / 3` from the sphere's coordinates and `e / 3` from the distance to
-//!   it, since an error at the far end of a ray from the light is smaller at the sphere. (The plane's centre, from which points are
-//!   computed, must not be much farther from the eye.)
-//! - The distance of the point from the eye: some `u` of it; [`SIDE`] is 1e-5 of it, since a side's terms are scaled by a length above the
+//! - The coordinates of the point on the plane: less than `h / 3` for the sphere's coordinates plus `e / 3` for its distance from the
+//!   light, since the error shrinks along the ray to the light. (The plane's centre, from which points are computed, must not be much
+//!   farther from the eye.)
+//! - The point's distance from the eye: some `u` of it. [`SIDE`] is 1e-5 of it, since a side's terms are scaled by a length above the
 //!   eye's height.
-//! - The cone's own terms: below [`SIDE`], and [`CONE_RADIUS_FACTOR`] covers the cosine.
+//! - The cone's own terms: below [`SIDE`]. [`CONE_RADIUS_FACTOR`] covers the cosine.
 //!
 //! # Lights and eyes far away
 //!
-//! A vector from a light at the distance `D` has an error of some `u D`. Sides and bounds of shadows take distances along its direction
-//! only, which is exact to some `u`, from the object's centre (see `coverage::view`), and their margins grow with the eye's distance, not
-//! with `D`: suns a thousand or a million units away open as many squares (`far_suns_and_telescopes_open_few_squares`). For telescopes
-//! [`CORNER`] and [`SIDE`] are at most a tenth of a pixel. In numbers near 1:
+//! A vector from a light at the distance `D` has an error of some `u D`, but its direction is exact to some `u`. Sides and bounds of
+//! shadows use only the direction, and start at the object's centre (see `coverage::view`). So margins grow with the eye's distance, not
+//! with `D` (`far_suns_and_telescopes_open_few_squares`).
 //!
-//! - `1 - r^2 / D^2`, a cone's squared cosine, is within some `u` even if it cancels near the sphere, and [`CONE_RADIUS_FACTOR`] enlarges it.
-//! - The point of tangency, the sphere's chord and the squared chord of a shadow's cone are products with `r / D`: they have no difference
-//!   that cancels.
-//! - Differences of coordinates near an edge are exact; those that are small for their terms, like a sphere's power, get a margin in `u` of
-//!   the terms.
+//! - A cone's squared cosine, `1 - r^2 / D^2`, has an error of some `u`. [`CONE_RADIUS_FACTOR`] enlarges the cone.
+//! - The point of tangency, the sphere's chord and the squared chord of a shadow's cone are products with `r / D`. Nothing cancels.
+//! - Differences of coordinates near an edge are exact. A difference that is small for its terms, like a sphere's power, gets a margin in
+//!   `u` of the terms.
 
 use glam::Vec3A;
 
 /// The largest distance of a computed hit from its sphere, relative to the sphere's largest coordinate.
 ///
-/// In units of `u` the errors are 1.7 (the root of 3) for the point's coordinates, 2.5 for its distance from the centre, 1.5 for
-/// the ray's length, and 2.8 for the next ray's vector from the centre, its square and the discriminant: 8.5 in total. Rays had at
-/// most 5.
+/// The errors in `u` are 1.7 (the root of 3) for the point's coordinates, 2.5 for its distance from the centre, 1.5 for the ray's
+/// length, and 2.8 for the next ray's vector from the centre, its square and the discriminant: 8.5 in total. The largest measured error
+/// is 5.
 pub(crate) const HIT: f32 = 10.0 / (1 << 24) as f32;
 
 pub(crate) fn hit_error(centre: Vec3A, radius: f32) -> f32 {
@@ -56,20 +52,21 @@ pub(crate) const UNREFINED: f32 = 4e-12;
 /// The largest distance of a hit from its sphere, in radii, that one Newton step reduces to rounding errors.
 pub(crate) const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
-/// The largest depth in a sphere of a point that counts as on it, relative to the largest coordinate: nearly four times [`HIT`].
+/// The largest depth inside a sphere at which a point counts as on its surface, relative to the largest coordinate: nearly four times
+/// [`HIT`].
 pub(crate) const DEEP: f32 = 2e-6;
 
-/// The offset of secondary rays from a block's surface, relative to the sum of its coordinates and half extents: many times the
-/// rounding error, to start beyond a coincident face of another block.
+/// The offset of secondary rays from a block's surface, relative to the sum of its coordinates and half extents. It is many times the
+/// rounding error, so that rays start beyond a coincident face of another block.
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
-/// The least such offset, twice the rounding error, of blocks whose side is nearer to the eye than [`AT_EYE`] usual offsets.
+/// The offset for blocks whose side is nearer to the eye than [`AT_EYE`] times the usual offset: twice the rounding error.
 pub(crate) const MIN_BLOCK_HIT: f32 = 2.0 / (1 << 24) as f32;
 
-/// See [`MIN_BLOCK_HIT`]. The usual offset is then visible.
+/// See [`MIN_BLOCK_HIT`]. Nearer to the eye the usual offset is visible.
 pub(crate) const AT_EYE: f32 = 16.0;
 
-/// The relative enlargement of a block's bounding sphere: many times its corners' rounding.
+/// The relative enlargement of a block's bounding sphere: many times the rounding error of its corners.
 pub(crate) const BLOCK_BOUND: f32 = 1e-4;
 
 /// The error of the dot product of two directions: some 10 roundings.
@@ -81,38 +78,37 @@ pub(crate) const COSINE2: f32 = 4e-6;
 /// The relative enlargement of bounding spheres: more than the rounding error of a ray from a thousand radii away.
 pub(crate) const BOUND: f32 = 1e-3;
 
-/// The enlargement of a sphere before its bounding cone is computed: the cosine of any cone grows by more than its rounding error.
+/// The enlargement of a sphere before its bounding cone is computed. It changes the cosine of any cone by more than its rounding error.
 pub(crate) const CONE_RADIUS_FACTOR: f32 = 1.0 + 1e-6;
 
-/// The multiple of a shadow's errors within which a point is uncertain: 1 for the wider cone, 1 for the smaller radius of shadow
-/// rays, and less than 1/3 for their origins.
+/// The multiple of a shadow's errors within which a point may be lit or dark: 1 for the wider cone, 1 for the smaller radius of shadow
+/// rays, and less than 1/3 for the origins of shadow rays.
 pub(crate) const UNSURE: f32 = 3.0;
 
-/// The error of the inequality of an outline's side, whose terms are below twice the picture's largest u or v.
+/// The error of an outline's side, an inequality whose terms are below twice the picture's largest u or v.
 pub(crate) const SIDE: f32 = 1e-5;
 
-/// The usual part of [`SIDE`], some 5 roundings: enough for soft shadows, and small enough for certain points in shadows by lights
-/// a thousand times as far away.
+/// The usual share of [`SIDE`], some 5 roundings: enough for soft shadows, and small enough for lights a thousand times as far away.
 pub(crate) const USUAL_SIDE_SHARE: f32 = 0.03;
 
 /// The largest error of a block's corner, relative to its distance and size, far above rounding.
 pub(crate) const CORNER: f32 = 2e-4;
 
-/// The largest error of a block's corner seen from a light, up to a thousand times as far away: two roundings.
+/// The largest error of a block's corner seen from a light: two roundings.
 pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
-/// Returns a margin of at most a tenth of a pixel, but of 5 roundings: telescopes have small pixels.
+/// Limits a margin to a tenth of a pixel, but not below 5 roundings: telescopes have small pixels.
 pub(crate) fn within_pixel(margin: f32, pixel: f32) -> f32 {
     margin.min((0.1 * pixel).max(SIDE * USUAL_SIDE_SHARE))
 }
 
-/// The largest distance between an object and its point recomputed from the picture, relative to the largest coordinate: some `u`.
+/// The error of an object's point recomputed from the picture, relative to the largest coordinate: far above some `u`.
 pub(crate) const SURFACE_POINT: f32 = 1e-5;
 
 /// The distance from a sphere, in hit errors, within which the eye may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
-/// The least height of a light above a plane, relative to its distance from the eye, for reliable bounds of shadows.
+/// The least height of a light above a plane, relative to the light's distance from the eye, at which bounds of shadows are reliable.
 pub(crate) const MIN_HEIGHT: f32 = 0.01;
 
 /// The margin of a bounding rectangle in pixels, far above rounding.
@@ -121,5 +117,5 @@ pub(crate) const PIXELS_AROUND: f32 = 0.5;
 /// The largest error of the ends of a range of squares, in pixels.
 pub(crate) const COLUMN: f32 = 0.02;
 
-/// The least determinant of a highlight's ellipse, relative to its diagonal's product: longer ellipses are unreliable.
+/// The least determinant of a highlight's ellipse, relative to the product of its diagonal: longer ellipses are unreliable.
 pub(crate) const DRAWN_OUT: f32 = 1e-6;

@@ -1,4 +1,4 @@
-//! The images of solids and lights in the first plane. An image has the outline of the object for a camera mirrored in the plane.
+//! The images of solids and lights in the first plane. A camera mirrored in the plane sees the object in the image's outline.
 
 use super::screen::ScreenBounds;
 use super::view::View;

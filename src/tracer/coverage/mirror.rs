@@ -5,13 +5,13 @@ use crate::prepare::Object;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Newton steps towards the mirror point of a curved surface: two for distant eyes and lights, the others for near ones.
+/// Newton steps towards the mirror point of a curved surface: two suffice for distant eyes and lights, near ones need all.
 const NEWTON_STEPS: usize = 8;
 
 pub(super) struct Mirror {
     pub p: Vec3A,
     pub n: Vec3A,
-    /// The curvature across `axis`; along it the surface is straight.
+    /// The curvature across `axis`. Along `axis` the surface is straight.
     pub curvature: f32,
     pub axis: Vec3A,
 }
@@ -39,8 +39,8 @@ impl Mirror {
         }
     }
 
-    /// Adds the points of a capsule: on the end's sphere, and on the side as near as possible to the mirror point of an endless cylinder,
-    /// as a highlight continues across the joint.
+    /// Adds two points of a capsule, since a highlight continues across the joint: the mirror point of the end's sphere, and the point of
+    /// the side that is nearest to the mirror point of an endless cylinder.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);
@@ -59,8 +59,8 @@ impl Mirror {
 
     /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
-    /// Across the axis the normal bisects the directions to the eye and the light. Unrolled, the path between them is straight, which gives
-    /// the height.
+    /// Seen along the axis, the normal bisects the directions to the eye and the light. The path of light is straight on the unrolled
+    /// cylinder, which gives the height.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));

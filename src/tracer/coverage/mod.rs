@@ -1,48 +1,44 @@
-//! Bounds of everything that may be visible between the corners of a square: objects, shadows on planes, images in the first plane, and
-//! highlights.
+//! Conservative bounds of the features that a square may show between its corners: objects, shadows on planes, images in the first plane,
+//! and highlights.
 //!
-//! A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split while it meets a conservative bound of something that its
-//! corners do not show. Outlines are not tested again in the parts of a cleared square. One corner clears the square for an outline of one
-//! and a half sides or more, which covers a corner of each part that it crosses. A thinner outline keeps it open down to pixels, unless all
-//! four corners show it.
+//! A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split while it meets the bound of a feature that its corners do
+//! not show. An outline of one and a half sides or more covers a corner of each part that it crosses, so one corner clears the square and
+//! its parts. A thinner outline keeps the square open down to pixels, unless all four corners show it.
 //!
 //! | kind | bound | a square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | a corner shows it (all, if it is thin), or the corners show an occluder that hides it | `object` |
-//! | image | the same from the eye's mirror image | no corner shows the plane, or a corner that shows the plane is inside the bound (all, if it is thin), or all corners show the plane and one side of a wide bound cuts the square | `image` |
-//! | shadow | the cone of rays from the light, projected onto the plane | the same, or another shadow covers the square | `shadow` |
-//! | highlight | the ellipse of a Gaussian | no corner shows the object, or it nowhere visibly exceeds those that do | `highlight` |
+//! | object | the cone of rays from the eye that meet it | a corner (all, if it is thin) shows it, or the corners show an occluder that hides it | `object` |
+//! | image | the cone of rays from the eye's mirror image | no corner shows the plane, or a corner (all, if it is thin) shows the plane inside the bound, or all corners show the plane and one side of a wide bound cuts the square | `image` |
+//! | shadow | the cone of rays from the light, projected onto the plane | a rule for images holds, or another shadow covers the square | `shadow` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or those that show it are nearly as bright as the highlight | `highlight` |
 //!
 //! # Guarantees
 //!
-//! - Objects: every object in an exhaustive frame has at least one pixel. A square with such a pixel meets the outline, so it is filled
-//!   only if a corner shows the object, or if an occluder at all corners covers the square. An averaged point counts as showing the object
-//!   of both ends.
+//! - Objects: a square that shows an object meets its outline, so it is filled only if a corner shows the object, or if an occluder covers
+//!   the square. So each object has at least one pixel. An average of two points counts as showing the objects of both.
 //! - Shadows of spheres on planes from point lights: a square that shows the plane and meets a shadow is filled only if a corner that shows
 //!   the plane lies in it, or if all corners lie in another shadow from the same light ([`rounding`](crate::rounding) derives the margins).
-//!   The corner may be as dark without the shadow, see [`limits`](crate::limits).
-//! - Images in the first plane: the same, if they have 2x2 pixels or more and no other image covers them in part. A corner in an image's
+//!   The corner may be as dark without the shadow.
+//! - Images in the first plane: a frame shows every image of 2x2 pixels or more that no other image covers in part. A corner in an image's
 //!   outline shows the image or another one in front of it.
-//! - Thin things: a bar 1 to 5 pixels wide, its shadow on a plane from a point light, and its image in the first plane have no hole of 4
-//!   connected pixels or more at a named quality (`tests/image/thin.rs`). An outline's width is a lower bound: the least extent of the
-//!   object at its farthest distance. Antialiasing keeps at least an eighth of such a pixel.
+//! - Thin bars, their shadows on a plane from a point light, and their images in the first plane have no holes (`tests/image/thin.rs`). The
+//!   width of an outline is a lower bound: the object's least extent at its farthest distance.
 //!
 //! # Best effort
 //!
-//! - Other shadows on planes: a capsule's bound is the cylinder around it, a cylinder's from above a hexagonal prism, an area light counts
-//!   as its centre, and a spotlight also where it does not shine. A corner counts as dark inside the prism in the cylinder, or in the
-//!   capsule without its round ends.
-//! - Slits of light between two shadows from one light: a square stays open if each covers some of its corners. Slits flicker without
-//!   this rule. It also stays open if a shadow covers some corners, and an object hides all others.
-//! - Images of cylinders and capsules, which count as prisms.
-//! - Highlights: Phong's lobe is nearly a Gaussian around the point that mirrors the light, but a corner may be in shadow or on
-//!   another face.
+//! - Other shadows on planes: the bound of a capsule is the cylinder around it, and the bound of a cylinder from above a hexagonal prism.
+//!   An area light counts as its centre. A spotlight counts as shining everywhere. A corner is certainly dark inside the prism in a
+//!   cylinder, or in a capsule without its round ends.
+//! - Slits of light between two shadows from one light: a square stays open if each shadow covers some of its corners; otherwise slits
+//!   flicker. It also stays open if a shadow covers some corners, and an object hides the remaining ones.
+//! - Images of cylinders and capsules: they count as prisms.
+//! - Highlights: Phong's lobe is nearly a Gaussian, but a corner may be in shadow or on another face.
 //!
 //! # Light without a bound
 //!
 //! At `finest` ([`Quality::unguarded_weight`](crate::Quality::unguarded_weight)) a square is also split if a corner shows a reflection
-//! or a refraction without a bound, if an object lies between a light and the part of a sphere or a block that the corners show, or if
-//! the corners show several objects in one colour (`refine::guard::unguarded`).
+//! or a refraction without a bound, if a sphere or a block may be in shadow there, or if the corners show several objects in one colour
+//! (`refine::guard::unguarded`).
 //!
 //! `docs/guard.md` shows each in a picture; [`limits`](crate::limits) lists the rest in figures.
 
@@ -69,10 +65,10 @@ use screen::{Axes, ScreenBounds};
 use sides::Sides;
 use view::View;
 
-/// One per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
+/// One for each object, each image of a solid or light, and each shadow of a solid on a plane by a light.
 pub(crate) const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
-/// Something with a convex outline in the picture.
+/// A feature with a convex outline in the picture.
 #[derive(Clone, Copy)]
 pub(crate) enum Outline {
     /// An object in direct view.
@@ -96,10 +92,10 @@ pub(crate) struct Coverage {
     /// By plane and light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     pub highlights: List<Highlight, MAX_HIGHLIGHTS>,
-    /// The outlines that may meet the picture, with their bounding rectangles.
+    /// The outlines that may meet the picture.
     pub outlines: [Outline; MAX_OUTLINES],
     pub screen: [ScreenBounds; MAX_OUTLINES],
-    /// The least width of each in pixels, up to 255.
+    /// The least width of each outline in pixels, up to 255.
     pub widths: [u8; MAX_OUTLINES],
     pub outlined: usize,
 }
@@ -134,7 +130,7 @@ impl Coverage {
         self.set_highlights(world);
     }
 
-    /// Adds an outline with its bounds. `width` is its least width at distance 1.
+    /// Adds an outline, whose least width at distance 1 is `width`.
     fn list(&mut self, outline: Outline, screen: ScreenBounds, width: f32) {
         self.outlines[self.outlined] = outline;
         self.screen[self.outlined] = screen;
@@ -162,7 +158,7 @@ impl Coverage {
             }
         };
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
-        // The part beyond the plane has no image or shadow, yet its rays meet the plane.
+        // A part beyond the plane has no image or shadow, but its rays meet the plane.
         if let Some((plane, viewer)) = shown
             && self.heights(id, &world.planes()[plane], viewer)[0] < 0.0
         {
@@ -171,8 +167,8 @@ impl Coverage {
         region
     }
 
-    /// Returns the least and greatest height of an object above a plane, on the viewer's side, with a margin for rounding. The viewer is
-    /// the shadow's light, or the eye for an image.
+    /// Returns the least and greatest height of an object above a plane, on the side of the viewer (the shadow's light, or the image's
+    /// eye), with a margin for rounding.
     fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
         let (error, [min, max]) = (object.hit_error(), object.above(plane.centre.y));

@@ -1,4 +1,4 @@
-//! Conservative bounds in screen space. In the camera's axes a ray is (u, v, 1): u to the right, v down.
+//! Conservative bounds in screen space. A ray is (u, v, 1) in the camera's axes: right, down and forward.
 
 use crate::lanes::*;
 use crate::maths::to_f32;
@@ -11,13 +11,13 @@ pub(crate) struct Axes {
     /// Right, down, and forward.
     pub rows: [Vec3A; 3],
     pub pixel: f32,
-    /// The largest u or v of the picture, at least 1: its rays are at most the root of 3 times as long.
+    /// The largest u or v of the picture, at least 1. Rays are at most `reach` times the root of 3 long.
     pub reach: f32,
     /// The centre of the picture in pixels, x and y, twice.
     middle: Vec4,
 }
 
-/// The least u and v, and the greatest.
+/// The least u, the least v, the greatest u, and the greatest v.
 pub(crate) type Rect = Vec4;
 
 #[derive(Clone, Copy)]
@@ -40,7 +40,7 @@ pub(crate) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
     [rect.xzxz(), rect.yyww()].map(|ends| F::<Baseline>::simd_from(baseline(), ends.to_array()))
 }
 
-/// A bounding rectangle: the least u and v, and the greatest negated.
+/// A bounding rectangle: the least u and v, and the negated greatest u and v.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ScreenBounds(Vec4);
 
@@ -65,7 +65,7 @@ impl Axes {
         (pixels - self.middle) * self.pixel
     }
 
-    /// Returns a column of rectangles of `size` pixels, one per lane; `[left, top]` is the first one's corner.
+    /// Returns a column of rectangles of `size` pixels, one per lane. The first has its corner at `[left, top]`.
     #[inline(always)]
     pub fn rects<S: Isa>(&self, simd: S, [left, top]: [usize; 2], size: [usize; 2]) -> Rects<S> {
         let [width, height] = size.map(to_f32);
@@ -101,12 +101,12 @@ impl ScreenBounds {
 
     /// Returns the bounds whose ends are `(b + a) / (d + c)` and `(b - a) / (d - c)`, along u and along v, for vectors of a, b, c and d.
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
-        // The greatest slope is the least negated one.
+        // The negation of the greatest slope is the least negated slope.
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);
         let ahead = Vec4::new(u.w, v.w, u.w, v.w) + ends(u.z, v.z);
         let across = Vec4::new(u.x, v.x, u.x, v.x) + ends(u.y, v.y);
         let slope = across / ahead - PIXELS_AROUND * pixel;
-        // A tangent that points backwards does not bound its side; nor does NaN.
+        // A tangent that points backwards, or NaN, does not bound its side.
         let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
         Self(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
     }
@@ -119,7 +119,7 @@ impl ScreenBounds {
         self.0 = self.0.min(other.0);
     }
 
-    /// Clips rectangles to the bounds' range of u; empty above and below.
+    /// Clips rectangles to the bounds' range of u. Rectangles above and below the bounds become empty.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
         let simd = rects.left.token();

@@ -1,4 +1,4 @@
-//! The shadows of solids on planes, as cones in the picture. An area light casts the shadow of its centre, which lies in the penumbra.
+//! The shadows of solids on planes, as cones in the picture. An area light counts as its centre, whose shadow lies in the penumbra.
 
 use super::view::View;
 use super::{Coverage, Outline};
@@ -14,7 +14,7 @@ impl Coverage {
                 let view = View::light(light, rectangle, &self.eye);
                 self.shadows[plane][number] = view;
                 for (_, node) in world.tree.solids() {
-                    // Neither a sphere around the light nor a solid beyond the plane casts a shadow.
+                    // A sphere around the light and a solid beyond the plane cast no shadow.
                     let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
                     let [_, max] = self.heights(node.object, rectangle, light.position);
@@ -24,7 +24,7 @@ impl Coverage {
                             plane: plane as u8,
                             light: number as u8,
                         };
-                        // The shadow is magnified by the projection and foreshortened for the eye.
+                        // The projection magnifies the shadow, and the eye's angle foreshortens it.
                         let height = light.position.y - rectangle.centre.y;
                         let scale = -height / to.y;
                         let at = light.position + to * scale;

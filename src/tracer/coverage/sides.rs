@@ -1,12 +1,12 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
-//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, with the axis a and the half angle of its bounding cone. From the eye, w is the
-//! ray `(u, v, 1)`. From a light to the hit of the eye's ray d on a plane at H below the eye, w is linear in d, so a shadow is a cone as
-//! well. It is the sum of a vector from the object's centre and a share of the vector to the centre (see `view`). Blocks and planes are
-//! bounded by planes through the eye or light.
+//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, where a is the axis of the sphere's bounding cone, and the angle is half of
+//! the cone's. For an object, w is the eye's ray `(u, v, 1)`. For a shadow, w leads from the light to the point where the eye's ray d meets
+//! the plane. It is linear in d, so a shadow is a cone in the picture, too. `view` computes w as a vector from the object's centre plus a
+//! share of the vector to the centre. Blocks and planes are bounded by planes through the eye or light.
 //!
-//! The difference of both sides is concave in u and v: nowhere above its tangent plane, whose maximum over a square is at a corner. So a
-//! square is outside if the tangent plane at its centre is negative at all corners.
+//! The difference of the inequality's sides is concave in u and v, so its tangent planes are upper bounds: rays are outside where a
+//! tangent plane is negative.
 
 use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
@@ -20,7 +20,7 @@ use glam::{BVec4A, Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// Cuts at each end of a row's range: the first tangent touches the cone on its own side, later ones inside the rectangle.
+/// Cuts at each end of a row's range. The first tangent touches the cone at the end's own side, later ones inside the rectangle.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -28,12 +28,12 @@ pub(crate) type Terms = [Vec4; 3];
 
 #[derive(Clone, Copy)]
 pub(crate) enum Sides {
-    /// All rays: the origin is inside the object, or nearly.
+    /// All rays: the origin is inside the object, or may be.
     All,
-    /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
+    /// The rays in a cone, by `cos (a x w)` in three lanes and `sin (a . w)` in the last.
     Round {
         terms: Terms,
-        /// The margin, relative to the last lane, from which rays certainly meet the sphere. The cone is wider by its hit error.
+        /// The margin, relative to the last lane, beyond which rays certainly meet the sphere. The cone is wider by the hit error.
         unsure: f32,
     },
     /// The rays on the inner side of eight planes around the object, and of eight planes inside it.
@@ -41,8 +41,8 @@ pub(crate) enum Sides {
 }
 
 impl Sides {
-    /// Returns the rays in the bounding cone of a node's sphere, whose centre is at `to` from the tip. Rays are vectors from the centre, and
-    /// their shares of the vector to it.
+    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the tip to the centre. Each of `rays` is a vector
+    /// from the centre, and a share of `to`.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
         let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
@@ -62,15 +62,15 @@ impl Sides {
         }
     }
 
-    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward by `slack`. `to` is the vector to
-    /// the block's centre; for `rays` see [`Sides::of_sphere`].
+    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward by `slack`. `to` is the vector
+    /// to the block's centre; for `rays` see [`Sides::of_sphere`].
     #[inline(never)]
     pub fn of_block(rays: &[Vec4; 3], to: Vec3A, block: &Block, slack: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
         let half = Vec3A::from(block.half);
         let (shape, centre) = (block.shape, inward * to);
         let rays = rays.map(|ray| (across(shape, inward * Vec3A::from_vec4(ray)), ray.w));
-        // A cylinder contains the prism of a hexagon inside its circle, a capsule the same without its round ends.
+        // A cylinder, and a capsule without its round ends, contain a hexagonal prism.
         let ends = if shape == Shape::Capsule { half.x } else { 0.0 };
         let inside = half - slack - Vec3A::Y * ends;
         let inner = if inside.min_element() > 0.0 {
@@ -87,8 +87,7 @@ impl Sides {
         Self::Flat { outer: terms, inner: terms }
     }
 
-    /// Clips rectangles to the range of u whose rays may be inside, by a margin. For a cone these are tangent planes from both ends, each a
-    /// line in the picture with the cone on one side.
+    /// Clips rectangles to the range of u whose rays may be inside, by a margin. Tangent planes at both ends clip a cone.
     #[inline(never)]
     fn narrow<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
         let simd = rects.left.token();
@@ -104,7 +103,7 @@ impl Sides {
                     }
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
-                        // On the axis any direction across is valid, also zero.
+                        // On the axis any direction across is valid, even zero.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
                         [side(right), side(down), side(origin) - length * margin]
@@ -169,7 +168,7 @@ impl Sides {
 }
 
 impl<S: Isa> Rects<S> {
-    /// Clips rectangles to the range of u where `right u + down v + origin >= 0` for some v.
+    /// Clips rectangles to the range of u where `right u + down v + origin >= 0` for a v of the rectangle.
     #[inline(never)]
     fn cut(&mut self, right: F<S>, down: F<S>, origin: F<S>) {
         let zero = splat(right.token(), 0.0);
@@ -188,7 +187,7 @@ pub(crate) struct Region {
     pub sides: Sides,
     /// The bound on the rounding error of a side's inequality.
     pub rounding: f32,
-    /// From this depth on, a point certainly shows the object or an occluder of it.
+    /// The least depth at which a point certainly shows the object or an occluder of it.
     pub margin: f32,
 }
 
@@ -199,7 +198,7 @@ impl Region {
         Self { bounds, sides, rounding, margin: rounding }
     }
 
-    /// Returns the least and greatest u of the region in each rectangle; least > greatest for an empty one.
+    /// Returns the least and greatest u of the region in each rectangle. The least exceeds the greatest if the rectangle is outside.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
         self.bounds.narrow(&mut rects);
@@ -215,7 +214,7 @@ impl Region {
     }
 }
 
-/// The silhouette of a block from a point. Each lane is an axis: along it the block is a rectangle with a silhouette edge at either end.
+/// The silhouette of a block from a point. Each lane is an axis: seen along it, the block is a rectangle with two silhouette corners.
 struct Silhouette {
     shape: Shape,
     /// The centres of the rectangles, and half side lengths.
@@ -254,8 +253,8 @@ fn silhouette_terms(
 }
 
 impl Silhouette {
-    /// Returns a block's silhouette from the origin. All vectors are along its own axes; its centre is at `centre`. Seen along its axis a
-    /// cylinder or capsule is a circle; across, it has the sides of a hexagon of the inner radius `hexagon` radii.
+    /// Returns a block's silhouette from the origin, in the block's own axes. A cylinder or capsule is a circle seen along its axis; from
+    /// the side it is a hexagonal prism with an inner radius of `hexagon` radii.
     pub fn new(shape: Shape, centre: Vec3A, half: Vec3A, hexagon: f32) -> Self {
         let [a, b] = across(shape, centre);
         let [half_a, mut half_b] = across(shape, half);
@@ -291,8 +290,8 @@ impl Silhouette {
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Returns the two coordinates of a vector across each axis: the three of a box, and for a cylinder its own and three across it, 60 degrees
-/// apart.
+/// Returns the two coordinates of a vector across each axis: the three axes of a box, or a cylinder's own axis and three across it that
+/// are 60 degrees apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     match shape {
@@ -304,9 +303,9 @@ fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     }
 }
 
-/// Returns the point of tangency of a line through the origin and a circle about (a, b), on the side of `sign`, from the centre.
+/// Returns the vector from the centre (a, b) of a circle to the point where a line through the origin touches it, on the side of `sign`.
 fn tangent_point(a: f32, b: f32, radius: f32, sign: f32) -> [f32; 2] {
-    // As shares of the distance to the centre, along and across.
+    // Shares of the distance to the centre: along it and across.
     let share = radius * radius / (a * a + b * b);
     let apart = sqrt((1.0 - share) * share) * sign;
     [b * apart - a * share, -a * apart - b * share]

@@ -42,8 +42,8 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// Draws scenes of a sphere and a block above a floor, a light above both, near or far, and a camera anywhere above the floor, or a
-/// telescope. Their distances are multiplied by up to `light` and `telescope` powers of 10.
+/// Draws scenes of a sphere and a block between a floor and a light, seen from above the floor. Distances of light and camera are
+/// multiplied by up to 10 to the power `light` and `telescope`.
 fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
@@ -122,7 +122,7 @@ fn is_shadow_of(solid: usize) -> impl Fn(Outline) -> bool {
     move |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid)
 }
 
-/// Returns the least distance of the segment between two points from a block's centre, where the surface is at 1.
+/// Returns the least distance of the segment between two points from a block's centre, in units of the surface's distance.
 fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
     let inward = block.axes.as_dmat3().transpose();
     let half = block.half.as_dvec3();
@@ -136,7 +136,7 @@ fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
             Shape::Capsule => round.hypot(beyond),
         }
     };
-    // It is convex.
+    // The distance is convex.
     let [mut low, mut high] = [0.0, 1.0];
     for _ in 0..100 {
         let [left, right] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
@@ -193,7 +193,7 @@ proptest! {
     }
 }
 
-/// The hexagon inside a cylinder's end is off the circle by up to 1.087, where the silhouette ends between two of its corners.
+/// The sides from the hexagon inside a cylinder's end reach up to 1.087 radii, where the silhouette ends between two corners.
 #[test]
 fn certain_points_are_in_shadow() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

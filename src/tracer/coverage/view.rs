@@ -13,15 +13,14 @@ use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
 ///
-/// The eye's ray d meets the plane in a point x, which a plane through the light contains. Shadows of a light far away are exact, since
-/// vectors to x start at an object's centre `c`, not at the light: for `m = -d.y` and an eye at the height H, `m (x - c) = H d + (c - eye)
-/// d.y`. For the eye itself m is 0, and H is 1.
+/// The eye's ray d meets the plane in a point x. Vectors to x start at an object's centre `c`, so shadows of far lights are exact: for
+/// `m = -d.y` and an eye at the height H, `m (x - c) = H d + (c - eye) d.y`. For the eye's own view m is 0, and H is 1.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
     pub eye: Vec3A,
     pub axes: [Vec3A; 3],
-    /// The vector from the eye to the light, and the light's height above the plane, both divided by one length. For the eye 0 and 1.
+    /// The vector from the eye to the light, and the light's height above the plane, divided by a common length. For the eye 0 and 1.
     pub to_light: Vec3A,
     pub above: f32,
     /// The plane's height, the eye's distance from it, and the sign of the eye's side, 0 for the eye.
@@ -74,13 +73,13 @@ impl View {
         (centre - self.from).length() + radius
     }
 
-    /// Returns the bounds of a node's sphere or its shadow.
+    /// Returns the bounds of a node's sphere or of its shadow.
     ///
-    /// The line u = c of the picture is a plane through this point, with the normal of u = 0 minus c times the normal of the line at
-    /// infinity. It touches the sphere where its distance from the centre is the radius (Mara and McGuire: 2D Polyhedral Bounds of a
-    /// Clipped, Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal normals). For a light, with its height L above the plane, the
-    /// normals are linear in the eye's axes n: `n L - y (n . (light - eye))`. The centre's distances are `n . (L (c - eye) - (c.y -
-    /// ground) (light - eye))`.
+    /// The line u = c of the picture is a plane through the viewpoint. Its normal is the normal of u = 0 minus c times the normal of the
+    /// line at infinity. It touches the sphere at the radius from the centre (Mara and McGuire: 2D Polyhedral Bounds of a Clipped,
+    /// Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal normals). For a light at the height L above the plane, the normals are
+    /// linear in the eye's axes n: `n L - y (n . (light - eye))`. The centre's distances are `n . (L (c - eye) - (c.y - ground) (light -
+    /// eye))`.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;
@@ -105,7 +104,7 @@ impl View {
         ScreenBounds::around(u, v, pixel)
     }
 
-    /// Returns the rays whose points on the plane are in an object's shadow, or for the eye those that meet it.
+    /// Returns the rays that meet an object, or for a light the rays whose points on the plane are in the object's shadow.
     pub fn sides(&self, node: &BvhNode, object: &Object<'_>) -> Sides {
         let (to, by_eye) = (node.centre - self.from, node.centre - self.eye);
         let aside = by_eye * self.side;
