@@ -1,8 +1,8 @@
 //! The highlights of lights on objects in direct view, as ellipses in the picture.
 //!
-//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference of the mirrored ray r and the direction l to the
-//! light. At d = 0 the surface mirrors the light. Around this point d is linear in the pixels x to the right and y down, so the lobe is `ks
-//! e^-u` with `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
+//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference between the mirrored ray r and the direction l
+//! to the light. At d = 0 the surface mirrors the light. Around this point d is nearly linear in the pixels x and y, so the lobe is `ks
+//! e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
 
 use super::Coverage;
 use super::mirror::Mirror;
@@ -15,23 +15,23 @@ use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// Per light, one on each sphere and plane, and three on each block.
+/// For each light, one highlight on each sphere and plane, and three on each block.
 pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
 /// The side of the largest squares of the named qualities, in pixels.
 const SQUARE: f32 = 8.0;
 
-/// The least visible brightness above the surroundings, of 255: the error that counts as a wrong pixel.
+/// The least visible difference in brightness, of 255: a larger error counts as a wrong pixel.
 const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
 const REACH: f32 = 3.5;
 
-/// The share of [`VISIBLE`] that may be missed. With it and [`COUNTED_DECAY`], 0 of 5,115 highlights on spheres and planes were
-/// missed, 1 without; the model scene has 0.05 % more rays.
+/// The share of [`VISIBLE`] that a square may miss. With it and [`COUNTED_DECAY`], 0 of 5,115 highlights on spheres and planes are
+/// missed, without them 1; the model scene has 0.05 % more rays.
 const SPARE: f32 = 0.6;
 
-/// The share of a lobe's decay that is assumed: off its centre a lobe is wider than the Gaussian.
+/// The factor on the decay: off its centre a lobe is wider than the Gaussian.
 const COUNTED_DECAY: f32 = 0.75;
 
 #[derive(Clone, Copy, Default)]
@@ -59,29 +59,28 @@ impl Highlight {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
-    /// Returns whether squares of `side` pixels are nowhere visibly brighter than their corners, if all of these show the object.
+    /// Returns whether any square of `side` pixels whose four corners show the object is nearly as bright at a corner as anywhere inside.
     ///
-    /// Between its minimum and the nearest corner, the decay grows at most by its value at half a side across and down.
+    /// From its minimum in a square to the nearest corner, the decay grows at most by its value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * to_f32(side);
         self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.threshold(to_f32(side))
     }
 
-    /// Returns the brightness that a square may exceed its corners by. It grows as squares get smaller, like the tolerances of a quality,
-    /// up to 0.3 of the highlight.
+    /// Returns the allowed difference in brightness between a square and its corners. It grows as squares get smaller, like the tolerances
+    /// of a quality, up to 0.3 of the highlight.
     fn threshold(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
 
-    /// Returns the decay beyond which no square of `side` pixels is visibly brighter than its corners, by the bounds of
-    /// [`Highlight::is_missed`].
+    /// Returns the decay beyond which [`Highlight::is_missed`] is false for every square of `side` pixels.
     pub fn reach(&self, side: usize) -> f32 {
         let peak = self.strength / self.threshold(to_f32(side));
         (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)
     }
 
-    /// Returns the least and greatest x of the highlight between two rows, as far as the decay `reach`.
+    /// Returns the least and greatest x between two rows of the part of the highlight whose decay is at most `reach`.
     pub fn columns(&self, top: f32, bottom: f32, reach: f32) -> [f32; 2] {
         let [a, b, c] = self.decay;
         let [top, bottom] = [top, bottom].map(|y| y - self.middle.y);
@@ -92,8 +91,8 @@ impl Highlight {
         [(x.min(other) - half).max(self.bounds.x), (x.max(other) + half).min(-self.bounds.z)]
     }
 
-    /// Returns whether a square, in pixels, may be visibly brighter than the corners whose bits are set: upper left, upper right, lower
-    /// left, lower right.
+    /// Returns whether a square, in pixels, may be visibly brighter than its brightest corner of those whose bits are set: upper left,
+    /// upper right, lower left, lower right.
     #[inline(never)]
     pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
         let [a, b, c] = self.decay;
@@ -101,7 +100,7 @@ impl Highlight {
         let u = |x: Vec4, y: Vec4| a * x * x + y * (2.0 * b * x + c * y);
         let hidden = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
         let corner = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(hidden)).min_element();
-        // The maximum is at the centre if the square contains it; otherwise on a side.
+        // The brightest point is the highlight's centre if the square contains it; otherwise it is on a side.
         let mut min = 0.0;
         if rect.xy().max(-rect.zw()).max_element() > 0.0 {
             let sides = rect.xzyw();
@@ -115,14 +114,14 @@ impl Highlight {
         self.strength * (corner - min).min(1.0) > threshold * (1.0 + min + 0.5 * min * min)
     }
 
-    /// Returns whether the highlight can lie between corners: u is at most 64 times the larger of a and c at 4 pixels across and
-    /// down.
+    /// Returns whether the highlight can lie between corners: 4 pixels across and down, u is at most 64 times the larger of a and c.
     fn is_small(&self, visible: f32) -> bool {
         let [a, _, c] = self.decay;
         self.strength * a.max(c) * SQUARE * SQUARE > visible
     }
 
-    /// Returns the highlight at a mirror point; `None` if it is hidden from the eye or light, both relative to the object's centre.
+    /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light. All positions are
+    /// relative to the object's centre.
     fn at(
         mirror: &Mirror,
         axes: &Axes,
@@ -164,7 +163,7 @@ impl Highlight {
 }
 
 impl Coverage {
-    /// Computes the highlights, after the objects: none on waves, or on a solid around the eye.
+    /// Computes the highlights, after the objects. Waves, and a solid around the eye, get no highlight.
     pub(super) fn set_highlights(&mut self, world: World<'_>) {
         self.highlights.clear();
         for i in 0..world.background() {
@@ -185,7 +184,7 @@ impl Coverage {
                 }
                 let [eye, light] = [world.eye, light.position].map(|point| point - centre);
                 Mirror::each(&object, eye, light, |mut place| {
-                    // If the centre is off the block, use the nearest surface point.
+                    // If the mirror point is off the block, use the nearest surface point.
                     if let Object::Block(block) = object {
                         let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
                         // `clamp` may panic if a half is invalid.

@@ -8,11 +8,11 @@ use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 
-/// The least difference of pixel and midpoint that starts the bisection, in units of a sample, is this times [`Quality::edge`].
+/// The least difference between pixel and midpoint that starts the bisection: units of a sample per [`Quality::edge`].
 const HALF: u64 = 2 * STEP as u64;
 
-/// The least difference for the second step is 64/10 times [`Quality::edge`], and twice as much for the third: more than 255 from
-/// an edge of 20 on, so there is none.
+/// The least difference for the second step is 64/10 times [`Quality::edge`], and for the third step 128/10 times. From an edge of 20 on
+/// it exceeds 255, so there is no third step.
 const QUARTER: u64 = 64 * STEP as u64;
 
 /// The bits of a channel in a change.
@@ -20,8 +20,9 @@ const FIELD: usize = 21;
 
 const SIGN: u64 = 1 << (FIELD - 1);
 
-/// The unit of a change is 1/32 of a sample's: all weights are whole. A change is a word of [`Pyramid::changes`](crate::grid::Pyramid::changes),
-/// per pixel and axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
+/// The units of a change in a sample's unit, so that all weights are whole. A change is a word of
+/// [`Pyramid::changes`](crate::grid::Pyramid::changes), per pixel and axis: blue, green and red from the low bits up, signed fields of
+/// [`FIELD`] bits. A negative field borrows from the next field.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
 /// Adds a traced midpoint on one side of a pixel to its changes, and queues the interval if it has an edge.
@@ -77,7 +78,7 @@ fn halve(worker: &mut Worker, i: usize, edge: u8) {
     let mut interval = worker.intervals[i % BATCH];
     let [start, end] = interval.ends;
     let middle = spread(worker.batch.results.sample(i));
-    // From the mean of two to the mean of three points by the trapezoid rule.
+    // Turns the mean of two points into the mean of three points by the trapezoid rule.
     let more = (2 * middle).wrapping_sub(start + end);
     let weight = u64::from(interval.half.unsigned_abs());
     let change = &mut worker.pyramid.changes()[usize::from(interval.word) % CHANGES];

@@ -1,4 +1,4 @@
-//! Marks the edges between neighbouring pixels: a bit per pixel of a stretch.
+//! Marks edges between neighbouring pixels, by a bit for each pixel of a stretch.
 
 use crate::grid::each;
 use crate::lanes::*;
@@ -18,7 +18,7 @@ pub(super) const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
 
 const CELLS: usize = STRETCH / CELL;
 
-/// Marks of a stretch: for each row, the edges to the row above and to the right. The last entry is for the row below the band.
+/// Marks of a stretch: for each row, the edges to the row above, then the edges to the right. The last entry is for the row below the band.
 pub(super) type Marks = [u64; ROWS * TILE_HEIGHT + 1];
 
 pub(super) fn stretch(word: usize, width: usize) -> Range<usize> {
@@ -49,7 +49,7 @@ pub(super) fn mark(plan: &FramePlan, line: &[u32], other: &[u32], cells: u64) ->
     marks
 }
 
-/// Marks the edges of a stretch. The method's overlay, right of the finished columns, is not smoothed.
+/// Marks the edges of a stretch, except in the method's overlay to the right of the finished columns.
 pub(super) fn mark_stretch(
     plan: &FramePlan,
     band: &Band<'_>,

@@ -1,24 +1,23 @@
-//! Antialiasing, the second phase of a frame: pixels at edges are blended with points between them.
+//! Antialiasing, the second phase of a frame, blends pixels at edges with points between them.
 //!
-//! Where two neighbours differ by an edge, the midpoint between them is traced, once for both. Each pixel bisects its half up to
-//! the midpoint: if the pixel and the midpoint differ by [`HALF`](super::bisect), the point between them is traced, and if that differs from
-//! either end by [`QUARTER`](super::bisect), one more point on that side; by twice as much, a third.
+//! If there is an edge between two pixels, the midpoint between them is traced, once for both pixels. Then each pixel bisects the interval
+//! from its centre to the midpoint. If the ends differ by [`HALF`](super::bisect), the point between them is traced. If this point differs
+//! from an end by [`QUARTER`](super::bisect), a point on that side is traced, and at twice the difference a third.
 //!
 //! ```text
 //!     a          midpoint         b
 //!   +---------------+---------------+
 //!   |               |     /         |
-//!   |       x       o   o/o x       |        a and the midpoint are alike. Between it and b the edge is found to an eighth.
+//!   |       x       o   o/o x       |        a and the midpoint are alike. Towards b the edge is found to an eighth.
 //!   |               |   /           |
 //!   +---------------+---------------+
 //!                    an edge
 //! ```
 //!
-//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and
-//! a side without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the line that crosses the
-//! edge steeply measures coverage better than a mean of both. Marks compare pixels as drawn, also across bands, so any number of
-//! threads gives the same bits, and even areas keep theirs. A filled square of 8 has no edges inside: only rough cells and the
-//! pixels on their borders are searched.
+//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and a side
+//! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel, since the line that crosses the edge
+//! steeply measures coverage better than a mean of both lines. Marks compare pixels before any is blended, even across bands, so the bits
+//! do not depend on the number of threads. A filled square of 8 has no edges inside: only rough cells and their borders are searched.
 
 mod marks;
 
@@ -36,11 +35,10 @@ use crate::prepare::VisibleGroups;
 use crate::trace::{BATCH, PARTS};
 use marks::{MAX_STRETCHES, Marks, ROWS, RowMarks, mark, mark_stretch, rough_cells, stretch};
 
-/// Bisection needs a point on both sides of each midpoint.
+/// The most midpoints in a batch: bisection needs a point on both sides of each midpoint.
 const MIDDLES: usize = BATCH / 2;
 
-/// Marks between each band's last row and the row below, as drawn: the next band may be smoothed already. (Copies of the rows would take 2
-/// MB.)
+/// Marks between each band's last row and the row below, before the next band is smoothed. (Copies of the rows would take 2 MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
 
 impl Seams {
@@ -132,7 +130,7 @@ fn smooth<O: Observer>(
     }
 }
 
-/// Traces the batch's midpoints, adds them to the changes of both pixels, within the stretch from column `left`, and bisects.
+/// Traces the batch's midpoints, adds them to the changes of the pixels in the stretch from column `left`, and bisects.
 #[inline(never)]
 fn trace_middles<O>(
     context: &Context<'_, O>,

@@ -1,4 +1,4 @@
-//! Highlights between the corners of a square.
+//! Tests for highlights between the corners of a square.
 
 use super::{ALL, Search};
 use crate::coverage::Highlight;

@@ -1,8 +1,8 @@
-//! Finds the squares of a tile that may show something between their corners.
+//! Finds the squares of a tile that may show a feature between their corners.
 //!
-//! A tile meets few of the outlines. Tangents give the range of squares that an outline covers in each row, for four rows at once.
-//! Tracing gives the object at a corner, but not the shadows and images there. For these the guard tests whether a corner that
-//! shows the plane is inside the outline: it then shows the shadow or image, or an occluder of it.
+//! A tile meets few outlines. Tangents give the range of squares that an outline covers in each row, for four rows at once. Samples name
+//! the object at a corner, but not its shadows and images. A corner that shows the plane inside an outline shows the shadow or image, or
+//! its occluder.
 
 mod highlights;
 mod objects;
@@ -44,8 +44,8 @@ impl Guard {
         }
     }
 
-    /// Sets `open` to the squares of a level that may show something that their corners do not: tests outlines in the squares that were
-    /// open, highlights in `all` squares of the level.
+    /// Sets `open` to the squares of a level that may show a feature that their corners do not show. Tests outlines in squares that were
+    /// open, and highlights in `all` squares.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -95,7 +95,7 @@ struct Search<'a> {
     light: Option<u8>,
     /// The least corner mask that clears a square: 1 (any corner), or [`ALL`] for a thin outline.
     enough: u64,
-    /// The corners that this light's shadows, or images, cover in each row of squares.
+    /// The corners that shadows from `light`, or images, cover in each row of squares.
     covered: [Covered; SQUARE_ROWS],
 }
 
@@ -122,7 +122,7 @@ impl Search<'_> {
             #[inline(always)]
             |y, [first, last]| {
                 Bits::masks(first, last, |i, mask| {
-                    // If the parts are to be tested anyway, open squares need no test.
+                    // If the outline's next level is tested anyway, open squares need no test.
                     let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
                     each(open[y].0[i] & mask & !known, |bit| {
                         let x = 64 * i + bit;
@@ -132,7 +132,7 @@ impl Search<'_> {
                             return;
                         }
                         may_be_missed = true;
-                        // Otherwise the plane is hidden, or its own outline has opened the square.
+                        // If no corner shows the plane, it is hidden, or its own outline has opened the square.
                         if shown != 0 {
                             self.look_on_plane(shown, region, x, y);
                         }
@@ -144,8 +144,8 @@ impl Search<'_> {
     }
 }
 
-/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side covers a corner; the other half is for
-/// partly hidden ones.
+/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side covers a corner; a partly hidden outline
+/// needs another half.
 const THIN: usize = 3;
 
 const ALL: u64 = 0b1111;

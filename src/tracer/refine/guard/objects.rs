@@ -1,4 +1,4 @@
-//! Objects in direct view between the corners of a square.
+//! Tests for objects in direct view between the corners of a square.
 
 use super::Search;
 use super::squares::Squares;
@@ -22,8 +22,8 @@ impl Search<'_> {
 
     /// Returns whether the object `back` is hidden in a square whose corners all have the label `front`.
     ///
-    /// Occluders are convex: if the eye is outside, everything that the square shows in front of the occluder lies in the pyramid of the
-    /// eye and the corners' points. A plane that separates `back` from the pyramid proves that it is hidden.
+    /// If the eye is outside the convex occluder, the pyramid of the eye and the corners' points contains all that the square shows in
+    /// front of the occluder. A plane that separates `back` from the pyramid proves that `back` is hidden.
     #[inline(never)]
     fn is_hidden(&self, back: ObjectId, front: u32, x: usize, y: usize) -> bool {
         let &Squares { world, coverage, .. } = self.squares;

@@ -1,4 +1,4 @@
-//! Shadows and images on planes between the corners of a square.
+//! Tests for shadows and images on planes between the corners of a square.
 
 use super::{ALL, Search};
 use crate::coverage::Region;
@@ -7,17 +7,17 @@ use crate::picture::TILE_HEIGHT;
 
 pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// How the shadows of one light, or the images, cover the corners of a row of squares.
+/// The corners in a row of squares that the shadows of one light, or the images, cover.
 ///
-/// A square stays open if two outlines each cover some corners: something may lie between them. An outline that covers all corners covers
-/// the square, as it is convex.
+/// A square stays open if two outlines each cover some corners: there may be a slit between them. A convex outline that covers all corners
+/// covers the square.
 #[derive(Clone, Copy)]
 pub(super) struct Covered {
     /// One outline covers all corners.
     wholly: Bits,
     /// One outline covers some corners that show the plane.
     partly: Bits,
-    /// An outline covers no corner that shows the plane, or two outlines each cover some.
+    /// An outline covers no corner that shows the plane, or two outlines each cover some of these corners.
     missed: Bits,
 }
 
@@ -26,22 +26,22 @@ impl Covered {
 }
 
 impl Search<'_> {
-    /// Tests an image or shadow on a plane that some corners show. An image opens the square unless such a corner (all four, if it is thin)
-    /// is inside the region. If all corners show the plane and one side of the region cuts the square, one of them is inside: a half-plane
-    /// that meets a square contains a corner. If an object hides the other corners, one that shows the plane has to be outside, too. Shadows
-    /// wait for [`Search::settle`], since another one may cover the square.
+    /// Tests an image or shadow on a plane that some corners show. An image opens the square unless a corner that shows the plane (all four
+    /// corners, if the image is thin) is inside the region. If one side of the region cuts the square, a corner is inside, since a
+    /// half-plane that meets a square contains a corner. If an object hides some corners, a corner that shows the plane must be outside as
+    /// well. Shadows wait for [`Search::settle`], since another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
         let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
         let cuts = region.sides.cuts(rect, region.margin);
         let is_cut_once = cuts == 1 && shown == ALL;
         let inside = match cuts {
             0 => ALL,
-            // Any one corner.
+            // A corner is inside; its number does not matter.
             _ if is_cut_once => 1,
             _ => region.corners(rect),
         };
         let covered = &mut self.covered[y % SQUARE_ROWS];
-        // Where an object hides the other corners, the plane may show between the object and the outline.
+        // If an object hides the remaining corners, the plane may show between the object and the outline.
         let is_between = shown != ALL && shown & !inside == 0;
         let is_open = is_between || shown & inside < self.enough;
         if inside == ALL {
@@ -55,7 +55,7 @@ impl Search<'_> {
         }
     }
 
-    /// Opens the squares that may miss a shadow from the current light, an image, or a slit between two of them.
+    /// Opens the squares that may miss a shadow from the current light, an image, or a slit between two shadows or images.
     #[inline(never)]
     pub(super) fn settle(&mut self) {
         let rows = self.squares.rows;

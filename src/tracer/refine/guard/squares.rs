@@ -60,7 +60,7 @@ impl<'a> Squares<'a> {
         1 << self.level
     }
 
-    /// Calls `call` with the rows of squares that a region may meet, and the first and last square.
+    /// Calls `call` with each row of squares that a region may meet, and the first and last of its squares.
     #[inline(always)]
     pub(super) fn for_each_row(
         &self,
@@ -80,7 +80,8 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Returns the first and last square of each of [`ROWS`] rows from `top` down that may meet a region; first > last for none.
+    /// Returns the first and last square that may meet a region, for each of [`ROWS`] rows from `top` down. The first exceeds the last in
+    /// an empty range.
     #[inline(never)]
     fn ranges(&self, region: &Region, top: usize) -> [[i32; ROWS]; 2] {
         let simd = baseline();

@@ -22,8 +22,8 @@ impl Squares<'_> {
         }
     }
 
-    /// Returns whether a square may show light without a bound, or whether its corners show several objects in one colour, so that
-    /// the verdict would miss a slit between them.
+    /// Returns whether a square may show light without a bound, or whether its corners show several objects in one colour: the verdict
+    /// would miss a slit between them.
     fn may_show_unguarded(&self, x: usize, y: usize) -> bool {
         let row = &self.grid[y * self.stride + x..];
         let samples = [row[0], row[1], row[self.stride], row[self.stride + 1]].map(Sample);
@@ -38,10 +38,10 @@ impl Squares<'_> {
         first.object().is_some_and(|id| self.may_be_shadowed(id, x, y))
     }
 
-    /// Returns whether an object may cast a shadow that the guard does not know on a square's part of the object `id`.
+    /// Returns whether an object may cast a shadow without an outline on the part of the object `id` that a square shows.
     fn may_be_shadowed(&self, id: ObjectId, x: usize, y: usize) -> bool {
         let world = self.world;
-        // The guard knows the shadows on planes without penumbrae.
+        // Sharp shadows on planes have outlines.
         let is_plane = id.index() >= world.first_plane();
         let is_unknown = |light: &&PreparedLight| !is_plane || light.diameter > 0.0;
         let mut lights = world.lights().iter().filter(is_unknown).peekable();
@@ -70,7 +70,7 @@ impl Squares<'_> {
     }
 }
 
-/// The surface between four corners may bulge: a right angle between two faces is 1.42 times as far from their middle.
+/// The bulge of the surface between four corners: the edge of a right angle is 1.42 times as far from their middle as they are.
 const BULGE: f32 = 1.5;
 
 /// A bound of the shadow rays from a square to a light.
@@ -80,7 +80,7 @@ struct Beam {
     d: Vec3A,
     length: f32,
     radius: f32,
-    /// The half width of the light from `from`, per unit of distance.
+    /// Half the light's diameter per unit of distance.
     growth: f32,
 }
 
@@ -91,7 +91,7 @@ impl Beam {
         Self { from, d: to_light / length, length, radius, growth: 0.5 * light.diameter / length }
     }
 
-    /// Returns whether the beam may meet a node's bounding sphere and, of a block, the capsule around its bounding cylinder
+    /// Returns whether the beam may meet a node's bounding sphere and, for a block, the capsule around its bounding cylinder
     /// (Ericson: Real-Time Collision Detection, 2005, 5.1.9).
     fn meets(&self, node: &BvhNode) -> bool {
         let from = self.from - node.centre;
