@@ -51,7 +51,7 @@ static DIGITS: [&str; 12] = [
     "nlfbdgi", // 9
 ];
 
-/// Returns the strokes of an ASCII capital, digit or full stop, and of ± for a slash; other bytes have none. Ends are in grid units
+/// Returns the strokes of an ASCII capital, digit or full stop, and of ± for a slash. Other bytes have no strokes. Ends are in grid units
 /// from the letter's upper left, y down.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     points(letter)

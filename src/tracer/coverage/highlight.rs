@@ -91,7 +91,7 @@ impl Highlight {
         [(x.min(other) - half).max(self.bounds.x), (x.max(other) + half).min(-self.bounds.z)]
     }
 
-    /// Returns whether a square, in pixels, may be visibly brighter than its brightest corner of those whose bits are set: upper left,
+    /// Returns whether a square, in pixels, may be visibly brighter than all corners whose bits are set: upper left,
     /// upper right, lower left, lower right.
     #[inline(never)]
     pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {

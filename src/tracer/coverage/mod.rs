@@ -10,7 +10,7 @@
 //! | object | the cone of rays from the eye that meet it | a corner (all, if it is thin) shows it, or the corners show an occluder that hides it | `object` |
 //! | image | the cone of rays from the eye's mirror image | no corner shows the plane, or a corner (all, if it is thin) shows the plane inside the bound, or all corners show the plane and one side of a wide bound cuts the square | `image` |
 //! | shadow | the cone of rays from the light, projected onto the plane | a rule for images holds, or another shadow covers the square | `shadow` |
-//! | highlight | the ellipse of a Gaussian | no corner shows the object, or those that show it are nearly as bright as the highlight | `highlight` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or a corner that shows it is nearly as bright as the square's brightest point | `highlight` |
 //!
 //! # Guarantees
 //!

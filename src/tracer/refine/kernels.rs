@@ -10,7 +10,7 @@ use fearless_simd::Level;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Avx2, Avx512};
 
-/// The functions that are compiled once per instruction set. A program that makes `Kernels` of AVX2 only links no others.
+/// The functions that are compiled for each instruction set. A program that makes `Kernels` of AVX2 only links only these.
 #[derive(Clone, Copy)]
 pub(crate) struct Kernels {
     pub level: Level,

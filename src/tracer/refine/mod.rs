@@ -15,31 +15,29 @@
 //! ```
 //!
 //! 1. *Points* (`tile::points`): shifts and ORs of the squares' bits. Points with two even coordinates come from the level above, and a
-//!    midpoint averages its ends if they agree. The others are traced in full packets, in clusters of 4x16: neighbours hit the same objects.
-//! 2. *Guard* (`guard`): keeps squares open that may show something between their corners.
-//! 3. *Verdict* (`verdict`): compares keys and channels at the corners in vector registers: a bit for each closed square that passes the
-//!    [`Quality`](crate::Quality)'s rules.
+//!    midpoint averages its ends if they agree. All other points are traced in full packets, in clusters of 4x16: neighbours hit the same
+//!    objects.
+//! 2. *Guard* (`guard`): keeps squares open that may show a feature between their corners.
+//! 3. *Verdict* (`verdict`): compares keys and channels at the corners in vector registers, and sets a bit for each closed square that
+//!    passes the rules of the [`Quality`](crate::Quality).
 //! 4. *Fill* (`fill`): interpolates the corners' colours over these squares, eight pixels at once.
-//! 5. *Split*: the bits of the others, each twice in two rows, are the squares of the level below. A filled square is split if the verdict
-//!    split both squares beside it, or above and below.
+//! 5. *Split*: each bit of a square that is not filled becomes four squares of the level below. A filled square is split if the verdict
+//!    split both its left and right neighbour, or both its upper and lower neighbour.
 //! 6. *Follow* (`tile::edges`), after the last level: traces all pixels of filled squares of 8 at which an edge ends.
 //!
-//! Until then, no point of a tile is traced twice. Adjacent tiles both trace the points on their border, with the same bits: 8 %
-//! of all points in the model scene at 1024x768 (16 % with bands half as high). In return there is one parallel phase, without
-//! memory or order between bands. By its bands' times the default frame at 1920x1080 can be 13.5 times as fast on 16 threads as
-//! on one (12.2 in order from the top).
+//! Before the last step, no point of a tile is traced twice. Adjacent tiles trace the points on their border twice, with the same bits: 8 %
+//! of all points in the model scene at 1024x768. In return there is one parallel phase, without memory or order between bands. The bands of
+//! a default frame at 1920x1080 let 16 threads be 13.5 times as fast as one.
 //!
 //! If all corners show one object whose pattern has edges, the pattern is evaluated at every pixel instead (`tile::patterned`).
 //!
 //! # Where the time goes
 //!
-//! A default frame of the model scene, jagged, 1024x768, is 6.0 times as fast as an exhaustive one (AVX2, AMD EPYC Zen 5), and would be
-//! 10.9 times as fast if only tracing took time. Primary rays take 20 %, secondary rays 38 %, finding points 15 %, filling 11 %, the guard
-//! 9 %, the rest 7 %. A ray takes 1.5 times the instructions of an exhaustive frame's: half of that frame is background in uniform packets,
-//! while points cluster at edges, where a packet meets several objects. Finding points has a flat profile, without a line above 2 % of the
-//! frame; unpredictable branches cost more there than they save. Sorting hits by object saves no time: batches are too short. Averaging the
-//! centre of a split square from two agreeing corners saves 17 % of the rays and 4 % of the time, but costs 1 dB and more pops; looser
-//! tolerances are the better trade.
+//! A default frame of the model scene, jagged, 1024x768, is 6.0 times as fast as an exhaustive frame (AVX2, AMD EPYC Zen 5). Primary rays
+//! take 20 %, secondary rays 38 %, finding points 15 %, filling 11 %, the guard 9 % of the time. A ray takes 1.5 times the instructions of
+//! an exhaustive frame's ray, since points cluster at edges, where a packet meets several objects. Sorting hits by object saves no time:
+//! batches are too short. Averaging the centre of a split square from two agreeing corners saves 4 % of the time, but costs 1 dB and more
+//! pops; looser tolerances are the better trade.
 
 pub(crate) mod antialias;
 mod bisect;

@@ -1,4 +1,4 @@
-//! Probes: pixels of a finished band that are traced as in an exhaustive frame and compared with it.
+//! Probes: pixels of a finished band that are compared with pixels traced as in an exhaustive frame.
 //!
 //! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of [`antialias`](super::antialias):
 //! probes of an exhaustive frame find no error.

@@ -16,7 +16,7 @@ const STATE_BITS: u32 = 2;
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
     counted: M<S>,
-    /// Whether any node counts. Most packets of secondary rays have none.
+    /// Whether any node counts. In most packets of secondary rays no node does.
     has_any: bool,
     states: U<S>,
 }

@@ -1,7 +1,7 @@
-//! Opens filled squares at which an edge ends: something crosses them between their corners.
+//! Opens filled squares at which an edge ends: a feature crosses them between their corners.
 //!
-//! Along the border of a smooth cell and a rough one, each pair of pixels has a bit, set if they differ by an edge. The first pair
-//! is at a traced corner. If its bit is clear and others are set, an edge of the rough cell does not continue in the smooth one.
+//! Each pair of pixels along the border between a smooth and a rough cell has a bit, set if the two differ by an edge. The first pair is at
+//! a traced corner. If its bit is clear and another bit is set, an edge of the rough cell does not continue in the smooth cell.
 
 use super::Tile;
 use crate::grid::{Bits, each};
@@ -10,7 +10,7 @@ use crate::picture::{CELL, TILE_WIDTH};
 use crate::refine::antialias::is_edge;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Traces all pixels of the smooth cells at whose sides an edge of a rough one ends, until there are none.
+    /// Traces all pixels of the smooth cells at whose sides an edge of a rough cell ends, until no such cell is left.
     pub(super) fn follow_edges(&mut self) {
         let [columns, rows] = [self.area.columns(0), self.area.rows(0)].map(|size| size / CELL);
         let whole = Bits::first(columns).0[0];

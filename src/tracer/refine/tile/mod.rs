@@ -183,8 +183,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         squares.without(filled)
     }
 
-    /// Marks the rough cells of a row: all but the largest squares that were filled by interpolation. There, adjacent pixels differ by at
-    /// most an eighth of the tolerance, plus 2 for rounding and dither.
+    /// Marks the rough cells of a row. The largest squares that were filled by interpolation are smooth: adjacent pixels differ by at most
+    /// an eighth of the tolerance, plus 2 for rounding and dither.
     fn note_rough(&mut self, level: usize, y: usize, filled: Bits) {
         let plan = self.context.plan;
         let quality = &plan.quality;
@@ -217,8 +217,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.band.put(x, y, sample.pixel(threshold));
     }
 
-    /// Splits a row's filled squares between two that the verdict split: a thin line between equal corners would pop. This halves the
-    /// pops of letters on water. The bits are the squares that the verdict split in the row above, in this one and in the row below.
+    /// Splits a row's filled squares between two squares that the verdict split: a thin line between equal corners would pop. This halves
+    /// the pops of letters on water. The bits are the squares that the verdict split in the row above, in this row and in the row below.
     fn open_gaps(&mut self, level: usize, y: usize, [above, here, below]: &[Bits; 3]) {
         let mut gaps = Bits::NONE;
         if self.context.plan.quality.guarded {
@@ -240,7 +240,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Returns how a filled square was filled.
+    /// Returns the kind of a square's fill.
     fn fill_of(&self, level: usize, x: usize, y: usize) -> Fill {
         let pyramid = &self.worker.pyramid;
         let corners = Pyramid::corner_indices(level, x, y).map(|index| pyramid.sample(index));
