@@ -81,9 +81,9 @@
 //!
 //! # Compatibility
 //!
-//! Minor versions may add fields to [`Scene`](scene::Scene), the structs in it, and [`Quality`], whose defaults keep pictures
-//! unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`, so that they still
-//! compile.
+//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](scene::Presentation), the structs in them, and [`Quality`],
+//! whose defaults keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`,
+//! so that they still compile.
 //!
 //! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of each [`Preset`] may change. A
 //! breaking version of `glam` or `fearless_simd` ([`Level`]) makes a breaking version of this crate.

@@ -32,6 +32,7 @@ impl Presentation {
         Self { sectors: 1.0, method: Method::PLAIN, captions: List::over(Caption::ZERO) };
 
     /// All zeros, like [`Scene::ZEROED`]. It is invalid.
+    #[doc(hidden)]
     pub const ZEROED: Self =
         Self { sectors: 0.0, method: Method { picture: 0.0, ..Method::PLAIN }, ..Self::PLAIN };
 
@@ -64,6 +65,7 @@ impl From<Scene> for Moment {
 
 impl Moment {
     /// All zeros, like [`Scene::ZEROED`].
+    #[doc(hidden)]
     pub const ZEROED: Self = Self { scene: Scene::ZEROED, presentation: Presentation::ZEROED };
 
     /// Checks the ranges of all numbers.
