@@ -1,4 +1,5 @@
 # An X server, and the windows on it. Source this file.
+# shellcheck shell=bash disable=SC2154
 
 # start_x: starts an X server with a screen of 1280x800. Sets DISPLAY.
 start_x() {

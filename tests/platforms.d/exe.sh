@@ -1,4 +1,5 @@
 # The 64 KiB build for Windows, in Wine. Source this file.
+# shellcheck shell=bash disable=SC2154
 
 # try_exe PROGRAM: tests the 64 KiB build for Windows, after `try_windows`.
 try_exe() {

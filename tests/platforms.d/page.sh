@@ -1,4 +1,5 @@
 # The page, in Node.js and in browsers. Source this file.
+# shellcheck shell=bash disable=SC2154
 
 # site: builds the page, by Debian's compiler if rustup cannot add the target. Leaves the output in $folder/site.
 site() {

@@ -1,4 +1,5 @@
 # The portable backend, on X and in Weston. Source this file.
+# shellcheck shell=bash disable=SC2154
 
 # build_portable: builds the intro and the lab with the portable backend. Sets `portable`, their folder.
 build_portable() {

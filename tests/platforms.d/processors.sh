@@ -1,4 +1,5 @@
 # The library and the intro for other processors and systems. Source this file.
+# shellcheck shell=bash disable=SC2154
 
 compile() {
     local target

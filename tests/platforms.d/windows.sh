@@ -1,4 +1,5 @@
 # Every build of the intro for Windows, in Wine. Source this file.
+# shellcheck shell=bash disable=SC2154
 
 # start_wine: starts Wine and a window manager, once. Sets `wine`, and `own`, the intro for Linux.
 start_wine() {
