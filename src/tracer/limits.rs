@@ -13,6 +13,7 @@
 //! | ... highlights in direct view, from 5 pixels on, around the point that mirrors the light | 0 |
 //! | the largest hole in bars 1 to 5 pixels wide, in their shadows on a plane from a point light, and in their images in a flat first plane | 3 connected pixels |
 //! | the largest lost patch of a plain floor lit between bars by a light without a diameter, `default`, 1280x720; a pixel is lost if no pixel within 2 pixels is within 32/255 | 8 pixels |
+//! | ... of patterned floors without objects, `default`, 480x270 | 8 pixels |
 //! | ... of thin things in waves, mirrors, glass, shadows on objects and slits of light, `finest`, 640x360 and 1280x720 | 19 pixels |
 //! | lit pixels in shadows of spheres and thin blocks on a floor, any light, `default` | 0.1 %, in patches of at most 8 |
 //! | PSNR to exhaustive, `default`: fields of up to 320 spheres; crowds of 8 to 384 spheres and blocks; patterned floors and solids | 42 dB |
