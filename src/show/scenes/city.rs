@@ -20,7 +20,7 @@ static ENVIRONMENT: Environment = Environment {
     scatter: 0.1,
     vignette: 0.1,
     floor: Some(&WATER),
-    swell: Waves { slope: 0.008, length: 8.0, phase: 0.08 },
+    swell: Waves { slope: 0.002, length: 9.0, phase: 0.08 },
     lights: &[Light { drawn_radius: 25.0, glow: 11.0, ..point(SUN, [4.0, 3.3, 2.3]) }],
     field_of_view: 0.88,
     add,
