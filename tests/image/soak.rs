@@ -40,6 +40,7 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
+/// Makes a number invalid. Returns whether that moves what a pixel shows.
 fn corrupt(scene: &mut Moment, random: &mut Random) -> bool {
     let wrong = random.one_of([
         f32::NAN,
@@ -55,7 +56,7 @@ fn corrupt(scene: &mut Moment, random: &mut Random) -> bool {
     let number = random.below(text.numbers.len());
     let (invalid, field) = text.value_with(number, wrong);
     *scene = invalid;
-    field == "axes"
+    matches!(field, "axes" | "sectors")
 }
 
 fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<Difference> {
@@ -69,7 +70,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     };
     assert_eq!(scene.validate(), Ok(()), "{what}");
     let is_corrupt = random.below(4) == 0;
-    let has_wrong_axes = is_corrupt && corrupt(&mut scene, random);
+    let is_moved = is_corrupt && corrupt(&mut scene, random);
     let quality = quality(random);
     let (width, height) = match random.below(8) {
         0 => (1, 1 + random.below(300)),
@@ -106,11 +107,11 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<D
     let most = counts.rays * lights;
     assert!(counts.shadow_rays <= most, "{what}: {counts:?}");
 
-    // The corners of the largest squares are always traced. But antialiasing and marks change their pixels, and culling by wrong
-    // axes depends on the squares.
+    // The corners of the largest squares are always traced. But antialiasing and marks change their pixels, culling by wrong
+    // axes depends on the squares, and folds copy pixels to corners.
     let every = Quality { square: 1, ..quality };
     let (others, _) = draw(one, &every);
-    if !quality.antialias && scene.presentation.method == Method::PLAIN && !has_wrong_axes {
+    if !quality.antialias && scene.presentation.method == Method::PLAIN && !is_moved {
         for y in (0..height).step_by(square) {
             for x in (0..width).step_by(square) {
                 let i = y * width + x;
