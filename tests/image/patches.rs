@@ -17,8 +17,8 @@ const LARGE: [usize; 2] = [1920, 1080];
 /// The maximum patch in pixels, and the minimum PSNR in dB, in the show's frames.
 const SHOW: [usize; 2] = [19, 42];
 
-/// The maximum patch in a frame of the show: a thin arc in a film.
-const LARGEST: usize = 30;
+/// The maximum patch in a frame of the show: the sun in the city's waves.
+const LARGEST: usize = 50;
 /// ... and in its finale: arcs of balls in the glass, and the sun in the waves.
 const IN_GLASS: usize = 120;
 
