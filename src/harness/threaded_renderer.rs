@@ -3,7 +3,8 @@ use crate::size::Size;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::{Moment, Presentation, Scene};
 use eightfold_tracer::{
-    Band, BoxedMemory, Counts, Frame, Job, Level, Probing, Quality, Renderer, Worker,
+    Band, BoxedMemory, Counts, Frame, Job, Level, Memory, Probing, Quality, Renderer, Threads,
+    Worker,
 };
 use eightfold_window::cpu;
 use eightfold_window::pool::Pool;
@@ -41,15 +42,8 @@ impl ThreadedRenderer {
         pixels: &mut [u32],
     ) -> Counts {
         let Shown { scene, presentation } = shown.into();
-        let frame = self.whole(width, pixels).with_presentation(presentation);
-        let mut threads =
-            |bands: &mut [Band<'_>], job: Job<'_>| self.pool.run(&mut self.workers, bands, job);
-        Renderer::with_memory(level, self.memory.borrow_mut()).render_valid(
-            scene,
-            quality,
-            frame,
-            &mut threads,
-        )
+        let (mut renderer, frame, mut threads) = self.parts(level, presentation, width, pixels);
+        renderer.render_valid(scene, quality, frame, &mut threads)
     }
 
     pub fn draw_observed<'a>(
@@ -62,12 +56,9 @@ impl ThreadedRenderer {
         observer: impl Observer,
     ) -> Counts {
         let Shown { scene, presentation } = shown.into();
-        let frame = self.whole(width, pixels).with_presentation(presentation);
-        let mut threads =
-            |bands: &mut [Band<'_>], job: Job<'_>| self.pool.run(&mut self.workers, bands, job);
-        Renderer::with_memory(level, self.memory.borrow_mut())
-            .render_observed(scene, quality, frame, &mut threads, observer)
-            .expect("a valid scene")
+        let (mut renderer, frame, mut threads) = self.parts(level, presentation, width, pixels);
+        let counts = renderer.render_observed(scene, quality, frame, &mut threads, observer);
+        counts.expect("a valid scene")
     }
 
     pub fn trace<'a>(
@@ -92,9 +83,19 @@ impl ThreadedRenderer {
         self.offset = [x, y];
     }
 
-    fn whole<'a>(&self, width: usize, pixels: &'a mut [u32]) -> Frame<'a> {
+    fn parts<'a>(
+        &'a mut self,
+        level: Level,
+        presentation: &'a Presentation,
+        width: usize,
+        pixels: &'a mut [u32],
+    ) -> (Renderer<&'a mut Memory>, Frame<'a>, impl Threads) {
         let ([x, y], Probing { count, seed }) = (self.offset, self.probing);
-        whole(width, pixels).with_offset(x, y).with_probes(count, seed)
+        let frame = whole(width, pixels).with_offset(x, y).with_probes(count, seed);
+        let Self { memory, pool, workers, .. } = self;
+        let threads = |bands: &mut [Band<'_>], job: Job<'_>| pool.run(workers, bands, job);
+        let renderer = Renderer::with_memory(level, memory.borrow_mut());
+        (renderer, frame.with_presentation(presentation), threads)
     }
 }
 

@@ -43,29 +43,30 @@ pub fn draw(
     sheet(Size { width: ZOOM * SHOWN.width, height: ZOOM * SHOWN.height }, tiles.len(), &tiles)
 }
 
-/// Enlarges pixels, with outlines of the squares and marks at the traced points.
+/// Enlarges pixels, with the upper and left edges of squares, and marks at the traced points.
 fn enlarged(trace: &FrameTrace, pixels: &[u32], [left, top]: [usize; 2]) -> Vec<u32> {
-    let width = ZOOM * SHOWN.width;
-    let all = (0..ZOOM * SHOWN.height).flat_map(|y| (0..width).map(move |x| [x, y]));
-    let at = |[x, y]: [usize; 2]| (top + y / ZOOM) * trace.width + left + x / ZOOM;
-    let mut large: Vec<u32> = all.clone().map(|place| pixels[at(place)]).collect();
-    for square in trace.squares().filter(|square| square.side > 1) {
-        let columns = ZOOM * square.x..ZOOM * (square.x + square.w);
-        let rows = ZOOM * square.y..ZOOM * (square.y + square.h);
-        for (pixel, [x, y]) in large.iter_mut().zip(all.clone()) {
-            let [x, y] = [x + ZOOM * left, y + ZOOM * top];
-            let is_inside = columns.contains(&x) && rows.contains(&y);
-            if is_inside && (x == columns.start || y == rows.start) {
-                *pixel = OUTLINE;
-            }
+    let [width, height] = [SHOWN.width, SHOWN.height].map(|side| ZOOM * side);
+    let mut large = vec![0; width * height];
+    let mut fill = |[x, y]: [usize; 2], [w, h]: [usize; 2], colour: u32| {
+        let clipped = |from: usize, length: usize, start: usize, end: usize| {
+            let at = |place: usize| place.saturating_sub(ZOOM * start).min(end);
+            at(from)..at(from + length)
+        };
+        for y in clipped(y, h, top, height) {
+            large[y * width..][clipped(x, w, left, width)].fill(colour);
         }
+    };
+    let place = |i: usize| [ZOOM * (i % trace.width), ZOOM * (i / trace.width)];
+    for (i, &pixel) in pixels.iter().enumerate() {
+        fill(place(i), [ZOOM; 2], pixel);
     }
-    let rays: Vec<u32> = trace.rays().collect();
-    let is_marked = |i: usize| (i % ZOOM).abs_diff(ZOOM / 2) < MARK / 2;
-    for (pixel, [x, y]) in large.iter_mut().zip(all) {
-        if rays[at([x, y])] > 0 && is_marked(x) && is_marked(y) {
-            *pixel = POINT;
-        }
+    for square in trace.squares().filter(|square| square.side > 1) {
+        let corner = [ZOOM * square.x, ZOOM * square.y];
+        fill(corner, [ZOOM * square.w, 1], OUTLINE);
+        fill(corner, [1, ZOOM * square.h], OUTLINE);
+    }
+    for (i, _) in trace.rays().enumerate().filter(|&(_, rays)| rays > 0) {
+        fill(place(i).map(|corner| corner + (ZOOM - MARK) / 2), [MARK; 2], POINT);
     }
     large
 }

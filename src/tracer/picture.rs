@@ -163,6 +163,7 @@ impl Band<'_> {
         rows.map(|row| &mut row[..self.width]).enumerate()
     }
 
+    /// Sets a pixel, unless it is outside the band.
     #[inline(always)]
     pub(crate) fn put(&mut self, x: usize, y: usize, pixel: u32) {
         let place = self.pixels.get_mut(y * self.stride + x);
