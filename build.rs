@@ -1,6 +1,6 @@
 //! The intro's build: see `src/pack`, which packs it.
 
 fn main() {
-    #[cfg(feature = "intro")]
+    #[cfg(all(feature = "intro", target_arch = "x86_64"))]
     eightfold_pack::build::main("eightfold");
 }

@@ -20,6 +20,7 @@ pub mod row;
 pub mod scenes;
 pub mod seen;
 pub mod sheet;
+#[cfg(target_arch = "x86_64")]
 pub mod size;
 pub mod technique;
 pub mod timing;

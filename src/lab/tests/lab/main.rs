@@ -7,6 +7,7 @@ mod report;
 mod resources;
 mod scene;
 mod seen;
+#[cfg(target_arch = "x86_64")]
 mod size;
 mod technique;
 mod trade;
