@@ -16,28 +16,23 @@ use crate::{
 };
 
 pub const BASE_ALIGNMENT: u64 = 1 << 16;
-const FILE_ALIGNMENT: usize = 512;
+const FILE_ALIGNMENT: u32 = 512;
 
-pub const CODE: SectionFlags =
+const CODE: SectionFlags =
     SectionFlags(IMAGE_SCN_CNT_CODE.0 | IMAGE_SCN_MEM_EXECUTE.0 | IMAGE_SCN_MEM_READ.0);
-pub const MEMORY: SectionFlags =
+const MEMORY: SectionFlags =
     SectionFlags(IMAGE_SCN_CNT_UNINITIALIZED_DATA.0 | IMAGE_SCN_MEM_READ.0 | IMAGE_SCN_MEM_WRITE.0);
 
-/// A section. It extends to the next one; bytes beyond `bytes` are zero.
-pub struct Section {
-    pub name: &'static str,
-    pub flags: SectionFlags,
-    pub address: u64,
-    pub bytes: Vec<u8>,
-}
+/// The first section's address in the image.
+pub const START: u64 = PAGE;
 
-/// An executable. Addresses are relative to `base`.
+/// An executable with the sections `.text` and `.bss`. Addresses are relative to `base`.
 pub struct Executable {
     pub base: u64,
     pub end: u64,
     pub entry: u64,
-    pub sections: Vec<Section>,
-    pub directories: Vec<(usize, Range<u64>)>,
+    pub text: Vec<u8>,
+    pub directories: [(usize, Range<u64>); 2],
 }
 
 const SUBSYSTEM: pe::Subsystem = pe::IMAGE_SUBSYSTEM_WINDOWS_GUI;
@@ -55,29 +50,16 @@ impl Executable {
     /// Returns the file. `record` becomes the last bytes of its headers.
     pub fn to_bytes(&self, record: &[u8]) -> Result<Vec<u8>, Error> {
         let mut file = Vec::new();
-        let alignment = FILE_ALIGNMENT as u32;
-        let mut writer = Writer::new(true, PAGE as u32, alignment, &mut file);
+        let mut writer = Writer::new(true, PAGE as u32, FILE_ALIGNMENT, &mut file);
         writer.reserve_dos_header();
         writer.reserve_nt_headers(DIRECTORIES);
-        writer.reserve_section_headers(self.sections.len() as u16);
+        writer.reserve_section_headers(2);
         let head = writer.reserved_len() as usize;
-        let ends = self.sections.iter().skip(1).map(|next| next.address);
-        let mut places = Vec::new();
-        for (section, end) in self.sections.iter().zip(ends.chain([self.end])) {
-            let size = end.saturating_sub(section.address);
-            let (name, length) = (section.name, section.bytes.len() as u64);
-            if size == 0 || length > size {
-                return Err(format!("size of {name} is {length}; must be at most {size}").into());
-            }
-            let mut name = [0; 8];
-            name[..section.name.len()].copy_from_slice(section.name.as_bytes());
-            let length = section.bytes.len() as u32;
-            let place = writer.reserve_section(name, section.flags, size as u32, length);
-            if u64::from(place.virtual_address) != section.address {
-                return Err("section start is within a page; must be at its start".into());
-            }
-            places.push(place.file_offset);
-        }
+        let length = self.text.len() as u64;
+        let size = length.next_multiple_of(PAGE);
+        let zeros = (self.end - START - size) as u32;
+        let text = writer.reserve_section(*b".text\0\0\0", CODE, size as u32, length as u32);
+        writer.reserve_section(*b".bss\0\0\0\0", MEMORY, zeros, 0);
         for (directory, range) in &self.directories {
             let size = range.end - range.start;
             writer.set_data_directory(*directory, range.start as u32, size as u32);
@@ -85,9 +67,7 @@ impl Executable {
         writer.write_empty_dos_header()?;
         writer.write_nt_headers(self.headers());
         writer.write_section_headers();
-        for (section, place) in self.sections.iter().zip(places) {
-            writer.write_section(place, &section.bytes);
-        }
+        writer.write_section(text.file_offset, &self.text);
         file[head - record.len()..head].copy_from_slice(record);
         set_checksum(&mut file);
         Ok(file)

@@ -9,14 +9,10 @@
 //! | 61,000 | the packed program |
 //! | 2,700 | the packed second stage |
 
-use std::collections::HashMap;
-
-use super::{Memory, encode_both};
+use super::Parts;
 use crate::{
-    DAMAGED, Error, checksum, decode, elf,
-    elf::Segment,
-    small,
-    stub::{FIRST, LOADER, STAGE, Stub},
+    Error, checksum,
+    elf::{self, Segment},
 };
 
 /// The size of the headers, with padding to align the stub's constants.
@@ -32,51 +28,32 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
             return Err("dynamic linker is missing from the program".into());
         }
     }
-    let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
-    let unpacked = [stripped, &loader].concat();
-    let packed = encode_both(&unpacked)?;
-    let memory = Memory::of(&segments)?;
-    let Memory { start, end } = memory;
-    let [first, second] = [FIRST, STAGE].map(|section| Stub::read(stub, section));
-    let (first, second) = (first?, second?);
-    let stage = memory.stage();
-    let stage_end = stage + second.size() as u64;
+    let parts = Parts::new(stripped, stub)?;
+    let Parts { packed, first, memory, .. } = &parts;
     // Place the file after the program, so that the heap, which follows both, is at its usual address.
     // A zero byte follows the stage, as an empty name for its file in memory.
-    let memory_end = stage_end + 1;
+    let memory_end = parts.stage_end() + 1;
     let address = memory_end.next_multiple_of(elf::PAGE);
     let first_at = address + HEAD as u64;
     let packed_at = first_at + first.size() as u64;
-    let packed_end = packed_at + packed.len() as u64;
-    let mut names = HashMap::from([
+    let more = [
         ("SUM", address + SUM as u64),
-        ("STAGE", stage),
-        ("STAGE_END", stage_end),
-        ("STAGE_LENGTH", second.size() as u64),
-        ("STAGE_PACKED", packed_end),
-        ("PACKED", packed_at),
-        ("PACKED_END", packed_end),
-        ("LENGTH", unpacked.len() as u64),
-        ("PROGRAM_LENGTH", stripped.len() as u64),
-        ("PROGRAM", start),
-        ("PROGRAM_SIZE", end - start),
-        ("MEMORY_SIZE", memory_end - start),
-    ]);
-    for name in ["fail", "no_memory"] {
-        names.insert(name, first_at + first.place(name));
-    }
-    let second = small::encode(&second.link(stage, &names)?);
-    let size = packed_end + second.len() as u64 - address;
-    names.insert("FILE_END", address + size);
+        ("PROGRAM_SIZE", memory.end - memory.start),
+        ("MEMORY_SIZE", memory_end - memory.start),
+    ];
+    let mut names = parts.names(&more, first_at, ["fail", "no_memory"], packed_at);
+    let stage = parts.packed_stage(&names)?;
+    let size = HEAD + first.size() + packed.len() + stage.len();
+    names.insert("FILE_END", address + size as u64);
     let linked = first.link(first_at, &names)?;
-    let checked = [&linked[first.first_size()..], &packed, &second].concat();
+    let checked = [&linked[first.first_size()..], packed, &stage].concat();
     let mut file = elf::header(first_at + first.place("_start"), 2);
     let file_itself = Segment {
         kind: elf::LOAD,
         flags: elf::READ | elf::EXECUTE,
         address,
-        file_size: size,
-        size,
+        file_size: size as u64,
+        size: size as u64,
         ..Segment::default()
     };
     // Linux reads only this header's flags. The rest are the packed bytes' offset and length, the length that the checksum covers,
@@ -86,28 +63,25 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         flags: elf::READ | elf::WRITE,
         offset: packed_at - address,
         address: checksum(&checked).into(),
-        physical_address: unpacked.len() as u64,
+        physical_address: parts.lengths[1],
         file_size: packed.len() as u64,
         size: checked.len() as u64,
     };
-    for segment in [file_itself, stack] {
-        file.extend(segment.to_bytes());
-    }
+    file.extend([file_itself, stack].map(Segment::to_bytes).concat());
     file.resize(HEAD, 0);
     file.extend(&linked[..first.first_size()]);
     file.extend(checked);
     Ok(file)
 }
 
-pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
+/// Returns the packed bytes' offset and length, the unpacked length, the checked bytes' offset and end, and the checksum.
+pub fn record(file: &[u8]) -> Result<[usize; 6], Error> {
     let segments = elf::segments(file)?;
     let is_stack = |segment: &&Segment| segment.kind == elf::STACK;
     let stack = segments.iter().find(is_stack).ok_or("file is not packed")?;
-    let packed = file.get(stack.range()).ok_or("file is incomplete")?;
-    let start = file.len().checked_sub(stack.size as usize);
-    let checked = file.get(start.ok_or("file is incomplete")?..);
-    if checked.is_none_or(|checked| u64::from(checksum(checked)) != stack.address) {
-        return Err(DAMAGED.into());
-    }
-    decode(packed, stack.physical_address as usize)
+    let checked = file.len().checked_sub(stack.size as usize).ok_or("file is incomplete")?;
+    let [start, length, unpacked, sum] =
+        [stack.offset, stack.file_size, stack.physical_address, stack.address]
+            .map(|field| field as usize);
+    Ok([start, length, unpacked, checked, file.len(), sum])
 }

@@ -8,10 +8,13 @@ mod windows;
 
 pub use strip::strip;
 
+use std::collections::HashMap;
+
 use crate::{
-    Error, LONGEST, decode,
+    DAMAGED, Error, LONGEST, checksum, decode,
     elf::{self, Segment},
     encode, small,
+    stub::{FIRST, LOADER, STAGE, Stub},
 };
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -46,6 +49,73 @@ impl Memory {
     }
 }
 
+/// The parts of a packed file.
+struct Parts<'a> {
+    /// The length of the program, without and with its loader.
+    lengths: [u64; 2],
+    packed: Vec<u8>,
+    first: Stub<'a>,
+    second: Stub<'a>,
+    memory: Memory,
+    stage: u64,
+}
+
+impl<'a> Parts<'a> {
+    fn new(stripped: &[u8], stub: &'a [u8]) -> Result<Self, Error> {
+        let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
+        let unpacked = [stripped, &loader].concat();
+        let length = unpacked.len();
+        if length > LONGEST {
+            return Err(format!("program size is {length}; must be at most {LONGEST}").into());
+        }
+        let packed = encode(&unpacked);
+        if decode(&packed, length)? != unpacked {
+            return Err("unpacked program differs from the original".into());
+        }
+        let memory = Memory::of(&elf::segments(stripped)?)?;
+        Ok(Self {
+            lengths: [stripped, &unpacked].map(|bytes| bytes.len() as u64),
+            packed,
+            first: Stub::read(stub, FIRST)?,
+            second: Stub::read(stub, STAGE)?,
+            stage: memory.stage(),
+            memory,
+        })
+    }
+
+    fn stage_end(&self) -> u64 {
+        self.stage + self.second.size() as u64
+    }
+
+    /// Returns the stub's symbols, with `more`, and the addresses of `functions` of the first section.
+    fn names<'b>(
+        &self,
+        more: &[(&'b str, u64)],
+        first_at: u64,
+        functions: [&'b str; 2],
+        packed_at: u64,
+    ) -> HashMap<&'b str, u64> {
+        let packed_end = packed_at + self.packed.len() as u64;
+        let names = [
+            ("STAGE", self.stage),
+            ("STAGE_END", self.stage_end()),
+            ("STAGE_LENGTH", self.second.size() as u64),
+            ("STAGE_PACKED", packed_end),
+            ("PACKED", packed_at),
+            ("PACKED_END", packed_end),
+            ("PROGRAM_LENGTH", self.lengths[0]),
+            ("LENGTH", self.lengths[1]),
+            ("PROGRAM", self.memory.start),
+        ];
+        let functions = functions.map(|name| (name, first_at + self.first.place(name)));
+        names.into_iter().chain(functions).chain(more.iter().copied()).collect()
+    }
+
+    fn packed_stage(&self, names: &HashMap<&str, u64>) -> Result<Vec<u8>, Error> {
+        Ok(small::encode(&self.second.link(self.stage, names)?))
+    }
+}
+
 /// Packs an executable, with the stub's object file.
 ///
 /// # Errors
@@ -67,20 +137,15 @@ pub fn packed_size(program: &[u8]) -> Result<usize, Error> {
 /// # Errors
 /// If the file is not a packed executable, or damaged.
 pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
-    let mut unpacked =
-        if windows::is_pe(file) { windows::unpack(file)? } else { linux::unpack(file)? };
+    let record = if windows::is_pe(file) { windows::record(file) } else { linux::record(file)? };
+    let [start, length, unpacked, checked, end, sum] = record;
+    let checked = file.get(checked..end).ok_or("file is incomplete")?;
+    if checksum(checked) as usize != sum {
+        return Err(DAMAGED.into());
+    }
+    let packed = file.get(start..start.saturating_add(length)).ok_or(DAMAGED)?;
+    let mut unpacked = decode(packed, unpacked)?;
     let ends = elf::segments(&unpacked)?.into_iter().map(|segment| segment.range().end);
     unpacked.truncate(ends.max().unwrap_or_default());
     Ok(unpacked)
-}
-
-fn encode_both(unpacked: &[u8]) -> Result<Vec<u8>, Error> {
-    if unpacked.len() > LONGEST {
-        return Err(format!("program size is {}; must be at most {LONGEST}", unpacked.len()).into());
-    }
-    let packed = encode(unpacked);
-    if decode(&packed, unpacked.len())? != unpacked {
-        return Err("unpacked program differs from the original".into());
-    }
-    Ok(packed)
 }

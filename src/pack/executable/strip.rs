@@ -19,28 +19,9 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     if kind != elf::EXECUTABLE {
         return Err(format!("ELF type is {kind}; must be 2 (fixed addresses)").into());
     }
-    let file = object::File::parse(program)?;
-    let range = |name| Some(Section::find(&file, name)?.range);
-    let names = [".eh_frame", ".eh_frame_hdr", ".gcc_except_table"];
-    let unwinding: Vec<_> = names.into_iter().filter_map(range).collect();
+    let mut blanked = program.to_vec();
+    let unwinding = blank(program, &mut blanked)?;
     let mut segments = elf::segments(program)?;
-    let lookups = [".plt", ".got.plt"].map(range);
-    let is_bound_at_start = range(".dynamic").is_some_and(|entries| {
-        let entries = program[entries].chunks_exact(16);
-        let mut fields = entries.map(|entry| [number(entry, 0, 8), number(entry, 8, 8)]);
-        fields.any(|[tag, value]| tag == FLAGS && value & BIND_NOW != 0)
-    });
-    let mut program = program.to_vec();
-    panics::blank_locations(&mut program)?;
-    if let [Some(calls), Some(slots)] = lookups
-        && is_bound_at_start
-    {
-        blank_lookups(&mut program, calls, slots);
-    }
-    for section in &unwinding {
-        let bytes = program.get_mut(section.clone());
-        bytes.ok_or("section is outside the file")?.fill(0);
-    }
     let mut stripped = Vec::new();
     let before = segments.clone();
     let loads = segments.iter_mut().filter(|segment| segment.kind == elf::LOAD);
@@ -66,7 +47,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         let lead = (load.address - stripped.len() as u64) % elf::PAGE;
         stripped.resize(stripped.len() + lead as usize, 0);
         load.offset = stripped.len() as u64;
-        stripped.extend(program.get(range).ok_or("segment is outside the file")?);
+        stripped.extend(blanked.get(range).ok_or("segment is outside the file")?);
     }
     let loads: Vec<_> =
         segments.iter().filter(|segment| segment.kind == elf::LOAD).copied().collect();
@@ -82,6 +63,29 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     }
     elf::set_segments(&mut stripped, &segments)?;
     Ok(stripped)
+}
+
+/// Blanks unwind tables, panic locations and lazy binding. Returns the ranges of unwind tables.
+fn blank(program: &[u8], blanked: &mut [u8]) -> Result<Vec<Range<usize>>, Error> {
+    let file = object::File::parse(program)?;
+    let range = |name| Some(Section::find(&file, name)?.range);
+    let is_bound_at_start = range(".dynamic").is_some_and(|entries| {
+        let mut entries = program[entries].chunks_exact(16);
+        entries.any(|it| number(it, 0, 8) == FLAGS && number(it, 8, 8) & BIND_NOW != 0)
+    });
+    panics::blank_locations(blanked)?;
+    if let [Some(calls), Some(slots)] = [".plt", ".got.plt"].map(range)
+        && is_bound_at_start
+    {
+        blank_lookups(blanked, calls, slots);
+    }
+    let names = [".eh_frame", ".eh_frame_hdr", ".gcc_except_table"];
+    let unwinding: Vec<_> = names.into_iter().filter_map(range).collect();
+    for section in &unwinding {
+        let bytes = blanked.get_mut(section.clone());
+        bytes.ok_or("section is outside the file")?.fill(0);
+    }
+    Ok(unwinding)
 }
 
 /// Blanks the code for lazy binding: entries of 16 bytes, each of which jumps to a slot that before the first call points back into
