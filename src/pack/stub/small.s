@@ -2,6 +2,7 @@
 #
 # esi: the next bit's number; ebx: the code minus the interval's lower end; ebp: the interval's size; edi: the next byte's address;
 # edx: the byte's bits so far, after a 1; xmm2: the count of an unseen bit, twice
+.macro unpack_stage
     xor esi, esi
     xor ebx, ebx
     mov edi, offset STAGE
@@ -88,3 +89,4 @@
     jne 3b
     # `cvtpi2ps` has put the x87 registers to use.
     emms
+.endm

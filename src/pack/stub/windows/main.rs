@@ -22,76 +22,7 @@ use model::Model;
 use packed::fail;
 use system::{COMMIT_RESERVE, READ_EXECUTE, READ_WRITE, RELEASE, System, protect};
 
-// The first stage. On entry `rsp` is a multiple of 16, minus 8. The program gets this `rsp`, `LoadLibraryA` in `rcx` and
-// `GetProcAddress` in `rdx`.
-//
-// It checks the FNV-1a checksum of all bytes after this section. `fail` attaches to the parent's console (-1), prints `rsi` bytes
-// at `rdi` on standard error (-12), and exits with code 1.
-global_asm!(
-    ".section .text.first, \"ax\"",
-    ".globl unprotected, fail, _start",
-    "unprotected:",
-    "mov edi, offset protection_line",
-    "push 38",
-    "jmp 2f",
-    "1:",
-    "mov edi, offset damaged_line",
-    "push 32",
-    "2:",
-    "pop rsi",
-    "fail:",
-    "and rsp, -16",
-    "sub rsp, 48",
-    "or rcx, -1",
-    "call [rip + SYSTEM + 40]",
-    "push -12",
-    "pop rcx",
-    "call [rip + SYSTEM + 48]",
-    "mov rcx, rax",
-    "mov rdx, rdi",
-    "mov r8d, esi",
-    "lea r9, [rsp + 40]",
-    "and qword ptr [rsp + 32], 0",
-    "call [rip + SYSTEM + 56]",
-    "push 1",
-    "pop rcx",
-    "call [rip + SYSTEM + 64]",
-    "protection_line:",
-    ".ascii \"eightfold: memory cannot be protected\\n\"",
-    "damaged_line:",
-    ".ascii \"eightfold: this file is damaged\\n\"",
-    "_start:",
-    "sub rsp, 40",
-    "mov esi, offset checked",
-    "mov eax, 0x811c9dc5",
-    "2:",
-    "movzx edx, byte ptr [rsi]",
-    "xor eax, edx",
-    "imul eax, eax, 0x1000193",
-    "inc esi",
-    "cmp esi, offset FILE_END",
-    "jne 2b",
-    "cmp eax, dword ptr [rip + SUM]",
-    "jne 1b",
-    // The next section follows.
-    ".section .text.unpack, \"ax\"",
-    "checked:",
-    include_str!("../small.s"),
-    // Make the second stage readable and executable.
-    "mov ecx, offset STAGE",
-    "mov edx, offset STAGE_LENGTH",
-    "push 0x20",
-    "pop r8",
-    "lea r9, [rsp + 32]",
-    "call [rip + SYSTEM + 24]",
-    "test eax, eax",
-    "jz unprotected",
-    "call STAGE",
-    "mov rcx, [rip + SYSTEM]",
-    "mov rdx, [rip + SYSTEM + 8]",
-    "add rsp, 40",
-    "jmp rax",
-);
+global_asm!(include_str!("../checksum.s"), include_str!("../small.s"), include_str!("first.s"),);
 
 unsafe extern "C" {
     /// The import table, filled in by Windows.
