@@ -23,31 +23,23 @@ const RECORD: usize = 24;
 pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
     let file = object::File::parse(&*program)?;
     let section = |name| Section::find(&file, name);
-    if let (Some(names), Some(records), Some(code)) =
-        (section(".rodata"), section(".data.rel.ro"), section(".text"))
-        && is_redirected(&file, program, &code)
+    if is_redirected(&file)
+        && let (Some(names), Some(records)) = (section(".rodata"), section(".data.rel.ro"))
     {
         blank(program, &names, &records);
     }
     Ok(())
 }
 
-fn is_redirected(file: &object::File<'_>, program: &[u8], code: &Section) -> bool {
+fn is_redirected(file: &object::File<'_>) -> bool {
     let address = |is_it: fn(&str) -> bool| {
-        let mut symbols = file.symbols();
-        symbols
-            .find(|symbol| symbol.is_definition() && symbol.name().is_ok_and(is_it))
-            .map(|symbol| symbol.address())
+        let is_it = |symbol: &object::Symbol<'_, '_>| {
+            !symbol.is_undefined() && symbol.name().is_ok_and(is_it)
+        };
+        file.symbols().find(is_it).map(|symbol| symbol.address())
     };
-    let (Some(handler), Some(abort)) =
-        (address(|name| name.ends_with(HANDLER)), address(|name| name == ABORT))
-    else {
-        return false;
-    };
-    code.place(handler, 5).is_some_and(|jump| {
-        let offset = number(program, jump.start + 1, 4) as i32;
-        program[jump.start] == 0xe9 && (handler + 5).wrapping_add_signed(offset.into()) == abort
-    })
+    let abort = address(|name| name == ABORT);
+    abort.is_some() && address(|name| name.ends_with(HANDLER)) == abort
 }
 
 fn blank(program: &mut [u8], names: &Section, records: &Section) {

@@ -14,7 +14,6 @@ use crate::{Error, System, executable::packed_size, pack_executable};
 const LIMIT: usize = 65_536;
 
 pub const STUB: &str = "stub.o";
-const REDIRECTIONS: &str = "redirections.o";
 const ORDER: &str = "order";
 
 /// The library for unwinding, without which GNU ld drops 775 bytes of functions that are in this library, too.
@@ -65,63 +64,73 @@ pub fn run(arguments: &[OsString]) -> i32 {
 }
 
 fn link(arguments: &[OsString]) -> Result<i32, Error> {
-    let own = env::current_exe()?;
-    let directory = own.parent().ok_or("linker has no folder")?;
     let settings = Settings::from_environment()?;
-    let words = expand(arguments)?;
-    let output = output(&words);
-    let mut more = Vec::new();
+    let (mut more, mut missing) = (Vec::new(), Vec::new());
+    let output = output(arguments);
     if output.is_some() {
-        let (object, missing) = redirect::redirections(&words)?;
-        if !missing.is_empty() {
-            let missing = missing.join(", ");
-            eprintln!("warning: this std lacks {missing}; the program may exceed 64 kB");
-            more.push(UNWINDER.into());
-        }
-        let path = directory.join(REDIRECTIONS);
-        at(&path, fs::write(&path, object))?;
-        more.push(path.into_os_string());
+        (more, missing) = redirect::redirections(arguments)?;
+    }
+    if !missing.is_empty() {
+        let missing = missing.join(", ");
+        eprintln!("warning: this std lacks {missing}; the program may exceed 64 kB");
+        more.push(UNWINDER.into());
     }
     let status = settings.run_linker(&more, arguments)?;
     let Some(path) = output.filter(|_| status.success()) else {
         // Without an output, the call asked for the linker's version.
         return Ok(status.code().unwrap_or(1));
     };
-    // Try several orders of functions, and link in the one that packs best.
+    let own = env::current_exe()?;
+    let directory = own.parent().ok_or("linker has no folder")?;
     if settings.is_lld() {
-        let file = directory.join(ORDER);
-        let mut option = OsString::from("--symbol-ordering-file=");
-        option.push(&file);
-        more.extend([option, "--no-warn-symbol-ordering".into()]);
-        let link = |order: &[String]| -> Result<Vec<u8>, Error> {
-            at(&file, fs::write(&file, order.join("\n")))?;
-            let status = settings.run_linker(&more, arguments)?;
-            if !status.success() {
-                return Err(format!("{} failed: {status}", settings.linker).into());
-            }
-            at(&path, fs::read(&path))
-        };
-        let mut best = (usize::MAX, Vec::new());
-        for order in order::by_likeness(&at(&path, fs::read(&path))?)? {
-            let size = packed_size(&link(&order)?).unwrap_or(usize::MAX - 1);
-            if size < best.0 {
-                best = (size, order);
-            }
-        }
-        link(&best.1)?;
+        link_in_order(&settings, arguments, more, &directory.join(ORDER), &path)?;
     }
+    pack(&settings, directory, &path)?;
+    Ok(0)
+}
+
+/// Tries several orders of functions, and links in the one that packs best.
+fn link_in_order(
+    settings: &Settings,
+    arguments: &[OsString],
+    mut more: Vec<OsString>,
+    file: &Path,
+    output: &Path,
+) -> Result<(), Error> {
+    let option = format!("--symbol-ordering-file={}", file.display());
+    more.extend([option.into(), "--no-warn-symbol-ordering".into()]);
+    let read = || at(output, fs::read(output));
+    let link = |order: &[String]| {
+        at(file, fs::write(file, order.join("\n")))?;
+        let status = settings.run_linker(&more, arguments)?;
+        if !status.success() {
+            return Err(format!("{} failed: {status}", settings.linker).into());
+        }
+        read()
+    };
+    let mut best = (usize::MAX, Vec::new());
+    for order in order::by_likeness(&read()?)? {
+        let size = packed_size(&link(&order)?).unwrap_or(usize::MAX - 1);
+        if size < best.0 {
+            best = (size, order);
+        }
+    }
+    link(&best.1).map(drop)
+}
+
+fn pack(settings: &Settings, directory: &Path, path: &Path) -> Result<(), Error> {
     // Keep the unpacked program under cargo's name, whose hash depends on the features.
     let mut name = path.file_name().ok_or("output has no name")?.to_owned();
     name.push(".unpacked");
     let unpacked = directory.with_file_name(name);
-    at(&unpacked, fs::copy(&path, &unpacked))?;
-    let program = at(&path, fs::read(&path))?;
+    at(&unpacked, fs::copy(path, &unpacked))?;
+    let program = at(path, fs::read(path))?;
     let stub = directory.join(STUB);
     let stub = at(&stub, fs::read(&stub))?;
     let file = match pack_executable(&program, &stub, &settings.system) {
         Err(error) if !settings.is_for_windows() => {
             eprintln!("warning: the program is not packed: {error}");
-            return Ok(0);
+            return Ok(());
         }
         packed => packed?,
     };
@@ -129,12 +138,12 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         let size = file.len();
         eprintln!("warning: program size is {size}; must be at most {LIMIT}");
     }
-    at(&path, fs::write(&path, &file))?;
+    at(path, fs::write(path, &file))?;
     if settings.is_for_windows() {
-        let path = name_for_windows(&path)?;
+        let path = name_for_windows(path)?;
         at(&path, fs::write(&path, &file))?;
     }
-    Ok(0)
+    Ok(())
 }
 
 fn is_of_linux(argument: &OsStr) -> bool {
@@ -147,21 +156,6 @@ fn name_for_windows(path: &Path) -> Result<PathBuf, Error> {
     let name = name.rsplit_once('-').map_or(&*name, |(name, _)| name);
     let folder = path.parent().and_then(Path::parent).ok_or("output has no folder")?;
     Ok(folder.join(name).with_extension("exe"))
-}
-
-fn expand(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
-    let mut words = Vec::new();
-    for argument in arguments {
-        match argument.to_str().and_then(|argument| argument.strip_prefix('@')) {
-            Some(file) => words.extend(
-                at(file, fs::read_to_string(file))?
-                    .split_whitespace()
-                    .map(|word| OsString::from(word.trim_matches('"'))),
-            ),
-            None => words.push(argument.clone()),
-        }
-    }
-    Ok(words)
 }
 
 fn output(words: &[OsString]) -> Option<PathBuf> {

@@ -95,8 +95,6 @@ fn prepare(program: &str) -> Result<(), Error> {
         // Pages of 4 KB keep the gaps between segments short.
         "-Wl,-z,max-page-size=4096",
         "-Wl,--build-id=none",
-        // Redirected functions are defined twice; the first definition counts.
-        "-Wl,-z,muldefs",
         &format!("-Wl,-Map={}", map.display()),
         &format!("-B{}", directory.display()),
         // The last option selects the linker by its suffix.

@@ -1,10 +1,7 @@
 //! Orders functions by similarity, because the packer's model adapts as it goes: a random order costs 600 bytes more. Similarity is
 //! the cosine of tf-idf vectors of three-byte sequences, in correctly rounded arithmetic: every machine finds the same order.
 
-use std::{
-    cmp::{Ordering, Reverse},
-    collections::{BTreeMap, HashMap},
-};
+use std::{cmp::Reverse, collections::BTreeMap};
 
 use object::{Object, ObjectSection, ObjectSymbol, SymbolKind};
 
@@ -14,8 +11,6 @@ const LENGTH: usize = 3;
 
 /// The number of orders to try; packing them all takes six seconds.
 const ORDERS: usize = 12;
-
-type Terms<'a> = Vec<(&'a [u8], f64)>;
 
 /// Returns orders of a program's functions by similarity. Each begins with one of the largest functions.
 pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
@@ -44,8 +39,10 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
     Ok(starts.into_iter().map(|start| names(chain(&likeness, start))).collect())
 }
 
-/// Returns the order from `start` that continues with the function most similar to the previous ones, whose weights halve with each
-/// step.
+/// The divisor of a function's weight for each function after it: 2 costs 40 bytes more, 1.02 costs 90.
+const DECAY: f64 = 1.4;
+
+/// Returns the order from `start` that continues with the function most similar to the previous ones by decaying weights.
 fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     let mut to_last = vec![0.0; likeness.len()];
     let mut left: Vec<_> = (0..likeness.len()).filter(|&i| i != start).collect();
@@ -55,7 +52,7 @@ fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
         let mut best = 0;
         for place in 0..left.len() {
             let i = left[place];
-            to_last[i] = to_last[i] / 2.0 + likeness[last][i];
+            to_last[i] = to_last[i] / DECAY + likeness[last][i];
             if to_last[i] > to_last[left[best]] {
                 best = place;
             }
@@ -65,59 +62,39 @@ fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     order
 }
 
+/// Returns the similarity of each two functions, from the sequences that several of them have.
 fn likeness(codes: &[&[u8]]) -> Vec<Vec<f64>> {
-    let terms = terms(codes);
-    let to_all = |a| terms.iter().map(|b| product(a, b)).collect();
-    terms.iter().map(to_all).collect()
-}
-
-/// Returns the sequences that several functions have, with weights of norm 1.
-fn terms<'a>(codes: &[&'a [u8]]) -> Vec<Terms<'a>> {
-    let counts = codes.iter().map(|code| {
-        let mut counts = BTreeMap::new();
+    let mut counts: BTreeMap<&[u8], BTreeMap<usize, u32>> = BTreeMap::new();
+    for (i, code) in codes.iter().enumerate() {
         for term in code.windows(LENGTH) {
-            *counts.entry(term).or_insert(0_u32) += 1;
+            *counts.entry(term).or_default().entry(i).or_default() += 1;
         }
-        counts
-    });
-    let counts: Vec<_> = counts.collect();
-    let mut functions = HashMap::new();
-    for &term in counts.iter().flat_map(BTreeMap::keys) {
-        *functions.entry(term).or_insert(0_u128) += 1;
     }
     let all = codes.len() as u128;
-    let weighed = counts.into_iter().map(|counts| {
-        let weight = |(term, count): (&'a [u8], u32)| {
-            // Four times the binary logarithm.
-            let rarity = (all.pow(4) / functions[term].pow(4)).ilog2();
-            (term, f64::from((1 + count.ilog2()) * rarity))
-        };
-        let shared = counts.into_iter().filter(|(term, _)| functions[term] > 1);
-        let mut terms: Terms<'_> = shared.map(weight).collect();
-        let length = product(&terms, &terms).sqrt();
-        for (_, weight) in &mut terms {
-            *weight /= length.max(1.0);
-        }
-        terms
+    let shared = counts.into_values().filter(|functions| functions.len() > 1);
+    let weights = shared.map(|functions| {
+        // Four times the binary logarithm.
+        let rarity = (all.pow(4) / (functions.len() as u128).pow(4)).ilog2();
+        let weight = |(i, count): (usize, u32)| (i, f64::from((1 + count.ilog2()) * rarity));
+        functions.into_iter().map(weight).collect()
     });
-    weighed.collect()
-}
-
-fn product(a: &Terms<'_>, b: &Terms<'_>) -> f64 {
-    let (mut a, mut b) = (a.iter().peekable(), b.iter().peekable());
-    let mut sum = 0.0;
-    while let (Some((first, x)), Some((second, y))) = (a.peek(), b.peek()) {
-        match first.cmp(second) {
-            Ordering::Less => drop(a.next()),
-            Ordering::Greater => drop(b.next()),
-            Ordering::Equal => {
-                sum += x * y;
-                a.next();
-                b.next();
+    let mut weights: Vec<Vec<(usize, f64)>> = weights.collect();
+    let mut squares = vec![0.0; codes.len()];
+    for &(i, weight) in weights.iter().flatten() {
+        squares[i] += weight * weight;
+    }
+    let mut likeness = vec![vec![0.0; codes.len()]; codes.len()];
+    for functions in &mut weights {
+        for (i, weight) in functions.iter_mut() {
+            *weight /= squares[*i].sqrt().max(1.0);
+        }
+        for &(i, a) in functions.iter() {
+            for &(j, b) in functions.iter() {
+                likeness[i][j] += a * b;
             }
         }
     }
-    sum
+    likeness
 }
 
 #[cfg(test)]

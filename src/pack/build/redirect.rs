@@ -1,7 +1,7 @@
 //! Replaces the functions of std that explain a panic, which are most of a program's bytes.
 //!
-//! The functions are found by name in the archives on the linker's command line. An object in front of these archives defines them
-//! as jumps to `src/window/abort.rs`; the linker keeps the first definition, and drops code that only the second one needs.
+//! They are found by name in the archives on the linker's command line. Options redefine them as `src/window/abort.rs`; the linker
+//! drops code that only the first definition needs.
 //!
 //! Packed bytes that each measure saves, of 53,456:
 //!
@@ -13,19 +13,12 @@
 //! | `rust_eh_personality`, which reads unwind tables | 936 |
 //! | the other functions, with their messages' arguments | 975 |
 
-use std::{collections::HashSet, ffi::OsString, fs, path::PathBuf};
+use std::{collections::BTreeSet, ffi::OsString, fs};
 
-use object::{
-    Architecture, BinaryFormat, Endianness, Object, ObjectSymbol, RelocationEncoding,
-    RelocationFlags, RelocationKind, SectionKind, SymbolFlags, SymbolKind, SymbolScope,
-    read::archive::ArchiveFile, write,
-};
+use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
 
 use super::at;
 use crate::{Error, panics::ABORT};
-
-/// The last three have inlined copies of functions of std.
-const CRATES: [&str; 6] = ["core", "alloc", "std", "gimli", "addr2line", "rustc_demangle"];
 
 /// Parts of the paths of the functions that [`ABORT`] replaces. The linker warns of missing ones.
 const REPLACED: [&str; 8] = [
@@ -39,68 +32,27 @@ const REPLACED: [&str; 8] = [
     "rust_eh_personality",
 ];
 
-pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), Error> {
-    let names = symbols(&libraries(words))?;
-    let mut object =
-        write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
-    object.add_section(Vec::new(), b".note.GNU-stack".into(), SectionKind::Other);
-    let section = object.add_section(Vec::new(), b".text.abort".into(), SectionKind::Text);
-    object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);
-    let symbol = |name: &str, section, scope| write::Symbol {
-        name: name.into(),
-        value: 0,
-        size: 0,
-        kind: SymbolKind::Text,
-        scope,
-        weak: false,
-        section,
-        flags: SymbolFlags::None,
-    };
-    let undefined = write::SymbolSection::Undefined;
-    let abort = object.add_symbol(symbol(ABORT, undefined, SymbolScope::Unknown));
-    let jump = write::Relocation {
-        offset: 1,
-        symbol: abort,
-        addend: -4,
-        flags: RelocationFlags::Generic {
-            kind: RelocationKind::Relative,
-            encoding: RelocationEncoding::X86Branch,
-            size: 32,
-        },
-    };
-    object.add_relocation(section, jump)?;
-    let mut missing = Vec::new();
-    let mut done = HashSet::new();
+/// Returns the linker's options, and the paths without a function.
+pub fn redirections(words: &[OsString]) -> Result<(Vec<OsString>, Vec<&'static str>), Error> {
+    let names = symbols(words)?;
+    let (mut options, mut missing) = (Vec::new(), Vec::new());
     for path in REPLACED {
         let part = mangled(path);
         let is_named =
-            |symbol: &&String| **symbol == part || path.contains("::") && symbol.contains(&part);
-        if !names.iter().any(|name| is_named(&name)) {
+            |name: &&String| **name == part || path.contains("::") && name.contains(&part);
+        let named: Vec<_> = names.iter().filter(is_named).collect();
+        if named.is_empty() {
             missing.push(path);
         }
-        for name in names.iter().filter(is_named) {
-            if done.insert(name) {
-                let here = write::SymbolSection::Section(section);
-                object.add_symbol(symbol(name, here, SymbolScope::Linkage));
-            }
-        }
+        options.extend(named.iter().map(|name| format!("--defsym={name}={ABORT}").into()));
     }
-    Ok((object.write()?, missing))
+    Ok((options, missing))
 }
 
-fn libraries(words: &[OsString]) -> Vec<PathBuf> {
-    let mut libraries: Vec<_> = words.iter().map(PathBuf::from).collect();
-    libraries.retain(|path| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let is_of = |name_of: &&str| name.starts_with(&format!("lib{name_of}-"));
-        name.ends_with(".rlib") && CRATES.iter().any(is_of)
-    });
-    libraries
-}
-
-fn symbols(libraries: &[PathBuf]) -> Result<Vec<String>, Error> {
-    let mut names = Vec::new();
-    for library in libraries {
+/// Returns the functions that libraries define or call.
+fn symbols(words: &[OsString]) -> Result<BTreeSet<String>, Error> {
+    let mut names = BTreeSet::new();
+    for library in words.iter().filter(|word| word.to_string_lossy().ends_with(".rlib")) {
         let data = at(library, fs::read(library))?;
         for member in ArchiveFile::parse(&*data)?.members() {
             let member = member?;

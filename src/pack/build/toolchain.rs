@@ -43,40 +43,27 @@ impl Toolchain {
 
 /// Returns the linker, from the user's flags for rustc, cargo's C compiler, and rustc's own linker.
 fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
-    // Options for code generation are `-Cname=value`, `-C name=value`, and the same with `--codegen`.
-    let flags =
-        flags.replace("--codegen=", "-C").replace("--codegen\x1f", "-C").replace("-C\x1f", "-C");
-    let options = flags.split('\x1f');
-    let (mut compiler, mut chosen, mut own) = (compiler, None, own);
-    for (name, value) in options.filter_map(|option| option.strip_prefix("-C")?.split_once('=')) {
-        match name {
-            "linker" => compiler = Some(value.into()),
-            "linker-flavor" if value != "gcc" && !value.ends_with("-cc") => {
-                compiler = Some("ld".into())
-            }
-            "linker-features" if value.split(',').any(|feature| feature == "-lld") => own = None,
-            "link-self-contained" if value.split(',').any(|part| part == "-linker") => own = None,
-            "link-arg" | "link-args" => {
-                for word in value.split(' ') {
-                    if word.starts_with("--ld-path") {
-                        return Err(format!("linker option is {word}; must be -fuse-ld").into());
-                    }
-                    chosen = word.strip_prefix("-fuse-ld=").or(chosen);
-                }
-            }
-            _ => {}
-        }
-    }
-    let compiler = compiler.unwrap_or("cc".into());
+    let last = |option: &str| {
+        let (_, value) = flags.rsplit_once(option)?;
+        value.split(['\x1f', ' ']).next().map(String::from)
+    };
+    let flavor = last("linker-flavor=").filter(|flavor| flavor.ends_with("ld"));
+    let compiler = flavor.or(last("linker=")).or(compiler).unwrap_or("cc".into());
     let name = Path::new(&compiler).file_stem().unwrap_or_default().to_string_lossy();
-    if name.ends_with("ld") || name.ends_with("ld.lld") || name == "mold" {
+    if name.ends_with("ld") {
         return Err(format!("linker is {compiler}; must be a C compiler").into());
     }
-    Ok(match (chosen, own) {
-        (Some(path), _) if path.contains('/') => path.into(),
-        (Some(name), _) => format!("ld.{name}"),
-        (None, Some(own)) => own.into(),
-        (None, None) => "ld".into(),
+    if let Some(path) = last("--ld-path") {
+        return Err(format!("linker option is --ld-path{path}; must be -fuse-ld").into());
+    }
+    let is_without = ["linker-features=-lld", "link-self-contained=-linker"]
+        .iter()
+        .any(|flag| flags.contains(flag));
+    let own = own.filter(|_| !is_without).unwrap_or("ld");
+    Ok(match last("-fuse-ld=") {
+        Some(path) if path.contains('/') => path,
+        Some(name) => format!("ld.{name}"),
+        None => own.into(),
     })
 }
 
@@ -107,9 +94,11 @@ mod tests {
 
     #[test]
     fn linker_without_c_compiler_is_refused() {
-        let refused =
-            "-Clinker=rust-lld|-Clinker=/usr/bin/ld.lld|-C linker-flavor=ld.lld|-Clinker=mold";
-        for flags in refused.split('|') {
+        for flags in
+            "-Clinker=rust-lld -Clinker=/usr/bin/ld.lld -Clinker-flavor=ld.lld -Clinker=mold \
+                      -Clink-arg=--ld-path=/opt/mold"
+                .split(' ')
+        {
             assert_eq!(chosen(flags), None, "{flags}");
         }
         assert!(linker("", Some("rust-lld".into()), None).is_err());
