@@ -32,21 +32,12 @@ pub fn located(name: &str, text: &str, at: usize, message: &str) -> String {
 
 /// Replaces white space by spaces, and escapes control characters and invisible marks, which could rearrange a terminal's text.
 fn visible(text: &str) -> String {
-    let mut line = String::new();
-    for letter in text.chars() {
-        match letter {
-            _ if letter.is_whitespace() => line.push(' '),
-            '\u{200b}'..='\u{200f}'
-            | '\u{2028}'..='\u{202e}'
-            | '\u{2060}'..='\u{206f}'
-            | '\u{feff}' => {
-                line.extend(letter.escape_unicode());
-            }
-            _ if letter.is_control() => line.extend(letter.escape_unicode()),
-            _ => line.push(letter),
-        }
-    }
-    line
+    let letter = |letter: char| match letter {
+        _ if letter.is_whitespace() => " ".to_owned(),
+        '"' | '\'' | '\\' => letter.to_string(),
+        _ => letter.escape_debug().to_string(),
+    };
+    text.chars().map(letter).collect()
 }
 
 fn shortened(message: &str, most: usize) -> String {
@@ -55,11 +46,8 @@ fn shortened(message: &str, most: usize) -> String {
         return line;
     }
     let parts = line.split('"').enumerate().map(|(i, part)| match i % 2 {
-        0 => {
-            let words = part.split(' ').map(|word| cut(word, MAX_WORD));
-            words.collect::<Vec<_>>().join(" ")
-        }
-        _ => cut(part, MAX_WORD),
+        0 => part.split(' ').map(quoted).collect::<Vec<_>>().join(" "),
+        _ => quoted(part),
     });
     cut(&parts.collect::<Vec<_>>().join("\""), most - 5)
 }
@@ -76,11 +64,7 @@ fn cut(text: &str, most: usize) -> String {
 
 /// Returns the start of a text that a message quotes.
 pub fn quoted(text: &str) -> String {
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    match text.char_indices().nth(MAX_WORD) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text,
-    }
+    cut(&text.split_whitespace().collect::<Vec<_>>().join(" "), MAX_WORD)
 }
 
 pub fn syntax(text: &str, error: &SpannedError) -> (usize, String) {

@@ -4,8 +4,8 @@ use super::message::quoted;
 use ron::error::SpannedError;
 use ron::value::RawValue;
 use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
-use serde::de::{self, Deserializer, Error as _, IntoDeserializer};
-use serde::de::{Expected, MapAccess, SeqAccess, Unexpected, Visitor};
+use serde::de::{self, Deserializer, Error as _, Expected, IntoDeserializer};
+use serde::de::{MapAccess, SeqAccess, Unexpected, Visitor};
 use std::cmp::Reverse;
 use std::fmt;
 

@@ -2,21 +2,13 @@ use super::{assert_one_line, lab};
 use eightfold_scene_file::SceneFile;
 use std::fs;
 use std::os::unix::fs::symlink;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
-
-fn examples() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes")
-}
-
-fn example(name: &str) -> String {
-    fs::read_to_string(examples().join(name)).expect("the example is there")
-}
 
 #[test]
 fn examples_are_valid_at_any_time() {
     let mut count = 0;
-    for entry in fs::read_dir(examples()).expect("a folder") {
+    for entry in fs::read_dir("../../examples/scenes").expect("a folder") {
         let path = entry.expect("a file").path();
         let text = fs::read_to_string(&path).expect("text");
         let name = path.to_str().expect("a plain name");
@@ -28,32 +20,6 @@ fn examples_are_valid_at_any_time() {
         count += 1;
     }
     assert!(count >= 6, "{count} examples");
-}
-
-/// Example | old text | new text | text at the mistake's place | message.
-const MISTAKES: &str = include_str!("mistakes.txt");
-
-#[test]
-fn mistake_has_line_and_column() {
-    for row in MISTAKES.trim().lines() {
-        let row: Vec<&str> = row.split('|').map(str::trim).collect();
-        let [name, old, new, at, says] = row[..] else {
-            panic!("{row:?}");
-        };
-        let text = example(&format!("{name}.ron"));
-        assert!(text.contains(old), "{old}");
-        let text = text.replacen(old, &new.replace("LONG", &"LONG".repeat(99)), 1);
-        // A byte order mark has no column.
-        let marked = format!("\u{feff}{text}");
-        let error = SceneFile::parse("my.ron", &marked).expect_err(new);
-        let at = text.find(&at.replace("\\n", "\n")).expect(at);
-        assert!(error.chars().count() <= 200, "{error}");
-        let line = text[..at].rsplit('\n').next().expect("a line");
-        let (line, column) = (text[..at].matches('\n').count() + 1, line.chars().count() + 1);
-        let place = format!("my.ron:{line}:{column}: ");
-        assert!(error.starts_with(&place), "{error}, and not {place}");
-        assert!(error.contains(says), "{error}");
-    }
 }
 
 /// The radius is negative between its keys.
