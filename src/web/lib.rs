@@ -1,8 +1,8 @@
 //! The show for browsers.
 //!
-//! Each worker, the sound and the page have an instance of this module. An instance has one thread, so the mutexes never wait. Only
-//! numbers, pixels and samples cross the interface, so `extern "C"` suffices; wasm-bindgen would add a script to load. Names must
-//! differ from the C library's, for tests on other systems.
+//! Each worker, the sound and the page have an instance of this module. An instance has one thread, so the mutexes never wait. Numbers,
+//! pixels and samples need no wasm-bindgen, which would add a script. Names must differ from the C library's, for tests elsewhere. A
+//! returned text is zero-terminated.
 
 mod inspector;
 mod share;
@@ -41,7 +41,7 @@ struct State {
 }
 
 impl State {
-    /// Stores a zero-terminated text. Returns its address, valid until the next one.
+    /// Returns the address of a text, valid until the next one.
     fn store_text(&mut self, text: String) -> *const u8 {
         self.text = text.into_bytes();
         self.text.push(0);
@@ -79,8 +79,8 @@ fn state() -> MutexGuard<'static, State> {
     STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns zero-terminated JSON: the show's length and its scenes' starts in seconds, the names of the qualities from the most
-/// accurate to the fastest, the default quality, the number of probes per frame, and the sampling rate.
+/// Returns JSON: the show's length and its scenes' starts in seconds, the qualities from the most accurate to the fastest, the default
+/// quality, the number of probes per frame, and the sampling rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
@@ -138,7 +138,7 @@ pub extern "C" fn room(bytes: usize) -> *mut u8 {
     state.text.as_mut_ptr()
 }
 
-/// Parses the text in [`room`] as a scene file. Returns the address of a zero-terminated error, or of an empty text.
+/// Parses the text in [`room`] as a scene file. Returns the error, or an empty text.
 #[unsafe(no_mangle)]
 pub extern "C" fn read_file() -> *const u8 {
     let mut state = state();
@@ -173,16 +173,15 @@ pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f3
     presentation.captions.clear();
 }
 
-/// Sets the quality of the next frames by its index in [`about`]; `is_reference` selects the reference of its error.
+/// Sets the quality by its index in [`about`]; `is_reference` selects the reference of its error.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_quality(place: usize, is_reference: bool) {
     let quality = Preset::ALL[place].quality();
     state().quality = if is_reference { quality.reference() } else { *quality };
 }
 
-/// Draws the bands that begin in rows `from..to` in one pass of the frame, see `share`; a kaleidoscope's bands are drawn by the
-/// worker of its first row. `before` is the number of points in the previous passes of all workers. The seed selects the probed
-/// pixels. Returns the frame's number of passes.
+/// Draws the bands that begin in rows `from..to` in one pass of the frame, see `share`. `before` is the number of points in the previous
+/// passes of all workers. The seed selects the probed pixels. Returns the frame's number of passes.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
     from: usize,
@@ -215,8 +214,8 @@ pub extern "C" fn draw(
     share.passes
 }
 
-/// Returns the address of seven numbers about the last [`draw`]: its first row, and the row after its last (smaller if it drew
-/// none); its points and rays; the number of probed pixels, the sum of their squared errors, and the sum of the squares of these.
+/// Returns seven numbers about the last [`draw`]: its first row, and the row after its last (smaller if it drew none); its points and
+/// rays; the number of probed pixels, the sum of their squared errors, and the sum of the squares of these.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
     state().figures.as_ptr()
@@ -241,8 +240,8 @@ fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {
     probes
 }
 
-/// Draws the bands that begin in rows `from..to`. Returns the address of zero-terminated JSON about the squares that contain the
-/// pixel (x, y), and the points around it.
+/// Draws the bands that begin in rows `from..to`. Returns JSON about the squares that contain the pixel (x, y), and the points around
+/// it.
 #[unsafe(no_mangle)]
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
     let (space, state) = (&mut *workspace(), &mut *state());
@@ -284,7 +283,7 @@ pub extern "C" fn govern(frames_per_second: u32) {
     state().governor = Some(Governor::new(budget));
 }
 
-/// Passes the last frame's time in nanoseconds to the governor. Returns the index of the next frame's quality in [`about`].
+/// Passes a frame's time in nanoseconds to the governor. Returns the index of the next frame's quality.
 #[unsafe(no_mangle)]
 pub extern "C" fn governed(nanoseconds: f64) -> usize {
     let mut state = state();
