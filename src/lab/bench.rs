@@ -1,10 +1,9 @@
 use crate::arguments::{self, distinct, within};
-use crate::interrupt;
 use crate::measure::{Measurement, Shot, ShotArguments, Technique};
-use crate::output;
 use crate::row::{self, Row};
 use crate::scenes::SceneName;
 use crate::timing::machine;
+use crate::{interrupt, output};
 use anyhow::Result;
 use clap::Args;
 use eightfold_harness::Size;

@@ -60,7 +60,7 @@ fn enlarged(trace: &FrameTrace, pixels: &[u32], [left, top]: [usize; 2]) -> Vec<
     for (i, &pixel) in pixels.iter().enumerate() {
         fill(place(i), [ZOOM; 2], pixel);
     }
-    for square in trace.squares().filter(|square| square.side > 1) {
+    for square in trace.squares().into_iter().filter(|square| square.side > 1) {
         let corner = [ZOOM * square.x, ZOOM * square.y];
         fill(corner, [ZOOM * square.w, 1], OUTLINE);
         fill(corner, [1, ZOOM * square.h], OUTLINE);

@@ -1,17 +1,14 @@
-use crate::arguments;
-use crate::close_up;
-use crate::flip::Flip;
-use crate::output;
+use crate::flip::{self, flip};
 use crate::overlay::{draw_heat, draw_points, draw_squares, heat};
 use crate::scenes::FrameArguments;
 use crate::sheet::{Tile, sheet};
+use crate::{arguments, close_up, output};
 use anyhow::Result;
 use clap::Args;
 use eightfold_harness::error::Difference;
 use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::Preset;
-use eightfold_tracer::Quality;
+use eightfold_tracer::{Preset, Quality};
 use eightfold_window::cpu;
 use std::path::PathBuf;
 
@@ -69,7 +66,7 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
     let quality = arguments.quality.quality();
     let (exhaustive, all) = draw(&quality.reference());
     let (picture, trace) = draw(quality);
-    let flip = Flip::between(width, &exhaustive, &picture);
+    let errors = flip(width, &exhaustive, &picture);
     let psnr = Difference::between(&exhaustive, &picture).psnr;
 
     let tile = |caption: String, mark: &dyn Fn(&mut [u32])| {
@@ -81,14 +78,14 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
     let traced = trace.rays().filter(|&rays| rays > 0).count() as f64 / area;
     let rays = |trace: &FrameTrace| trace.rays().map(f64::from).sum::<f64>();
     let (share, per_pixel) = (1e2 * rays(&trace) / rays(&all), rays(&all) / area);
-    let count = trace.squares().count();
+    let count = trace.squares().len();
     let most = all.rays().max().unwrap_or(1);
     let points = format!("Traced points, white\n{:.1} % of all pixels", 1e2 * traced);
     let frame = format!("{scene} at {time} s, {}\n{psnr:.1} dB to exhaustive", arguments.quality);
     let squares = format!("Squares: the smaller, the brighter\n{count} squares");
     let own = format!("Rays per point, white for {most}\n{share:.1} % of exhaustive");
     let every = format!("Exhaustive: rays, white for {most}\n{per_pixel:.1} per pixel");
-    let error = format!("FLIP, white for {FLIP_SHOWN}\nmean {:.4}", flip.mean());
+    let error = format!("FLIP, white for {FLIP_SHOWN}\nmean {:.4}", flip::mean(&errors));
     vec![
         tile(points, &|pixels| draw_points(&trace, pixels)),
         tile(frame, &|_| {}),
@@ -96,7 +93,7 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
         tile(own, &|pixels| draw_heat(&trace, pixels, most)),
         tile(every, &|pixels| draw_heat(&all, pixels, most)),
         tile(error, &|pixels| {
-            for (pixel, error) in pixels.iter_mut().zip(&flip.errors) {
+            for (pixel, error) in pixels.iter_mut().zip(&errors) {
                 *pixel = heat(error / FLIP_SHOWN);
             }
         }),

@@ -1,12 +1,12 @@
-use clap::error::{ContextKind, ErrorKind};
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{Parser, Subcommand};
 use eightfold_lab::arguments::{BAD_INPUT, Exit};
 use eightfold_lab::resources::{self, Heap, complain};
-use eightfold_lab::{bench, capture, figures, render, size, trade, truth, view};
+#[cfg(target_arch = "x86_64")]
+use eightfold_lab::size;
+use eightfold_lab::{bench, capture, figures, render, trade, truth, view};
 use std::error::Error;
 use std::process::ExitCode;
-
-const MAX_VALUE: usize = 60;
 
 /// Draws Eightfold's frames, and measures their speed and error
 #[derive(Parser)]
@@ -22,6 +22,7 @@ enum Command {
     Capture(capture::Arguments),
     Figures(figures::Arguments),
     Render(render::Arguments),
+    #[cfg(target_arch = "x86_64")]
     Size(size::Arguments),
     Trade(trade::Arguments),
     Truth(truth::Arguments),
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
+        #[cfg(target_arch = "x86_64")]
         Command::Size(arguments) => size::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
         Command::Truth(arguments) => truth::run(&arguments),
@@ -69,46 +71,10 @@ fn explain(error: &clap::Error) -> ExitCode {
         complain(message);
         return (*code).into();
     }
-    let text = message(error).unwrap_or_else(|| error.to_string());
-    let words: Vec<&str> = text.split_whitespace().collect();
-    complain(&words.join(" "));
+    let text = error.to_string();
+    let ends = ["\n\nUsage:", "\n\nFor more information"].iter().filter_map(|end| text.find(end));
+    let words = text[..ends.min().unwrap_or(text.len())].split_whitespace();
+    let words: Vec<&str> = words.collect();
+    complain(words.join(" ").trim_start_matches("error: "));
     BAD_INPUT.into()
-}
-
-fn message(error: &clap::Error) -> Option<String> {
-    let text = |kind| error.get(kind).map(ToString::to_string);
-    let short = |kind| {
-        let text = text(kind)?;
-        Some(match text.char_indices().nth(MAX_VALUE) {
-            Some((end, _)) => format!("'{}...'", &text[..end]),
-            None => format!("'{text}'"),
-        })
-    };
-    let flags = |kind| {
-        let text = text(kind)?;
-        let words = text.split(['<', '|', ' ', ',']);
-        let flags: Vec<&str> = words.filter(|word| word.starts_with("--")).collect();
-        Some(flags.join(" or "))
-    };
-    let [flag, other] = [ContextKind::InvalidArg, ContextKind::PriorArg].map(flags);
-    let value = short(ContextKind::InvalidValue);
-    Some(match error.kind() {
-        ErrorKind::ValueValidation => format!("{} is {}; {}", flag?, value?, error.source()?),
-        ErrorKind::InvalidValue => format!("{} has no value", flag?),
-        ErrorKind::TooManyValues => format!("{} is {}; must be without a value", flag?, value?),
-        ErrorKind::UnknownArgument => {
-            let argument = short(ContextKind::InvalidArg)?;
-            format!("argument is {argument}; must be one that --help lists")
-        }
-        ErrorKind::InvalidSubcommand => {
-            let given = short(ContextKind::InvalidSubcommand)?;
-            let lab = Lab::command();
-            let names: Vec<&str> = lab.get_subcommands().map(clap::Command::get_name).collect();
-            format!("command is {given}; must be one of {}", names.join(", "))
-        }
-        ErrorKind::MissingRequiredArgument => format!("{} is missing", flag?),
-        ErrorKind::ArgumentConflict if flag == other => format!("{} is set twice", flag?),
-        ErrorKind::ArgumentConflict => format!("{} conflicts with {}", flag?, other?),
-        _ => return None,
-    })
 }

@@ -1,6 +1,6 @@
 use crate::arguments::{self, within};
 use crate::interrupt;
-use crate::progress;
+use crate::progress::Progress;
 use crate::scenes::{self, SceneName};
 use crate::seen::{Seen, look};
 pub use crate::technique::{Sampling, Technique};
@@ -100,7 +100,7 @@ impl Measurement {
         let mut pictures = [(); 2].map(|()| vec![0; largest.unwrap_or(0)]);
         let longest = self.shots.iter().map(|shot| shot.times.len()).max();
         let longest = longest.unwrap_or(0);
-        let bar = progress::bar(longest * settings.len());
+        let bar = Progress::new(longest * settings.len());
         for frame in 0..longest {
             for (i, setting) in settings.iter_mut().enumerate() {
                 bar.inc(1);
@@ -153,7 +153,7 @@ impl Measurement {
     fn look(&self, settings: &mut [Setting]) {
         let count = self.sizes.len() * self.shots.len();
         let views: usize = self.shots.iter().map(|shot| shot.views.len()).sum();
-        let bar = progress::bar(self.sizes.len() * views);
+        let bar = Progress::new(self.sizes.len() * views);
         for i in 0..count {
             let Setting { shot, size, .. } = settings[i];
             let Shot { scene, views, .. } = &self.shots[shot];

@@ -9,17 +9,14 @@ const LINE_EVERY: Duration = Duration::from_secs(10);
 pub struct Progress {
     steps: usize,
     done: AtomicUsize,
-    start: Instant,
+    pub start: Instant,
     /// The time of the last line.
     line: Mutex<Instant>,
 }
 
-pub fn bar(steps: usize) -> Progress {
-    Progress::new(steps, Instant::now())
-}
-
 impl Progress {
-    pub fn new(steps: usize, start: Instant) -> Self {
+    pub fn new(steps: usize) -> Self {
+        let start = Instant::now();
         Self { steps, done: AtomicUsize::new(0), start, line: start.into() }
     }
 

@@ -6,7 +6,7 @@ use clap::Args;
 use eightfold_harness::picture;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Preset;
-use eightfold_window::cpu::{self, Isa};
+use eightfold_window::cpu;
 use std::path::PathBuf;
 
 /// Draws a frame to a PNG file
@@ -22,9 +22,6 @@ pub struct Arguments {
     /// Threads
     #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = within(arguments::THREADS))]
     threads: usize,
-    /// Instruction set [default: the best of this machine]
-    #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
-    isa: Option<Isa>,
     /// PNG file to write, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     out: PathBuf,
@@ -37,8 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut pixels = vec![0; size.area()];
     let mut quality = *arguments.quality.quality();
     quality.antialias &= !arguments.jagged;
-    let level = arguments.isa.unwrap_or_else(cpu::best).level;
     let mut renderer = ThreadedRenderer::new(arguments.threads);
-    renderer.draw(level, &scene, &quality, size.width, &mut pixels);
+    renderer.draw(cpu::best().level, &scene, &quality, size.width, &mut pixels);
     output::write(&arguments.out, &picture::png(size.width, &pixels)?)
 }

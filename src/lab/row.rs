@@ -1,6 +1,6 @@
 use crate::markdown::{self, Column, known, percent};
 use crate::measure::{Measurement, Run, Sampling, Setting, Shot, Technique};
-use crate::timing::{mean, median, percentile};
+use crate::timing::{mean, percentile};
 use eightfold_harness::error::Difference;
 use eightfold_tracer::Quality;
 use serde::Serialize;
@@ -53,7 +53,7 @@ impl Row {
             let per_frame = |count: u64| count as f64 / frames as f64;
             let psnr = run.differences.iter().map(|difference| difference.psnr);
             let over_8: usize = run.differences.iter().map(|each| each.over_8).sum();
-            let ms = median(&run.times);
+            let ms = percentile(&run.times, 50);
             Self {
                 scene: shot.scene.to_string(),
                 width: setting.size.width,

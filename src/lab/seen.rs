@@ -1,5 +1,5 @@
 use crate::arguments::processors;
-use crate::flip::Flip;
+use crate::flip::{flip, mean};
 use crate::interrupt;
 use crate::technique::Technique;
 use eightfold_harness::Size;
@@ -65,7 +65,7 @@ pub fn look(
                     let pops = pops(references, [&before, &now]);
                     seen.pops.push(pops as f64);
                 } else {
-                    let flip = |picture: &[u32]| Flip::between(width, picture, &now).mean();
+                    let flip = |picture: &[u32]| mean(&flip(width, picture, &now));
                     seen.flips.push(flip(&references[0]));
                     seen.flips_to_64.push(flip(&samples));
                     let difference = Difference::between(&samples, &now);

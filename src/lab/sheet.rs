@@ -1,7 +1,6 @@
 use crate::bitmap::{at, bitmap, text};
 use anyhow::Result;
-use eightfold_harness::Size;
-use eightfold_harness::picture;
+use eightfold_harness::{Size, picture};
 use plotters::style::FontStyle;
 
 pub struct Tile {

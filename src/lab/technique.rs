@@ -1,8 +1,7 @@
 use eightfold_harness::Size;
 use eightfold_harness::error::worst_channel;
 use eightfold_harness::threaded_renderer::{Shown, ThreadedRenderer};
-use eightfold_tracer::Preset;
-use eightfold_tracer::{Counts, Level, Quality};
+use eightfold_tracer::{Counts, Level, Preset, Quality};
 use fast_image_resize::images::{Image, ImageRef};
 use fast_image_resize::{FilterType, PixelType, ResizeAlg, ResizeOptions, Resizer};
 use std::cell::RefCell;

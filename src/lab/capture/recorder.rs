@@ -1,7 +1,7 @@
 use super::Arguments;
 use crate::arguments::processors;
-use crate::interrupt;
-use crate::{progress, wav};
+use crate::progress::Progress;
+use crate::{interrupt, wav};
 use anyhow::Result;
 use eightfold::sound::RATE;
 use eightfold_harness::Size;
@@ -48,7 +48,7 @@ impl<'a> Recorder<'a> {
         frames: impl ExactSizeIterator<Item = usize>,
         mut take: impl FnMut(usize, &[u32]) -> Result<()>,
     ) -> Result<()> {
-        let bar = progress::bar(frames.len());
+        let bar = Progress::new(frames.len());
         for frame in frames {
             let pixels = self.draw(frame);
             interrupt::check("the frames are incomplete")?;

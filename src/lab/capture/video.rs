@@ -1,7 +1,6 @@
 use super::recorder::Recorder;
 use crate::arguments::Exit;
-use crate::interrupt;
-use crate::{output, wav};
+use crate::{interrupt, output, wav};
 use anyhow::{Context, Result, ensure};
 use eightfold_harness::Size;
 use std::fs;

@@ -3,9 +3,8 @@ use crate::measure::{Measurement, Setting, Shot, Technique};
 use crate::row::quartile;
 use crate::scenes::SceneName;
 use eightfold_harness::Size;
-use eightfold_tracer::Preset;
 use eightfold_tracer::scene::MAX_SPHERES;
-use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Preset};
 use serde::Serialize;
 
 /// Repetitions of a frame.
@@ -48,13 +47,12 @@ fn curves(
     }
     let shots =
         scenes.iter().map(|&scene| Shot { scene, times: vec![0.0; FRAMES], views: Vec::new() });
-    let antialias = of.techniques[0].quality.antialias;
     let measurement = Measurement {
         shots: shots.collect(),
         isa: of.isa,
         sizes,
         threads: vec![1],
-        techniques: PRESETS.map(|preset| Technique::named(preset, antialias)).to_vec(),
+        techniques: PRESETS.map(|preset| Technique::named(preset, false)).to_vec(),
     };
     let settings = measurement.run();
     let curve = |i: usize| {

@@ -4,12 +4,11 @@ mod plots;
 mod sweep;
 
 use crate::arguments::{self, within};
-use crate::interrupt;
 use crate::measure::{Measurement, Shot, ShotArguments};
-use crate::output;
 use crate::row::{self, Row};
 use crate::technique::{Sampling, Technique};
 use crate::timing::machine;
+use crate::{interrupt, output};
 use anyhow::{Context, Result};
 use clap::Args;
 use curves::Curve;
@@ -35,9 +34,6 @@ pub struct Arguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Size,
-    /// Antialiases all frames; by default all are jagged
-    #[arg(long)]
-    antialias: bool,
     /// Timed frames of each setting, at even intervals
     #[arg(long, value_name = "N", default_value = "51", value_parser = within(arguments::FRAMES))]
     frames: usize,
@@ -68,12 +64,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut rows = Row::of(&measurement, &measurement.run()[0]);
     front::mark(&mut rows);
     let heading = format!(
-        "{}, {}; {}, {}, {} edges, {} frames",
+        "{}, {}; {}, {}, jagged edges, {} frames",
         machine(),
         measurement.isa.name,
         arguments.shot.scene,
         arguments.size,
-        ["jagged", "antialiased"][usize::from(arguments.antialias)],
         rows[0].frames
     );
     const TITLES: &str = "quality, speed-up, traced";
@@ -97,13 +92,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 fn measurement(arguments: &Arguments) -> Measurement {
-    let antialias = arguments.antialias;
     let techniques = if arguments.ladder {
-        Preset::ALL.map(|preset| Technique::named(preset, antialias)).to_vec()
+        Preset::ALL.map(|preset| Technique::named(preset, false)).to_vec()
     } else {
-        let rivals = Technique::rivals(antialias);
+        let rivals = Technique::rivals(false);
         let rivals = rivals.filter(|rival| rival.sampling != Sampling::Full);
-        sweep::techniques(antialias).into_iter().chain(rivals).collect()
+        sweep::techniques().into_iter().chain(rivals).collect()
     };
     let ShotArguments { scene, views, isa } = arguments.shot;
     Measurement {

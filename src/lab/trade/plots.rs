@@ -6,8 +6,7 @@ use crate::plot::{Chart, Series};
 use crate::row::Row;
 use crate::technique::Sampling;
 use anyhow::Result;
-use eightfold_tracer::Preset;
-use eightfold_tracer::Quality;
+use eightfold_tracer::{Preset, Quality};
 use plotters::chart::SeriesLabelPosition::{self, *};
 use std::path::Path;
 
@@ -64,9 +63,7 @@ fn squares(trade: &Trade) -> Chart {
     let series = |(name, base): (&str, Quality)| {
         let is_varied = |row: &&Row| {
             let square = row.quality.square;
-            let antialias = row.quality.antialias;
-            let varied = Quality { square, antialias, ..base };
-            square > 1 && row.quality == varied
+            square > 1 && row.quality == Quality { square, antialias: false, ..base }
         };
         let mut rows: Vec<&Row> = trade.rows.iter().filter(is_varied).collect();
         rows.sort_by_key(|row| row.quality.square);

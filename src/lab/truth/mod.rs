@@ -2,13 +2,13 @@ mod light;
 mod path;
 
 use crate::arguments::{self, processors, within};
+use crate::output;
+use crate::progress::Progress;
 use crate::scenes::FrameArguments;
-use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
-use eightfold_harness::Size;
-use eightfold_harness::picture;
 use eightfold_harness::threaded_renderer::drawn;
+use eightfold_harness::{Size, picture};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{DVec3, dvec2, dvec3};
 use eightfold_tracer::scene::{Film, Scene};
@@ -30,9 +30,6 @@ pub struct Arguments {
     /// Paths per pixel; quadruple them to halve the noise
     #[arg(long, value_name = "N", default_value = "64", value_parser = within(2..=MAX_SAMPLES))]
     samples: u32,
-    /// Random seed
-    #[arg(long, value_name = "N", default_value = "0")]
-    seed: u32,
     /// PNG file to write, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     out: PathBuf,
@@ -44,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     scene.check(time)?;
     let scene = transported(scene.at(time).scene);
     output::check(&arguments.out)?;
-    let truth = draw(&scene, size, samples, arguments.seed);
+    let truth = draw(&scene, size, samples, 0);
     let pixels: Vec<u32> = truth.iter().map(Estimate::pixel).collect();
     output::write(&arguments.out, &picture::png(size.width, &pixels)?)?;
     let real_time = drawn(processors(), &scene, &Quality::DEFAULT, size);
@@ -92,7 +89,7 @@ impl Estimate {
 /// The result is independent of the number of threads.
 pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate> {
     let tracer = PathTracer::new(scene, size);
-    let bar = progress::bar(size.height);
+    let bar = Progress::new(size.height);
     let pixel = |x: usize, y: usize| {
         let number = u64::from(seed) << 32 | (y * size.width + x) as u64;
         // Hashed, so that pixels' sequences start far apart.

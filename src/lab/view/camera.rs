@@ -32,12 +32,5 @@ pub fn zoom(camera: &mut Camera, notches: i32) {
 
 /// Formats the scene file's field, exact to the bit.
 pub fn ron(camera: &Camera) -> String {
-    let [eye, look_at, up] = [camera.eye, camera.look_at, camera.up].map(|vector| {
-        let [x, y, z] = vector.to_array();
-        format!("({x:?}, {y:?}, {z:?})")
-    });
-    let (angle, aspect) = (camera.field_of_view, camera.min_aspect);
-    format!(
-        "camera: (eye: {eye}, look_at: {look_at}, up: {up}, field_of_view: {angle:?}, min_aspect: {aspect:?}),\n"
-    )
+    format!("camera: {},\n", ron::to_string(camera).expect("numbers"))
 }

@@ -11,10 +11,11 @@ fn bad_input_fails_in_one_line() {
         assert_one_line(&lab(line), 2, &[message]);
     }
     let output = lab("render --out \x1b[31mred.jpg");
-    assert_one_line(&output, 2, &["--out is '\\u{1b}[31mred.jpg'; must be"]);
+    assert_one_line(&output, 2, &["invalid value 'red.jpg' for '--out <FILE>': must be"]);
     let qualities = Preset::ALL.map(Preset::name).join(", ");
     let output = lab(&format!("render --out - --quality {}", "x".repeat(99)));
-    let message = format!("--quality is '{}...'; must be one of {qualities}", "x".repeat(60));
+    let message =
+        format!("{}...' for '--quality <NAME>': must be one of {qualities}", "x".repeat(59));
     assert_one_line(&output, 2, &[&message]);
 }
 

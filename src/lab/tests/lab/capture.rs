@@ -1,4 +1,4 @@
-use super::{assert_one_line, command, interrupted, lab, printed, signal, signalled, stderr};
+use super::{assert_one_line, command, lab, printed, signal, signalled, stderr};
 use eightfold::show;
 use eightfold::sound::RATE;
 use eightfold_harness::error::{Difference, worst_channel};
@@ -242,16 +242,10 @@ fn failing_ffmpeg_is_reported_in_one_line() {
     }
 }
 
-/// As when a terminal closes, whose shell sends the signal, too.
 #[cfg(target_os = "linux")]
 #[test]
-fn hang_up_leaves_no_file_unless_ignored() {
-    let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
-    write_ffmpeg(programs.path(), "exec /bin/cat > /dev/null");
-    let line = line(&format!("--video {}/show.mp4", folder.path().display()));
-    let output = signalled(command(&line).env("PATH", programs.path()), "HUP", 1);
-    assert_one_line(&output, 130, &["interrupted"]);
-    assert!(files(folder.path()).is_empty());
+fn ignored_hang_up_does_not_end_frames() {
+    let folder = tempfile::tempdir().unwrap();
     let ignoring = "trap '' HUP; \"$0\" \"$@\" & kill -s HUP $!; wait $!";
     let mut sh = std::process::Command::new("sh");
     let sh = sh.args(["-c", ignoring, env!("CARGO_BIN_EXE_lab")]);
@@ -262,15 +256,18 @@ fn hang_up_leaves_no_file_unless_ignored() {
     assert_eq!(files(folder.path()).len(), 9);
 }
 
+/// A closed terminal and its shell each send HUP.
 #[cfg(target_os = "linux")]
 #[test]
 fn signal_leaves_no_broken_file() {
     let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
     write_ffmpeg(programs.path(), "echo $$ > \"$0.id\"; exec /bin/cat > /dev/null");
     let (frames, video) = (folder.path().join("frames"), folder.path().join("show.mp4"));
-    for (flag, target) in [("--png", &frames), ("--video", &video)] {
+    for (flag, target, name, number) in
+        [("--png", &frames, "INT", 2), ("--video", &video, "HUP", 1), ("--video", &video, "INT", 2)]
+    {
         let mut capture = command(&line(&format!("{flag} {}", target.display())));
-        let output = interrupted(capture.env("PATH", programs.path()));
+        let output = signalled(capture.env("PATH", programs.path()), name, number);
         assert_one_line(&output, 130, &["interrupted"]);
     }
     for (name, bytes) in files(&frames) {

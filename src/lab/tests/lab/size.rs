@@ -1,14 +1,7 @@
-use crate::printed;
+use crate::{cells, printed};
 use eightfold_harness::cargo::Build;
 use eightfold_stage::intro;
 use std::path::PathBuf;
-
-fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
-    let start = format!("| {title} |");
-    let lines = text.lines().skip_while(|line| !line.starts_with(&start));
-    let rows = lines.skip(2).take_while(|line| line.starts_with('|'));
-    rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
-}
 
 fn number(cell: &str) -> u64 {
     cell.trim_matches('*').parse().expect("a number")
@@ -23,15 +16,19 @@ fn sum(rows: &[Vec<&str>], column: usize) -> u64 {
 fn sections_of_windows_intro_add_up() {
     let text = printed("size --windows --functions 1");
     let build = Build::windows().expect("cargo builds the intro");
-    assert_sections(&text, build.program("eightfold").expect("the intro"));
+    assert_sections(&tables(&text)[0], build.program("eightfold").expect("the intro"));
 }
 
-fn assert_sections(text: &str, intro: PathBuf) -> [u64; 2] {
+/// Returns the rows of each table, without its title.
+fn tables(text: &str) -> Vec<Vec<Vec<&str>>> {
+    text.split("\n\n").map(|table| cells(table).split_off(1)).collect()
+}
+
+fn assert_sections(sections: &[Vec<&str>], intro: PathBuf) -> [u64; 2] {
     let file = std::fs::metadata(intro).expect("the intro").len();
-    let sections = table(text, "section");
     let (whole, parts) = sections.split_last().expect("a line for the file");
     assert_eq!(number(whole[2]), file);
-    assert!(sum(parts, 2).abs_diff(file) <= parts.len() as u64, "{text}");
+    assert!(sum(parts, 2).abs_diff(file) <= parts.len() as u64, "{sections:?}");
     let code = parts.iter().find(|row| row[0] == ".text").expect("code");
     [1, 2].map(|column| number(code[column]))
 }
@@ -39,18 +36,15 @@ fn assert_sections(text: &str, intro: PathBuf) -> [u64; 2] {
 #[test]
 fn tables_add_up_to_file() {
     let text = printed("size --functions 12");
-    let [bytes, packed] = assert_sections(&text, intro());
+    let [sections, crates, functions] = &tables(&text)[..] else { panic!("{text}") };
+    let [bytes, packed] = assert_sections(sections, intro());
     assert!(packed < bytes / 2, "{text}");
-
-    let crates = table(&text, "crate");
     // Padding has no symbol; constants have.
-    let named = sum(&crates, 2);
+    let named = sum(crates, 2);
     assert!(named > bytes * 9 / 10, "{named} of {bytes}");
     for name in ["eightfold", "eightfold_tracer", "eightfold_window"] {
         assert!(crates.iter().any(|row| row[0] == name), "{name}: {text}");
     }
-
-    let functions = table(&text, "function");
     let (rest, functions) = functions.split_last().expect("a line for the rest");
     assert_eq!(functions.len(), 12);
     let sizes: Vec<u64> = functions.iter().map(|row| number(row[4])).collect();

@@ -7,8 +7,7 @@ use eightfold_lab::scenes::SceneName;
 use eightfold_lab::view::controls::{Controls, KEYS, MOST_ERROR, MOST_RAYS, Overlay};
 use eightfold_lab::view::{frame_viewer::FrameViewer, subject::Subject};
 use eightfold_stage::wait_for;
-use eightfold_tracer::Preset;
-use eightfold_tracer::Quality;
+use eightfold_tracer::{Preset, Quality};
 use eightfold_window::cpu;
 
 #[test]
