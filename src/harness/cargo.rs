@@ -41,23 +41,20 @@ impl Build {
     }
 
     pub fn program(&self, name: &str) -> Result<PathBuf> {
-        let path = self.artifact("bin", name).and_then(|artifact| artifact["executable"].as_str());
+        let path = self.artifact(name).and_then(|artifact| artifact["executable"].as_str());
         path.map(PathBuf::from).with_context(|| format!("{name} is missing from cargo's output"))
     }
 
-    /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Equal bytes identify the packed program in `deps`,
-    /// since cargo reports only a copy.
+    /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Cargo reports a copy of the packed one in `deps`.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
         let bytes = fs::read(&copy).with_context(|| copy.display().to_string())?;
-        let folder = self.script_folder(program)?;
+        let folder = copy.with_file_name("deps");
         let entries = fs::read_dir(&folder).with_context(|| folder.display().to_string())?;
         for entry in entries {
             let path = entry?.path();
-            let name = path.file_stem().unwrap_or_default();
-            let original = copy.with_file_name("deps").join(name);
             if path.extension().is_some_and(|end| end == "unpacked")
-                && fs::read(original).is_ok_and(|original| original == bytes)
+                && fs::read(path.with_extension("")).is_ok_and(|original| original == bytes)
             {
                 return Ok(path);
             }
@@ -65,24 +62,12 @@ impl Build {
         bail!("{}: {program}.unpacked is missing", folder.display())
     }
 
-    fn script_folder(&self, program: &str) -> Result<PathBuf> {
-        let package = self.artifact("bin", program).map(|artifact| &artifact["package_id"]);
-        let mut scripts = self.of_reason("build-script-executed");
-        scripts
-            .find(|message| Some(&message["package_id"]) == package)
-            .and_then(|message| message["out_dir"].as_str())
-            .map(PathBuf::from)
-            .with_context(|| format!("build script of {program} is missing from cargo's output"))
-    }
-
-    fn artifact(&self, kind: &str, name: &str) -> Option<&Value> {
-        self.of_reason("compiler-artifact").find(|message| {
+    fn artifact(&self, name: &str) -> Option<&Value> {
+        self.messages.iter().find(|message| {
             let target = &message["target"];
-            target["name"] == name && target["kind"][0] == kind
+            message["reason"] == "compiler-artifact"
+                && target["name"] == name
+                && target["kind"][0] == "bin"
         })
-    }
-
-    fn of_reason(&self, reason: &str) -> impl Iterator<Item = &Value> {
-        self.messages.iter().filter(move |message| message["reason"] == reason)
     }
 }

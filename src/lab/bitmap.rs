@@ -31,19 +31,15 @@ pub fn at([x, y]: [usize; 2]) -> (i32, i32) {
 }
 
 /// `size` is in pixels.
-pub fn text(size: u32, style: FontStyle) -> TextStyle<'static> {
-    FontDesc::new(FontFamily::SansSerif, f64::from(size), style).color(&INK)
+pub fn text(size: u32) -> TextStyle<'static> {
+    FontDesc::new(FontFamily::SansSerif, f64::from(size), FontStyle::Normal).color(&INK)
 }
 
 /// Needed before text is measured or drawn outside of [`bitmap`].
 pub fn register_fonts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
-        for (style, font) in
-            [(FontStyle::Normal, ttf_noto_sans::REGULAR), (FontStyle::Bold, ttf_noto_sans::BOLD)]
-        {
-            let registered = register_font("sans-serif", style, font);
-            assert!(registered.is_ok(), "the font is valid");
-        }
+        let registered = register_font("sans-serif", FontStyle::Normal, ttf_noto_sans::REGULAR);
+        assert!(registered.is_ok(), "the font is valid");
     });
 }

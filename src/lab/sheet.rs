@@ -1,7 +1,6 @@
 use crate::bitmap::{at, bitmap, text};
 use anyhow::Result;
 use eightfold_harness::{Size, picture};
-use plotters::style::FontStyle;
 
 pub struct Tile {
     pub pixels: Vec<u32>,
@@ -26,7 +25,7 @@ pub fn sheet(size: Size, columns: usize, tiles: &[Tile]) -> Result<Vec<u8>> {
             let [x, y] = place(i);
             for (line, words) in tile.caption.lines().enumerate() {
                 let place = at([x, y + size.height + 6 + line * LINE]);
-                area.draw_text(words, &text(13, FontStyle::Normal), place)?;
+                area.draw_text(words, &text(13), place)?;
             }
         }
         Ok(())

@@ -1,11 +1,11 @@
-//! The check of a moving scene at all times. A field's extremes are at keys and at the extremes of splines. Rules for several
-//! fields, or for a vector's length, can be broken for a moment between them: the scene
-//! is sampled there, and a search finds the closest approaches.
+//! Checks a moving scene at all times. A field's extremes are at keys and at the extremes of splines. Rules for several fields, or for
+//! a vector's length, can be broken between them: a search there finds the closest approaches.
 
 use super::moving::Moving;
 use super::node::{Kind, Mistake, Node, steps};
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Scene, Shape};
+use std::collections::BTreeMap;
 
 /// Samples between two keys or extremes. Between them, a distance of two splines has few minima.
 const STEPS: u8 = 8;
@@ -41,20 +41,16 @@ fn distances(scene: &mut Scene) -> Vec<f32> {
 impl Moving {
     pub fn check(&self, length: f32) -> Result<(), Mistake> {
         self.valid(0.0)?;
-        self.parts().iter().try_for_each(|part| part.check_alone(length))
+        self.parts().values().try_for_each(|part| part.check_alone(length))
     }
 
     /// Returns each moving object or material with its motions, and one part for all other fields.
-    fn parts(&self) -> Vec<Self> {
-        let mut parts: Vec<Self> = Vec::new();
+    fn parts(&self) -> BTreeMap<[String; 2], Self> {
+        let mut parts = BTreeMap::new();
         for motion in &self.motions {
             let part = self.part(&motion.of);
-            let same = parts.iter_mut().position(|it| it.alias == part.alias);
-            let at = same.unwrap_or_else(|| {
-                parts.push(part);
-                parts.len() - 1
-            });
-            parts[at].motions.push(motion.clone());
+            let same = parts.entry(part.alias.clone()).or_insert(part);
+            same.motions.push(motion.clone());
         }
         parts
     }

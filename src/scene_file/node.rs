@@ -199,10 +199,9 @@ impl fmt::Display for Mistake {
 
 /// Translates serde's words for a type.
 fn plain(expected: &dyn Expected) -> String {
-    let text = expected.to_string().replace("struct ", "fields of ");
+    let text = expected.to_string().replace("struct ", "fields of ").replace("a map", "a table");
     let text = text.replace("f32 values", "numbers").replace("f32", "a number");
     let text = text.replace("a boolean", "true or false");
-    let text = text.replace("a map", "a table");
     text.replace("elements in sequence", "items").replace("sequence", "list")
 }
 

@@ -18,7 +18,7 @@ try_exe() {
 # No instruction accesses memory below the stack pointer; `lea` does not access memory.
 try_code() {
     local linked code_of
-    linked=$(ls -t "${CARGO_TARGET_DIR:-target}"/exe/build/eightfold-*/out/eightfold-*.unpacked | head -n 1)
+    linked=$(ls -t "${CARGO_TARGET_DIR:-target}"/exe/deps/eightfold-*.unpacked | head -n 1)
     for code_of in "$linked" "${linked%/*}/linker/stub.o"; do
         ! objdump -d --no-show-raw-insn "$code_of" | grep -v '\<lea ' | grep -e '-0x[0-9a-f]*(%rsp' || fail "memory below the stack pointer is used"
     done

@@ -59,27 +59,22 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
     writeln!(text, "| section | bytes | packed | share |")?;
     writeln!(text, "| --- | ---: | ---: | ---: |")?;
-    let mut row = |name: &str, bytes: Bytes| {
-        let share = 100.0 * bytes.packed / file;
-        writeln!(text, "| {name} | {bytes} | {share:.1} % |")
+    let sections = sums(&program.sections, &packed, |part| part.name.clone());
+    let (mut rows, smaller): (Vec<_>, Vec<_>) =
+        sections.into_iter().partition(|(_, bytes)| bytes.packed >= LISTED * file);
+    let (all, listed) = (packed.all(), total(&rows));
+    let others = Bytes {
+        parts: smaller.len(),
+        linked: all.linked - listed.linked,
+        packed: all.packed - listed.packed,
     };
-    let sections = sums(&program.sections, &packed, |part| &*part.name);
-    let all = packed.all();
-    let mut others = Bytes { parts: 0, ..all };
-    for (name, bytes) in sections {
-        if bytes.packed < LISTED * file {
-            others.parts += 1;
-            continue;
-        }
-        others.linked -= bytes.linked;
-        others.packed -= bytes.packed;
-        row(name, bytes)?;
+    rows.push((format!("headers, {} smaller sections", others.parts), others));
+    let unpacker = file - all.packed;
+    let unpacker = Bytes { parts: 1, linked: unpacker.round() as u64, packed: unpacker };
+    rows.push(("unpacker".to_owned(), unpacker));
+    for (name, bytes) in rows {
+        writeln!(text, "| {name} | {bytes} | {:.1} % |", 100.0 * bytes.packed / file)?;
     }
-    let name = format!("headers, {} smaller sections", others.parts);
-    row(&name, others)?;
-    let unpacker =
-        Bytes { parts: 1, linked: (file - all.packed).round() as u64, packed: file - all.packed };
-    row("unpacker", unpacker)?;
     writeln!(text, "| **the file** | | **{file}** | |\n")?;
 
     writeln!(text, "| crate | functions, constants | bytes | packed |")?;
@@ -97,12 +92,15 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let name = name.replace('|', "\\|");
         writeln!(text, "| `{name}` | {of} | {} | {bytes} |", bytes.parts)?;
     }
-    let mut rest = Bytes::default();
-    for (_, bytes) in others {
-        rest.add(*bytes);
-    }
+    let rest = total(others);
     writeln!(text, "| {} smaller ones | | | {rest} |", rest.parts)?;
     output::write(Path::new("-"), text.as_bytes())
+}
+
+fn total<K>(rows: &[(K, Bytes)]) -> Bytes {
+    let mut sum = Bytes::default();
+    rows.iter().for_each(|(_, bytes)| sum.add(*bytes));
+    sum
 }
 
 /// Sums sizes by key, the largest first.

@@ -1,6 +1,5 @@
 use crate::bitmap::{at, bitmap, register_fonts, text};
 use plotters::prelude::*;
-use plotters::style::FontStyle;
 
 /// The height of letters and lines, and the gap around them, in pixels.
 const LETTERS: u32 = 14;
@@ -32,10 +31,9 @@ impl Panel {
 
     fn drawn(&self) -> anyhow::Result<Vec<u32>> {
         register_fonts();
-        let [bold, normal] =
-            [FontStyle::Bold, FontStyle::Normal].map(|weight| text(LETTERS, weight).color(&WHITE));
+        let style = text(LETTERS).color(&WHITE);
         let width = |words: &str| {
-            let size = normal.font.box_size(words);
+            let size = style.font.box_size(words);
             size.map_or(0, |(width, _)| width as usize)
         };
         let mut lines: Vec<(&str, usize, String)> = Vec::new();
@@ -58,8 +56,8 @@ impl Panel {
         bitmap([self.width, lines.len() * LINE + GAP], 0, |area| {
             for (i, (key, indent, words)) in lines.iter().enumerate() {
                 let y = GAP / 2 + i * LINE;
-                area.draw_text(key, &bold, at([GAP, y]))?;
-                area.draw_text(words, &normal, at([*indent, y]))?;
+                area.draw_text(key, &style, at([GAP, y]))?;
+                area.draw_text(words, &style, at([*indent, y]))?;
             }
             Ok(())
         })

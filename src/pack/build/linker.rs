@@ -122,7 +122,7 @@ fn pack(settings: &Settings, directory: &Path, path: &Path) -> Result<(), Error>
     // Keep the unpacked program under cargo's name, whose hash depends on the features.
     let mut name = path.file_name().ok_or("output has no name")?.to_owned();
     name.push(".unpacked");
-    let unpacked = directory.with_file_name(name);
+    let unpacked = path.with_file_name(name);
     at(&unpacked, fs::copy(path, &unpacked))?;
     let program = at(path, fs::read(path))?;
     let stub = directory.join(STUB);

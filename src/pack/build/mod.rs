@@ -1,16 +1,9 @@
 //! The intro's build script.
 //!
-//! It compiles the stub, and makes rustc's C compiler call the script's own executable as the linker, by a link in
-//! `OUT_DIR/linker`. Called by this name, the executable runs the real linker, and packs the output in place. `OUT_DIR` then
-//! contains
-//!
-//! | file | content |
-//! | --- | --- |
-//! | `eightfold-*.unpacked` | the unpacked program, with symbols for debuggers and [`costs`](crate::costs) |
-//! | `eightfold.map` | the latest link's map |
-//! | `linker/` | the linker and the stub |
-//!
-//! A program that cannot be packed is linked as usual, with a warning; for Windows this is an error.
+//! It compiles the stub, and makes rustc's C compiler call a copy of the script's executable in `OUT_DIR/linker` as the linker. Called
+//! by this name, the executable runs the real linker, and packs the output in place. A file `*.unpacked` beside it keeps the symbols
+//! for debuggers and [`costs`](crate::costs). A program that cannot be packed is linked as usual, with a warning; for Windows this is
+//! an error.
 
 mod linker;
 mod order;
@@ -66,17 +59,11 @@ fn prepare(program: &str) -> Result<(), Error> {
     let system = if is_for_windows { "windows" } else { "linux" };
     let directory = output.join("linker");
     at(&directory, fs::create_dir_all(&directory))?;
-    let own = env::current_exe()?;
     let linker = directory.join(LINKER);
-    if linker.exists() {
-        at(&linker, fs::remove_file(&linker))?;
-    }
-    let linked = fs::hard_link(&own, &linker);
-    at(&linker, linked.or_else(|_| fs::copy(&own, &linker).map(|_| ())))?;
+    at(&linker, fs::copy(env::current_exe()?, &linker))?;
     compile_stub(&toolchain, system, &directory.join(STUB))?;
     println!("cargo::rustc-env={LINKER_VARIABLE}={}", toolchain.linker);
     println!("cargo::rustc-env={SYSTEM_VARIABLE}={system}");
-    let map = output.join(format!("{program}.map"));
     let for_system: &[&str] = if is_for_windows {
         &[
             "-Wl,--no-dynamic-linker",
@@ -95,7 +82,6 @@ fn prepare(program: &str) -> Result<(), Error> {
         // Pages of 4 KB keep the gaps between segments short.
         "-Wl,-z,max-page-size=4096",
         "-Wl,--build-id=none",
-        &format!("-Wl,-Map={}", map.display()),
         &format!("-B{}", directory.display()),
         // The last option selects the linker by its suffix.
         &format!("-fuse-ld={}", &LINKER[3..]),

@@ -89,13 +89,12 @@ fn errors_match_rendered_pictures() {
     assert_eq!(number(&rows[1], "pixels_over_8"), difference.over_8 as f64);
 }
 
-#[cfg(target_os = "linux")]
 #[test]
 fn signal_keeps_figures() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("bench.json");
     let line = "bench --frames 100000 --size 32x24 --size 48x36 --json";
-    let output = super::interrupted(super::command(line).arg(&file));
+    let output = super::signalled(super::command(line).arg(&file), "INT", 2);
     assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
     assert!(stderr(&output).contains("interrupted"));
     let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();

@@ -242,7 +242,6 @@ fn failing_ffmpeg_is_reported_in_one_line() {
     }
 }
 
-#[cfg(target_os = "linux")]
 #[test]
 fn ignored_hang_up_does_not_end_frames() {
     let folder = tempfile::tempdir().unwrap();
@@ -257,7 +256,6 @@ fn ignored_hang_up_does_not_end_frames() {
 }
 
 /// A closed terminal and its shell each send HUP.
-#[cfg(target_os = "linux")]
 #[test]
 fn signal_leaves_no_broken_file() {
     let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());

@@ -71,7 +71,6 @@ fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     assert!(output.stdout.is_empty());
 }
 
-#[cfg(target_os = "linux")]
 fn signal(process: &str, name: &str) -> bool {
     let kill = format!("kill -s {name} {process}");
     let mut sh = Command::new("sh");
@@ -79,12 +78,6 @@ fn signal(process: &str, name: &str) -> bool {
     status.unwrap().success()
 }
 
-#[cfg(target_os = "linux")]
-fn interrupted(command: &mut Command) -> Output {
-    signalled(command, "INT", 2)
-}
-
-#[cfg(target_os = "linux")]
 fn signalled(command: &mut Command, name: &str, number: u32) -> Output {
     let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
     let child = command.spawn().expect("the lab starts");
@@ -125,7 +118,6 @@ fn every_flag_changes_picture() {
     assert_eq!(picture("--scene model --time 0"), plain);
 }
 
-#[cfg(target_os = "linux")]
 #[test]
 fn full_disk_keeps_old_file() {
     let folder = tempfile::tempdir().unwrap();
