@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 
 /// Measures the speed and the error of frames
 ///
-/// Prints a Markdown table with a row per setting and scene. Also measures exhaustive frames, for comparison. Settings take turns,
-/// frame by frame. Times of one thread are processor time. Ctrl-C prints the figures so far.
+/// Prints a Markdown table with a row per setting and scene, and for exhaustive frames. Settings take turns, frame by frame. Times of one
+/// thread are processor time. Ctrl-C prints the figures so far.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -30,8 +30,8 @@ pub struct Arguments {
     /// Draws all frames with jagged edges; by default all are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Adds exhaustive frames enlarged from 0.3 to 0.9 of the width, a checkerboard of traced pixels, and `default` without its guard.
-    /// Prints the dB to 64 samples that a quality gains at equal time
+    /// Adds frames enlarged from 0.3 to 0.9 of the width, a checkerboard of traced pixels, and `default` without its guard. Prints the dB
+    /// to 64 samples that a quality gains at equal time
     #[arg(long)]
     rivals: bool,
     /// Frames of each setting, at even intervals

@@ -1,9 +1,8 @@
 //! Packs the intro when it is linked, and unpacks it when it starts. [`build`] is the intro's build script and linker, `model`
 //! predicts the next bit of x86 code, and `stub` starts a packed executable.
 //!
-//! The model computes with integers, in a fixed order, with one function for packing and unpacking. Unpacking takes 1.1
-//! microseconds a byte: measure it by `time target/release/eightfold --version`. Why a custom packer: sizes of an intro of 116,673
-//! bytes are
+//! The model computes with integers, in one function for packing and unpacking. Unpacking takes 1.1 microseconds a byte, see `time
+//! target/release/eightfold --version`. Why a custom packer: sizes of an intro of 116,673 bytes are
 //!
 //! | packer | packed | unpacker | time to unpack |
 //! | --- | ---: | ---: | ---: |

@@ -43,7 +43,7 @@ const STACK_AT_ONCE: u64 = 1 << 17;
 
 const DIRECTORIES: usize = 16;
 
-/// The file offset of the checksum in the optional header, after the DOS and COFF headers.
+/// The checksum's file offset, in the optional header.
 const CHECKSUM: usize = 64 + 4 + 20 + 64;
 
 impl Executable {
@@ -105,7 +105,7 @@ impl Executable {
     }
 }
 
-/// Sets the header's checksum: the one's complement sum of all 16-bit words, plus the length.
+/// The one's complement sum of all 16-bit words, plus the length.
 fn set_checksum(file: &mut [u8]) {
     let sum = file.chunks(2).fold(0, |sum, pair| {
         let sum = sum + number(pair, 0, pair.len()) as u32;
@@ -116,7 +116,7 @@ fn set_checksum(file: &mut [u8]) {
 }
 
 pub struct Imports {
-    /// Addresses of the functions' names, which Windows replaces with the functions' addresses.
+    /// Of the functions' names; Windows replaces them with the functions'.
     pub addresses: Vec<u8>,
     pub names: Vec<u8>,
 }

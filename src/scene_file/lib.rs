@@ -1,4 +1,5 @@
-//! Scene files in RON: the fields of [`Scene`] and [`Presentation`], named materials, and motions. `examples/scenes` has a file for each feature.
+//! Scene files in RON: the fields of [`Scene`] and [`Presentation`], named materials, and motions. `examples/scenes` has a file for each
+//! feature. An error is one line: file, line, column, value, range.
 
 mod check;
 mod message;
@@ -32,10 +33,6 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// Decodes a file's text.
-    ///
-    /// # Errors
-    /// One line: file, line, column, value, range.
     pub fn decode(name: &str, bytes: Vec<u8>) -> Result<String, String> {
         String::from_utf8(bytes).map_err(|error| {
             let (bytes, at) = (error.as_bytes(), error.utf8_error().valid_up_to());
@@ -45,10 +42,7 @@ impl SceneFile {
         })
     }
 
-    /// Parses the text of a file, and checks the scene at all times up to its length and to the last key.
-    ///
-    /// # Errors
-    /// One line: file, line, column, value, range.
+    /// Parses a text, and checks the scene at all times up to its length and to the last key.
     pub fn parse(name: &str, text: &str) -> Result<Self, String> {
         let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
         let tree = Node::read(text).map_err(|error| {
@@ -96,9 +90,6 @@ impl SceneFile {
     }
 
     /// Checks the scene at a time that may be before the start or after the end.
-    ///
-    /// # Errors
-    /// One line: file, line, column, value, range.
     pub fn check(&self, time: f32) -> Result<(), String> {
         let scene = self.moving.valid(time);
         scene.map_or_else(|mistake| Err(place(&self.name, &self.text, &mistake)), |_| Ok(()))

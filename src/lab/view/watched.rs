@@ -16,8 +16,7 @@ impl Watched {
         Self { scene, text: None, suspect: None, mistake: None }
     }
 
-    /// Returns whether the scene has changed. Compares texts: modification times are too coarse for two quick writes, and a replacing
-    /// file can be older.
+    /// Returns whether the scene has changed. Modification times are too coarse for two quick writes.
     pub fn look(&mut self) -> bool {
         let name = &self.scene.name;
         let text = scenes::text(Path::new(name));

@@ -16,10 +16,10 @@ const LIMIT: usize = 65_536;
 pub const STUB: &str = "stub.o";
 const ORDER: &str = "order";
 
-/// The library for unwinding, without which GNU ld drops 775 bytes of functions that are in this library, too.
+/// The library for unwinding. Without it GNU ld drops 775 bytes.
 const UNWINDER: &str = "-lgcc_s";
 
-/// Environment variables for rustc and its linker: the real linker's path or name, and the target system.
+/// Environment variables: the real linker's path or name, and the target system.
 pub const LINKER_VARIABLE: &str = "EIGHTFOLD_LINKER";
 pub const SYSTEM_VARIABLE: &str = "EIGHTFOLD_SYSTEM";
 

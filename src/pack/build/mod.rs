@@ -1,7 +1,7 @@
 //! The intro's build script.
 //!
 //! It compiles the stub, and makes rustc's C compiler call a copy of the script's executable in `OUT_DIR/linker` as the linker. Called
-//! by this name, the executable runs the real linker, and packs the output in place. A file `*.unpacked` beside it keeps the symbols
+//! by this name, the executable runs the real linker, and packs the output in place. A file `*.unpacked` next to it keeps the symbols
 //! for debuggers and [`costs`](crate::costs). A program that cannot be packed is linked as usual, with a warning; for Windows this is
 //! an error.
 

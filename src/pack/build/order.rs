@@ -1,5 +1,5 @@
-//! Orders functions by similarity, because the packer's model adapts as it goes: a random order costs 600 bytes more. Similarity is
-//! the cosine of tf-idf vectors of three-byte sequences, in correctly rounded arithmetic: every machine finds the same order.
+//! Orders functions by similarity, because the packer's model adapts: a random order costs 600 bytes more. Similarity is the cosine of
+//! tf-idf vectors of three-byte sequences, in correctly rounded arithmetic, for the same order on every machine.
 
 use std::{cmp::Reverse, collections::BTreeMap};
 
@@ -12,7 +12,7 @@ const LENGTH: usize = 3;
 /// The number of orders to try; packing them all takes six seconds.
 const ORDERS: usize = 12;
 
-/// Returns orders of a program's functions by similarity. Each begins with one of the largest functions.
+/// Returns orders of a program's functions. Each begins with one of the largest.
 pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
     let file = object::File::parse(program)?;
     let section = file.section_by_name(".text").ok_or("section .text is missing")?;
@@ -42,7 +42,7 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
 /// The divisor of a function's weight for each function after it: 2 costs 40 bytes more, 1.02 costs 90.
 const DECAY: f64 = 1.4;
 
-/// Returns the order from `start` that continues with the function most similar to the previous ones by decaying weights.
+/// Returns the order from `start` that continues with the function most similar to the previous ones.
 fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     let mut to_last = vec![0.0; likeness.len()];
     let mut left: Vec<_> = (0..likeness.len()).filter(|&i| i != start).collect();

@@ -4,12 +4,12 @@
 //! | ---: | --- |
 //! | 64 | the ELF header |
 //! | 2 x 56 | program headers: this file; a stack that is not executable |
-//! | 180 | the stub's first section, which verifies the rest; it also reports truncation behind itself |
+//! | 180 | the stub's first section, which verifies the rest |
 //! | 280 | the first stage, which unpacks the second |
 //! | 61,000 | the packed program |
 //! | 2,700 | the packed second stage |
 
-use super::Parts;
+use super::{Parts, Record};
 use crate::{
     Error, checksum,
     elf::{self, Segment},
@@ -30,7 +30,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     }
     let parts = Parts::new(stripped, stub)?;
     let Parts { packed, first, memory, .. } = &parts;
-    // Place the file after the program, so that the heap, which follows both, is at its usual address.
+    // The file follows the program, so that the heap, which follows both, is at its usual address.
     // A zero byte follows the stage, as an empty name for its file in memory.
     let memory_end = parts.stage_end() + 1;
     let address = memory_end.next_multiple_of(elf::PAGE);
@@ -56,8 +56,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         size: size as u64,
         ..Segment::default()
     };
-    // Linux reads only this header's flags. The rest are the packed bytes' offset and length, the length that the checksum covers,
-    // the checksum, and the unpacked length.
+    // Linux reads only this header's flags.
     let stack = Segment {
         kind: elf::STACK,
         flags: elf::READ | elf::WRITE,
@@ -74,8 +73,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(file)
 }
 
-/// Returns the packed bytes' offset and length, the unpacked length, the checked bytes' offset and end, and the checksum.
-pub fn record(file: &[u8]) -> Result<[usize; 6], Error> {
+pub fn record(file: &[u8]) -> Result<Record, Error> {
     let segments = elf::segments(file)?;
     let is_stack = |segment: &&Segment| segment.kind == elf::STACK;
     let stack = segments.iter().find(is_stack).ok_or("file is not packed")?;

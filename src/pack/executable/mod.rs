@@ -49,6 +49,9 @@ impl Memory {
     }
 }
 
+/// The packed bytes' offset and length, the unpacked length, the checked bytes' offset and end, and the checksum.
+type Record = [usize; 6];
+
 /// The parts of a packed file.
 struct Parts<'a> {
     /// The length of the program, without and with its loader.
@@ -138,7 +141,7 @@ pub fn packed_size(program: &[u8]) -> Result<usize, Error> {
 /// If the file is not a packed executable, or damaged.
 pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
     let record = if windows::is_pe(file) { windows::record(file) } else { linux::record(file)? };
-    let [start, length, unpacked, checked, end, sum] = record;
+    let [start, length, unpacked, checked, end, sum]: Record = record;
     let checked = file.get(checked..end).ok_or("file is incomplete")?;
     if checksum(checked) as usize != sum {
         return Err(DAMAGED.into());

@@ -88,8 +88,7 @@ fn blank(program: &[u8], blanked: &mut [u8]) -> Result<Vec<Range<usize>>, Error>
     Ok(unwinding)
 }
 
-/// Blanks the code for lazy binding: entries of 16 bytes, each of which jumps to a slot that before the first call points back into
-/// the entry.
+/// Blanks the code for lazy binding: entries of 16 bytes that jump to a slot, which before the first call points back.
 fn blank_lookups(program: &mut [u8], calls: Range<usize>, slots: Range<usize>) {
     for (i, entry) in program[calls].chunks_exact_mut(16).enumerate() {
         match entry {

@@ -2,7 +2,7 @@
 //!
 //! | bytes | content |
 //! | ---: | --- |
-//! | 512 | the headers; their last 24 bytes are for [`record`] |
+//! | 512 | the headers; their last 24 bytes are a [`Record`] |
 //! | | the section `.text`, for reading and executing: |
 //! | 80 | addresses of the stub's functions, filled in by Windows |
 //! | 220 | the stub's first section, which verifies the rest |
@@ -11,12 +11,11 @@
 //! | 57,000 | the packed program |
 //! | 2,600 | the packed second stage |
 //!
-//! A section `.bss` reserves the memory of the program and of the second stage at a fixed address, so they need no relocations. No
-//! memory is ever writable and executable.
+//! A section `.bss` reserves the program's and the second stage's fixed addresses. No memory is ever writable and executable.
 
 use object::pe::{IMAGE_DIRECTORY_ENTRY_IAT, IMAGE_DIRECTORY_ENTRY_IMPORT};
 
-use super::{Memory, Parts};
+use super::{Memory, Parts, Record};
 use crate::{
     Error, checksum,
     elf::{PAGE, number},
@@ -45,8 +44,6 @@ const fn addresses_size(functions: usize) -> u64 {
 /// The first section's offset in the file.
 const HEAD: usize = 512;
 
-/// The 32-bit fields at the end of the headers, see [`record`].
-const RECORD: usize = 6;
 const SUM: usize = HEAD - 4;
 
 pub fn is_pe(file: &[u8]) -> bool {
@@ -86,7 +83,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     bytes.resize((names_at - START) as usize, 0);
     bytes.extend([&imports.names, packed, &stage].map(Vec::as_slice).concat());
     let checked_at = (first_at - START) as usize + first.first_size();
-    let record: [usize; RECORD] = [
+    let record: Record = [
         HEAD + (packed_at - START) as usize,
         packed.len(),
         parts.lengths[1] as usize,
@@ -107,7 +104,6 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     .to_bytes(&record.map(|number| (number as u32).to_le_bytes()).concat())
 }
 
-/// Returns the packed bytes' offset and length, the unpacked length, the checked bytes' offset and end, and the checksum.
-pub fn record(file: &[u8]) -> [usize; RECORD] {
+pub fn record(file: &[u8]) -> Record {
     [6, 5, 4, 3, 2, 1].map(|i| number(file, HEAD - 4 * i, 4) as usize)
 }
