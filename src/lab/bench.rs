@@ -1,8 +1,7 @@
 use crate::arguments::{self, distinct, within};
 use crate::measure::{Measurement, Shot, ShotArguments, Technique};
-use crate::row::{self, Row};
+use crate::row::{self, Row, machine};
 use crate::scenes::SceneName;
-use crate::timing::machine;
 use crate::{interrupt, output};
 use anyhow::Result;
 use clap::Args;

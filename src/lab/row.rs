@@ -1,9 +1,9 @@
-use crate::markdown::{self, Column, known, percent};
+use crate::arguments::processors;
 use crate::measure::{Measurement, Run, Sampling, Setting, Shot, Technique};
-use crate::timing::{mean, percentile};
 use eightfold_harness::error::Difference;
 use eightfold_tracer::Quality;
 use serde::Serialize;
+use std::fs;
 
 /// Counts are means per frame. `null` in JSON is unknown, or the PSNR of equal pictures.
 #[derive(Clone, Serialize)]
@@ -136,7 +136,7 @@ pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) 
     let titles = titles.split(", ").chain(ERRORS.split(", "));
     let column = |title| COLUMNS.into_iter().find(|column| column.0 == title);
     let columns = titles.map(|title| column(title).expect("a column"));
-    markdown::table(&columns.collect::<Vec<_>>(), rows)
+    aligned(&columns.collect::<Vec<_>>(), rows)
 }
 
 struct Race {
@@ -184,7 +184,7 @@ pub fn races(rows: &[Row]) -> String {
             checkerboard: checkerboard.cloned(),
         })
     });
-    markdown::table(&RACES, &races.collect::<Vec<_>>())
+    aligned(&RACES, &races.collect::<Vec<_>>())
 }
 
 /// Interpolates points sorted by speed-up, clamped to the ends.
@@ -195,4 +195,63 @@ fn at_speed(points: &[[f64; 3]], speedup: f64) -> [f64; 2] {
     let share = ((speedup - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0);
     let share = if next == 0 { 1.0 } else { share };
     [1, 2].map(|i| a[i] + share * (b[i] - a[i]))
+}
+
+fn percent(fraction: f64) -> String {
+    format!("{:.1} %", 100.0 * fraction)
+}
+
+/// Formats `digits` decimals, or a dash for unknown or infinite numbers, such as the PSNR of equal pictures.
+fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
+    match number.into().filter(|number| number.is_finite()) {
+        Some(number) => format!("{number:.digits$}"),
+        None => "-".to_owned(),
+    }
+}
+
+type Column<R> = (&'static str, fn(&R) -> String);
+
+/// Aligns columns in plain text, too.
+fn aligned<'a, R: 'a>(
+    columns: &[Column<R>],
+    rows: impl IntoIterator<Item = &'a R> + Clone,
+) -> String {
+    let columns: Vec<Vec<String>> = columns
+        .iter()
+        .map(|(title, cell)| {
+            let cells = rows.clone().into_iter().map(cell);
+            let cells: Vec<String> = [(*title).to_owned()].into_iter().chain(cells).collect();
+            let width = cells.iter().map(|cell| cell.chars().count()).max();
+            let width = width.unwrap_or(0).max(2);
+            let mut cells: Vec<String> =
+                cells.iter().map(|cell| format!("{cell:>width$}")).collect();
+            cells.insert(1, format!("{}:", "-".repeat(width - 1)));
+            cells
+        })
+        .collect();
+    let lines = columns.first().map_or(0, Vec::len);
+    let line = |i: usize| {
+        let cells: Vec<&str> = columns.iter().map(|cells| cells[i].as_str()).collect();
+        format!("| {} |\n", cells.join(" | "))
+    };
+    (0..lines).map(line).collect()
+}
+
+fn mean(numbers: &[f64]) -> Option<f64> {
+    (!numbers.is_empty()).then(|| numbers.iter().sum::<f64>() / numbers.len() as f64)
+}
+
+/// Returns the smallest time that `percent` % of the times do not exceed.
+fn percentile(times: &[f64], percent: usize) -> f64 {
+    let mut times = times.to_vec();
+    times.sort_by(f64::total_cmp);
+    times[(times.len() * percent).div_ceil(100) - 1]
+}
+
+pub fn machine() -> String {
+    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let models = info.lines().filter(|line| line.starts_with("model name"));
+    let model = models.filter_map(|line| line.split_once(": ")).next();
+    let model = model.map_or("unknown processor", |(_, model)| model);
+    format!("{model}, {} processors", processors())
 }

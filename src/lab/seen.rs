@@ -1,13 +1,13 @@
 use crate::arguments::processors;
-use crate::flip::{flip, mean};
 use crate::interrupt;
 use crate::technique::Technique;
 use eightfold_harness::Size;
 use eightfold_harness::error::{Difference, pops};
-use eightfold_harness::picture::Mean;
+use eightfold_harness::picture::{Mean, rgb};
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::scene::Moment;
 use eightfold_tracer::{Level, Quality};
+use nv_flip::FlipImageRgb8;
 use rayon::prelude::*;
 
 const GRID: usize = 8;
@@ -88,4 +88,25 @@ fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Mo
     renderer.set_offset(0.0, 0.0);
     mean.write(&mut pixels);
     pixels
+}
+
+/// FLIP's default: 3840 pixels on 0.7 m at a distance of 0.7 m.
+pub const PIXELS_PER_DEGREE: f32 = 67.0;
+
+/// Returns the visible difference of `0x00RRGGBB` pixels that alternate, from 0 to 1 (Andersson et al., "FLIP: A Difference Evaluator
+/// for Alternating Images", 2020).
+pub fn flip(width: usize, reference: &[u32], test: &[u32]) -> Vec<f32> {
+    if reference == test {
+        return vec![0.0; test.len()];
+    }
+    let [reference, test] = [reference, test].map(|pixels| {
+        let height = pixels.len() / width;
+        FlipImageRgb8::with_data(width as u32, height as u32, &rgb(pixels))
+    });
+    nv_flip::flip(reference, test, PIXELS_PER_DEGREE).to_vec()
+}
+
+pub fn mean(errors: &[f32]) -> f64 {
+    let sum: f64 = errors.iter().map(|&error| f64::from(error)).sum();
+    sum / errors.len() as f64
 }

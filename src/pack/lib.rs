@@ -14,7 +14,6 @@
 #![deny(unsafe_code)]
 
 pub mod build;
-mod costs;
 mod elf;
 mod encoder;
 mod executable;
@@ -28,10 +27,9 @@ mod tests;
 
 use std::error;
 
-pub use costs::costs;
 use encoder::Encoder;
 pub use executable::{System, pack_executable, strip, unpack_executable};
-use model::Model;
+use model::{Coder, Model};
 
 pub type Error = Box<dyn error::Error>;
 
@@ -43,6 +41,35 @@ fn encode(bytes: &[u8]) -> Vec<u8> {
         model.byte(&mut encoder);
     }
     encoder.end()
+}
+
+/// Returns the cost of each byte in bits. The packed code also has a few bits at its end.
+#[must_use]
+pub fn costs(bytes: &[u8]) -> Vec<f32> {
+    let mut model = new_model();
+    let bytes = with_addresses(bytes);
+    let costs = bytes.into_iter().map(|byte| {
+        let mut meter = Meter { byte, bits: 0.0 };
+        model.byte(&mut meter);
+        meter.bits
+    });
+    costs.collect()
+}
+
+struct Meter {
+    byte: u8,
+    bits: f32,
+}
+
+impl Coder for Meter {
+    fn bit(&mut self, probability: u32) -> u32 {
+        let bit = u32::from(self.byte >> 7);
+        self.byte <<= 1;
+        let of_one = probability as f32 / 65_536.0;
+        let likely = if bit == 1 { of_one } else { 1.0 - of_one };
+        self.bits -= likely.log2();
+        bit
+    }
 }
 
 /// Replaces relative offsets in instructions with addresses.

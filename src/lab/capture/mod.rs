@@ -2,15 +2,16 @@ mod recorder;
 mod video;
 
 use crate::arguments::{self, Exit, within};
+use crate::bitmap::{Tile, sheet};
 use crate::scenes::{self, SceneName};
-use crate::sheet::{Tile, sheet};
-use crate::{interrupt, output, wav};
+use crate::{interrupt, output};
 use anyhow::{Context, Result, ensure};
 use clap::{ArgGroup, Args};
 use eightfold_harness::{Size, picture};
 use eightfold_tracer::Preset;
 use eightfold_tracer::scene::MAX_LENGTH;
 use recorder::Recorder;
+pub use recorder::{record, wav};
 use std::fs;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
@@ -79,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let scene = arguments.scene;
         let message = format!("--scene is {scene}; with --audio, must be show or show:NAME");
         let sound = sound.ok_or_else(|| Exit::bad_input(message))?;
-        output::write(name, &wav::wav(&sound))?;
+        output::write(name, &wav(&sound))?;
     }
     if let Some(folder) = &arguments.png {
         write_files(&mut recorder, frames, folder)

@@ -1,6 +1,6 @@
-use super::recorder::Recorder;
+use super::recorder::{Recorder, wav};
 use crate::arguments::Exit;
-use crate::{interrupt, output, wav};
+use crate::{interrupt, output};
 use anyhow::{Context, Result, ensure};
 use eightfold_harness::Size;
 use std::fs;
@@ -43,7 +43,7 @@ pub fn write(recorder: &mut Recorder<'_>, frames: Range<usize>, name: &Path) -> 
     } else {
         if let Some(sound) = recorder.sound(&frames) {
             let file = folder.path().join("sound.wav");
-            fs::write(&file, wav::wav(&sound)).with_context(|| output::cannot("write", &file))?;
+            fs::write(&file, wav(&sound)).with_context(|| output::cannot("write", &file))?;
             ffmpeg.arg("-i").arg(file).args(AAC.split(' '));
         }
         ffmpeg.args(H264.split_whitespace());

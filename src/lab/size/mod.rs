@@ -1,4 +1,3 @@
-mod packed;
 mod program;
 
 use crate::arguments::{self, within};
@@ -6,8 +5,7 @@ use crate::output;
 use anyhow::Result;
 use clap::Args;
 use eightfold_harness::cargo::Build;
-use packed::Packed;
-use program::{Part, Program};
+use program::{Packed, Part, Program};
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 use std::path::Path;

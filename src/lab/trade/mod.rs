@@ -1,13 +1,11 @@
 mod curves;
-mod front;
 mod plots;
 mod sweep;
 
 use crate::arguments::{self, within};
 use crate::measure::{Measurement, Shot, ShotArguments};
-use crate::row::{self, Row};
+use crate::row::{self, Row, machine};
 use crate::technique::{Sampling, Technique};
-use crate::timing::machine;
 use crate::{interrupt, output};
 use anyhow::{Context, Result};
 use clap::Args;
@@ -62,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let measurement = measurement(arguments);
     let mut rows = Row::of(&measurement, &measurement.run()[0]);
-    front::mark(&mut rows);
+    mark_front(&mut rows);
     let heading = format!(
         "{}, {}; {}, {}, jagged edges, {} frames",
         machine(),
@@ -75,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let table = if arguments.ladder {
         row::table(TITLES, &rows)
     } else {
-        row::table(TITLES, front::from_the_slowest(&rows))
+        row::table(TITLES, from_the_slowest(&rows))
     };
     output::write(Path::new("-"), format!("{heading}\n\n{table}").as_bytes())?;
     if !arguments.ladder {
@@ -107,4 +105,34 @@ fn measurement(arguments: &Arguments) -> Measurement {
         threads: vec![1],
         techniques,
     }
+}
+
+/// Marks the Pareto front of allowed rows in speed, FLIP and pops. After Ctrl-C, PSNR replaces FLIP and pops.
+fn mark_front(rows: &mut [Row]) {
+    let costs = |row: &Row| match (row.flip_mean, row.pops) {
+        (Some(flip), Some(pops)) => [-row.speedup, flip, pops],
+        _ => [-row.speedup, -row.psnr_db, 0.0],
+    };
+    let all = rows.iter().filter(|row| is_allowed(row)).map(costs);
+    let all: Vec<[f64; 3]> = all.collect();
+    for row in rows {
+        let own = costs(row);
+        let beats = |other: &[f64; 3]| *other != own && (0..3).all(|i| other[i] <= own[i]);
+        row.on_front = is_allowed(row) && !all.iter().any(beats);
+    }
+}
+
+fn from_the_slowest(rows: &[Row]) -> Vec<&Row> {
+    let on_front = |row: &&Row| row.on_front && !row.is_exact();
+    let mut front: Vec<&Row> = rows.iter().filter(on_front).collect();
+    front.sort_by(|a, b| a.speedup.total_cmp(&b.speedup));
+    front
+}
+
+/// Requires a guard, and comparisons of colours, objects and lights.
+fn is_allowed(row: &Row) -> bool {
+    let quality = &row.quality;
+    let compares_keys = quality.tolerance_differing == 0.0 && quality.tolerance_agreeing != 0.0;
+    let has_rules = quality.guarded && (compares_keys || quality.square == 1);
+    row.sampling == Sampling::Full && has_rules
 }

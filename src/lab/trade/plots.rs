@@ -1,6 +1,5 @@
-use super::Trade;
 use super::curves::Curve;
-use super::front::from_the_slowest;
+use super::{Trade, from_the_slowest};
 use crate::output;
 use crate::plot::{Chart, Series};
 use crate::row::Row;

@@ -4,7 +4,6 @@ pub mod frame_viewer;
 mod panel;
 mod session;
 pub mod subject;
-mod watched;
 
 use crate::arguments::{self, within};
 use crate::scenes::{self, SceneName};

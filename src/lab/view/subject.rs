@@ -1,10 +1,11 @@
 use super::camera;
-use super::watched::Watched;
-use crate::scenes::SceneName;
+use crate::scenes::{self, SceneName};
+use eightfold_scene_file::SceneFile;
 use eightfold_tracer::glam::{Vec2, vec2};
 use eightfold_tracer::scene::{Camera, Moment};
 use eightfold_window::input::{Action, Button, Mouse};
 use std::f32::consts::PI;
+use std::path::Path;
 
 pub struct Subject {
     name: SceneName,
@@ -92,6 +93,47 @@ impl Subject {
         if scene.validate().is_ok() {
             self.camera = Some(scene.camera);
             self.version += 1;
+        }
+    }
+}
+
+struct Watched {
+    scene: SceneFile,
+    /// The last text, or a read error; `None` before the first look.
+    text: Option<Result<String, String>>,
+    /// A mistake that was read once: the file may be half written.
+    suspect: Option<String>,
+    mistake: Option<String>,
+}
+
+impl Watched {
+    fn new(scene: SceneFile) -> Self {
+        Self { scene, text: None, suspect: None, mistake: None }
+    }
+
+    /// Returns whether the scene has changed. Modification times are too coarse for two quick writes.
+    fn look(&mut self) -> bool {
+        let name = &self.scene.name;
+        let text = scenes::text(Path::new(name));
+        if self.text.as_ref() == Some(&text) {
+            if self.suspect.is_some() {
+                self.mistake = self.suspect.take();
+            }
+            return false;
+        }
+        let read = text.as_ref().map_err(String::clone);
+        let read = read.and_then(|text| SceneFile::parse(name, text));
+        self.text = Some(text);
+        match read {
+            Ok(scene) => {
+                self.scene = scene;
+                (self.suspect, self.mistake) = (None, None);
+                true
+            }
+            Err(mistake) => {
+                self.suspect = Some(mistake);
+                false
+            }
         }
     }
 }

@@ -5,7 +5,6 @@
 //! context may expect a byte, such as the one after the last match; its slots then predict differences from it. A [mixer] weighs
 //! all predictions.
 
-mod addresses;
 mod coder;
 mod lanes;
 mod machine_code;
@@ -13,7 +12,6 @@ mod mixer;
 mod operands;
 mod slot;
 
-pub use addresses::to_address;
 pub use coder::{Coder, Decoder};
 
 use lanes::Lanes;
@@ -250,8 +248,27 @@ pub fn decode(model: &mut Model, packed: &[u8], bytes: &mut [u8]) -> bool {
             return false;
         }
         if let Some(offset) = model.reader.ended_offset() {
-            addresses::to_offset(&mut bytes[..=i], offset);
+            to_offset(&mut bytes[..=i], offset);
         }
     }
     decoder.is_at_end()
+}
+
+/// Converts the relative offset in an instruction that ends with `bytes` to an address, so that references to one place are equal bytes.
+/// Addresses count from the program's first byte.
+pub fn to_address(bytes: &mut [u8], offset: usize) {
+    add(bytes, offset, bytes.len() as u32);
+}
+
+/// Reverts [`to_address`].
+#[inline(always)]
+pub fn to_offset(bytes: &mut [u8], offset: usize) {
+    add(bytes, offset, (bytes.len() as u32).wrapping_neg());
+}
+
+#[inline(always)]
+fn add(bytes: &mut [u8], place: usize, summand: u32) {
+    if let Some(field) = bytes.get_mut(place..).and_then(|rest| rest.first_chunk_mut()) {
+        *field = u32::from_le_bytes(*field).wrapping_add(summand).to_le_bytes();
+    }
 }

@@ -2,7 +2,7 @@ use super::{assert_one_line, command, lab, printed, signal, signalled, stderr};
 use eightfold::show;
 use eightfold::sound::RATE;
 use eightfold_harness::error::{Difference, worst_channel};
-use eightfold_lab::wav;
+use eightfold_lab::capture::{record, wav};
 use eightfold_stage::{needs, reader::read_png, run, tool};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -170,7 +170,7 @@ fn sound_matches_frames() {
     ] {
         captured("--audio", &file, &format!("--scene {more}"));
         let bytes = fs::read(&file).unwrap();
-        assert!(bytes == wav::wav(&wav::record(from..to)), "{more}");
+        assert!(bytes == wav(&record(from..to)), "{more}");
         let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
         assert!(bytes.starts_with(b"RIFF") && bytes[8..].starts_with(b"WAVEfmt "));
         let size = 8 * (to - from);

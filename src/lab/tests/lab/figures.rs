@@ -1,4 +1,5 @@
 use super::{lab, stderr};
+use eightfold_lab::overlay::{draw_error, heat};
 use eightfold_stage::reader::read_png;
 
 #[test]
@@ -32,4 +33,12 @@ fn close_up_shows_what_the_guard_finds() {
         rows.filter(|&pixel| is_red(pixel)).count() / 144
     });
     assert!(red[0] > 5 && red[1] == 0 && red[2] > 5, "{red:?}");
+}
+
+#[test]
+fn error_is_drawn_from_black_to_white() {
+    let exhaustive = [0x0010_2030, 0x0010_2030, 0x0010_2030];
+    let mut pixels = [0x0010_2030, 0x0010_2130, 0x00ff_2030];
+    draw_error(&mut pixels, &exhaustive, 32);
+    assert_eq!(pixels, [0.0, 1.0 / 32.0, 1.0].map(heat));
 }

@@ -2,7 +2,6 @@ mod bad_input;
 mod bench;
 mod capture;
 mod figures;
-mod overlay;
 mod report;
 mod resources;
 mod scene;

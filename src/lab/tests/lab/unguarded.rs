@@ -1,7 +1,7 @@
 use eightfold_harness::Size;
 use eightfold_harness::patches::{lost, patches};
 use eightfold_harness::threaded_renderer::drawn;
-use eightfold_lab::sheet::{Tile, sheet};
+use eightfold_lab::bitmap::{Tile, sheet};
 use eightfold_scenes::artists::{KINDS, ON_FLOORS};
 use eightfold_tracer::Quality;
 
