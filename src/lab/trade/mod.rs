@@ -1,4 +1,3 @@
-mod curves;
 mod plots;
 mod sweep;
 
@@ -9,10 +8,10 @@ use crate::technique::{Sampling, Technique};
 use crate::{interrupt, output};
 use anyhow::{Context, Result};
 use clap::Args;
-use curves::Curve;
 use eightfold_harness::Size;
 use eightfold_tracer::Preset;
 use eightfold_window::cpu;
+use plots::Curve;
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -80,8 +79,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let trade = Trade {
             heading,
             rows,
-            by_resolution: curves::by_resolution(&measurement),
-            by_spheres: curves::by_spheres(&measurement),
+            by_resolution: plots::by_resolution(&measurement),
+            by_spheres: plots::by_spheres(&measurement),
         };
         output::write_json(&folder.join("trade.json"), &trade)?;
         plots::write(folder, &trade)?;

@@ -8,7 +8,6 @@ mod scene;
 mod seen;
 #[cfg(target_arch = "x86_64")]
 mod size;
-mod technique;
 mod trade;
 mod truth;
 mod unguarded;

@@ -1,5 +1,3 @@
-mod camera;
 mod display;
-mod ending;
 mod keys;
-mod reload;
+mod session;
