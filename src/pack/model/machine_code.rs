@@ -1,5 +1,5 @@
-//! Parses x86-64 machine code byte by byte, to find the next byte's field. It only follows the length of instructions. Data is
-//! parsed like code, which only affects the prediction.
+//! Parses x86-64 machine code byte by byte, to find the next byte's field. It only follows the length of instructions; data is parsed
+//! like code.
 
 use super::operands::operands_by_runs;
 
@@ -20,7 +20,7 @@ const STEP: usize = 4;
 const HISTORY_END: usize = OPCODE + 3 * STEP + 1;
 /// The position modulo 4, for tables of 32-bit words.
 pub const PLACE: usize = HISTORY_END;
-/// The distance to the next target of an earlier jump or call, at most [`FAR`]. An instruction begins there, often after a jump.
+/// The distance to the next target of an earlier jump or call, at most [`FAR`].
 pub const TARGET: usize = 19;
 pub const OPERAND: usize = 20;
 /// The register extension bits of prefixes: 8 for ModRM's register, 2 for its operand.

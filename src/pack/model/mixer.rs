@@ -13,9 +13,7 @@ type Weights = [Lanes; ROWS];
 /// The initial sum of an input's seven weights: all 24 inputs together have a weight of nearly 1.5.
 const FIRST_WEIGHT: i16 = 1000;
 
-/// The number of weight sets: by kind and beginning of the byte (0 for the kind as a whole); by kind and last byte; and, in the
-/// numbers of unused kinds, by kind and number of inputs with experience; by the byte before the last and part of the kind; by
-/// opcode; and by a hash of kind and previous opcode.
+/// The number of weight sets, see [`sets`]. Some have the numbers of unused kinds.
 const SETS: usize = (2 * KINDS) << 8;
 
 /// The limit of a pair's logit in 256ths: a probability of 94 %. Without it the intro is 120 bytes larger. Contexts have no limit.

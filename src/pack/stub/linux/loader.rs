@@ -1,5 +1,4 @@
-//! Does the work of `execve`: loads the program and its dynamic linker, and gives the linker the program's addresses. It is
-//! position-independent.
+//! Does the work of `execve`: loads the program and its dynamic linker, and gives the linker the program's addresses.
 
 use crate::{
     elf::{FileHeader, LOAD, PAGE, ProgramHeader},

@@ -1,4 +1,4 @@
-//! Does the work of Windows' loader: copies the program to its addresses and protects them. It is position-independent.
+//! Does the work of Windows' loader: copies the program to its addresses and protects them.
 
 use crate::{
     elf::{FileHeader, LOAD, ProgramHeader},
