@@ -1,12 +1,12 @@
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
+use std::collections::HashMap;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
 pub struct Build {
-    /// Cargo's JSON output.
-    messages: Vec<Value>,
+    programs: HashMap<String, PathBuf>,
 }
 
 impl Build {
@@ -35,14 +35,17 @@ impl Build {
             bail!("cargo {} failed", arguments.join(" "));
         }
         let text = String::from_utf8_lossy(&output.stdout);
-        let messages = text.lines().map(serde_json::from_str);
-        let messages = messages.filter_map(Result::ok).collect();
-        Ok(Self { messages })
+        let program = |line| {
+            let message: Value = serde_json::from_str(line).ok()?;
+            let path = message["executable"].as_str()?.into();
+            Some((message["target"]["name"].as_str()?.to_owned(), path))
+        };
+        Ok(Self { programs: text.lines().filter_map(program).collect() })
     }
 
     pub fn program(&self, name: &str) -> Result<PathBuf> {
-        let path = self.artifact(name).and_then(|artifact| artifact["executable"].as_str());
-        path.map(PathBuf::from).with_context(|| format!("{name} is missing from cargo's output"))
+        let path = self.programs.get(name).cloned();
+        path.with_context(|| format!("{name} is missing from cargo's output"))
     }
 
     /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Cargo reports a copy of the packed one in `deps`.
@@ -60,14 +63,5 @@ impl Build {
             }
         }
         bail!("{}: {program}.unpacked is missing", folder.display())
-    }
-
-    fn artifact(&self, name: &str) -> Option<&Value> {
-        self.messages.iter().find(|message| {
-            let target = &message["target"];
-            message["reason"] == "compiler-artifact"
-                && target["name"] == name
-                && target["kind"][0] == "bin"
-        })
     }
 }
