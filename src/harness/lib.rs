@@ -5,7 +5,6 @@ pub mod error;
 pub mod frame_trace;
 pub mod patches;
 pub mod picture;
-pub mod size;
 pub mod threaded_renderer;
 
-pub use size::Size;
+pub use picture::Size;

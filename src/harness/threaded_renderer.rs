@@ -1,5 +1,5 @@
 use crate::frame_trace::FrameTrace;
-use crate::size::Size;
+use crate::picture::Size;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::{Moment, Presentation, Scene};
 use eightfold_tracer::{

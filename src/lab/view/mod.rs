@@ -1,4 +1,3 @@
-mod camera;
 pub mod controls;
 pub mod frame_viewer;
 mod panel;

@@ -1,8 +1,7 @@
-use super::camera;
 use super::controls::{Controls, FPS, KEYS};
 use super::frame_viewer::FrameViewer;
 use super::panel::Panel;
-use super::subject::Subject;
+use super::subject::{Subject, ron};
 use crate::output;
 use anyhow::{Result, ensure};
 use eightfold_harness::Size;
@@ -79,7 +78,7 @@ impl Session {
                 Input::Key(Press::Help) => self.has_keys = !self.has_keys,
                 Input::Key(Press::Character('v')) => self.subject.reset_camera(),
                 Input::Key(Press::Character('c')) => {
-                    let text = camera::ron(&self.subject.at(time).scene.camera);
+                    let text = ron(&self.subject.at(time).scene.camera);
                     output::write(Path::new("-"), text.as_bytes())?;
                 }
                 Input::Key(press) => self.controls.press(press),

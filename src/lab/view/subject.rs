@@ -1,7 +1,6 @@
-use super::camera;
 use crate::scenes::{self, SceneName};
 use eightfold_scene_file::SceneFile;
-use eightfold_tracer::glam::{Vec2, vec2};
+use eightfold_tracer::glam::{Quat, Vec2, vec2};
 use eightfold_tracer::scene::{Camera, Moment};
 use eightfold_window::input::{Action, Button, Mouse};
 use std::f32::consts::PI;
@@ -63,9 +62,7 @@ impl Subject {
         let at = vec2(mouse.x as f32, mouse.y as f32);
         match mouse.action {
             Action::Down(button) => self.pressed = Some((button, at)),
-            Action::Wheel(notches) => {
-                self.move_camera(time, |camera| camera::zoom(camera, notches))
-            }
+            Action::Wheel(notches) => self.move_camera(time, |camera| zoom(camera, notches)),
             Action::Move | Action::Up(_) => {
                 if let Some((button, last)) = &mut self.pressed {
                     let by = at - *last;
@@ -74,9 +71,9 @@ impl Subject {
                     let turn = by * (PI / size.1 as f32);
                     match button {
                         Button::Left => {
-                            self.move_camera(time, |it| camera::orbit(it, turn.x, turn.y));
+                            self.move_camera(time, |it| orbit(it, turn.x, turn.y));
                         }
-                        _ => self.move_camera(time, |it| camera::pan(it, by, size)),
+                        _ => self.move_camera(time, |it| pan(it, by, size)),
                     }
                 }
                 if mouse.action != Action::Move {
@@ -136,4 +133,38 @@ impl Watched {
             }
         }
     }
+}
+
+/// The largest cosine between the view and `up`; at 1 there is no right vector.
+const STEEPEST: f32 = 0.998;
+
+const NOTCH: f32 = 1.1;
+
+fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
+    let up = camera.up.normalize();
+    let around = Quat::from_axis_angle(up, -left) * (camera.eye - camera.look_at);
+    let right = up.cross(around).normalize();
+    let over = Quat::from_axis_angle(right, -upwards) * around;
+    let [before, after] = [around, over].map(|away| away.normalize().dot(up).abs());
+    let is_too_steep = after > STEEPEST.max(before);
+    camera.eye = camera.look_at + if is_too_steep { around } else { over };
+}
+
+/// Moves the camera sideways by pixels of a picture of this size, so that the target follows the pointer.
+fn pan(camera: &mut Camera, by: Vec2, (width, height): (usize, usize)) {
+    let picture = camera.raster(width, height);
+    let distance = (camera.look_at - camera.eye).length();
+    let offset = (picture.dx * by.x + picture.dy * by.y) * -distance;
+    camera.eye += offset;
+    camera.look_at += offset;
+}
+
+fn zoom(camera: &mut Camera, notches: i32) {
+    let away = camera.eye - camera.look_at;
+    camera.eye = camera.look_at + away * NOTCH.powi(-notches);
+}
+
+/// Formats the scene file's field, exact to the bit.
+pub fn ron(camera: &Camera) -> String {
+    format!("camera: {},\n", ron::to_string(camera).expect("numbers"))
 }

@@ -10,7 +10,6 @@ mod seen;
 mod size;
 mod trade;
 mod truth;
-mod unguarded;
 
 use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;

@@ -10,7 +10,7 @@ use eightfold_lab::technique::{Sampling, Technique};
 use eightfold_tracer::{Counts, Quality};
 use eightfold_window::cpu;
 
-const SIZE: Size = Size::new(96, 70);
+const SIZE: Size = Size::new(96, 72);
 
 #[test]
 fn view_is_consecutive_frames_of_its_scene() {
