@@ -37,7 +37,7 @@ pub struct Measurement {
 
 pub struct Shot {
     pub scene: SceneName,
-    /// Seconds from the scene's start.
+    /// Seconds from the scene's start; equally many in each shot.
     pub times: Vec<f32>,
     pub views: Vec<Vec<f32>>,
 }
@@ -98,21 +98,17 @@ impl Measurement {
         let mut renderers: Vec<ThreadedRenderer> = renderers.collect();
         let largest = self.sizes.iter().map(|size| size.area()).max();
         let mut pictures = [(); 2].map(|()| vec![0; largest.unwrap_or(0)]);
-        let longest = self.shots.iter().map(|shot| shot.times.len()).max();
-        let longest = longest.unwrap_or(0);
-        let bar = Progress::new(longest * settings.len());
-        for frame in 0..longest {
+        let frames = self.shots[0].times.len();
+        let bar = Progress::new(frames * settings.len());
+        for frame in 0..frames {
             for (i, setting) in settings.iter_mut().enumerate() {
                 bar.inc(1);
-                let shot = &self.shots[setting.shot];
-                let Some(&time) = shot.times.get(frame) else {
-                    continue;
-                };
                 if frame > 0 && interrupt::is_stopped() {
                     continue;
                 }
+                let shot = &self.shots[setting.shot];
                 let renderer = &mut renderers[i / (self.sizes.len() * self.shots.len())];
-                let scene = self.scene(shot.scene, time);
+                let scene = self.scene(shot.scene, shot.times[frame]);
                 setting.draw(self, renderer, &scene, &mut pictures);
                 if frame == 0 {
                     // The first frame warmed up memory and threads.
