@@ -13,7 +13,7 @@ pub struct Counts {
     pub rays: u64,
     /// Rays towards a light.
     pub shadow_rays: u64,
-    /// Lanes of the packets of `rays`, idle ones included.
+    /// Lanes of all packets of `rays`, including idle ones.
     pub lanes: u64,
     /// The results of [`Frame::with_probes`](crate::Frame::with_probes). The other counts exclude the work of probes.
     pub probes: Probes,
@@ -44,7 +44,7 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// The errors of probed pixels against [`Quality::reference`](crate::Quality::reference), an estimate of all pixels' errors.
+/// The errors of probed pixels against [`Quality::reference`](crate::Quality::reference): an estimate of all pixels' errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probes {
     /// The number of probed pixels.
@@ -55,8 +55,8 @@ pub struct Probes {
     pub fourths: u64,
 }
 
-/// The addend to `fourths / squares` (5 to 10,000 in a show), for rare large errors that no probe met. With it 93 to 97 of 100
-/// confidence intervals of 648 probes contain the truth, without it 65.
+/// The addend to `fourths / squares` (5 to 10,000 in a show), for rare large errors that no probe met. 93 to 97 of 100 confidence
+/// intervals of 648 probes contain the truth with it, 65 without.
 const UNSEEN: f32 = 200.0;
 
 impl Probes {
@@ -95,8 +95,8 @@ impl Probes {
         10.0 * LOG10_2 * log2((255.0 * 255.0 / self.mean_squared_error()) as f32)
     }
 
-    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for probes of different frames. Four times
-    /// the probes halve it. It is infinite or NaN without errors, or with one probe.
+    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for probes of different frames; infinity or NaN
+    /// without errors, or with one probe. Four times the probes halve it.
     #[must_use]
     pub fn margin(&self) -> f32 {
         self.margin_with(UNSEEN)

@@ -14,19 +14,19 @@ const RUNGS: usize = PRESETS + 2;
 /// Late frames before a step down: 0.1 s at 60 frames per second. A frame that takes several periods counts several times.
 const TOO_LATE: u64 = 6;
 
-/// The most late frames that one frame counts as, so that a single outlier causes no step.
+/// The most late frames that one frame counts as: a single outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
-/// The nanoseconds for which a finer preset must look possible. With the delay of `mean` a step up takes half a second at 30 frames
-/// per second.
+/// The nanoseconds for which a finer preset must look possible. With the delay of `mean` a step up takes half a second at 30 frames per
+/// second.
 const CALM: u64 = SECOND / 5;
 
-/// The factor on [`CALM`] before frames grow, unless half of the time is left: a change of size is more visible than a change of
-/// the preset.
+/// The factor on [`CALM`] before frames grow, unless half of the time is left: changes of size are more visible than changes of the
+/// preset.
 const SIZE_CALM: u64 = 5;
 
-/// The fifths of the budget below which a finer rung looks possible, before its time is known. The next preset takes a quarter longer,
-/// and larger frames 1.7 to 3 times as long.
+/// The fifths of the budget below which a finer rung looks possible while its time is unknown. The next preset takes a quarter longer,
+/// larger frames 1.7 to 3 times as long.
 const GUESS: u64 = 3;
 
 /// Frames after a step down that are compared with the frames before it.
@@ -34,12 +34,12 @@ const COMPARED: u64 = 8;
 
 /// Selects presets of [`Preset::LADDER`] to hold a frame rate.
 ///
-/// It steps down when frames are late. It steps up when the next finer preset would leave a sixth of the time unused, predicted by
-/// the ratio of the times before and after the last step down.
+/// It steps down when frames are late. It steps up if the next finer preset would leave a sixth of the time unused, predicted by the
+/// ratio of the times before and after the last step down.
 ///
-/// The preset is stable under a constant load, even if times vary. After a change of the load the first step follows within half a
-/// second, or two frames if these are longer. If the load falls within eight frames of a step down, the preset may stay too fast
-/// until the next change.
+/// The preset is stable under a constant load, even if times vary. After a change of the load, the first step follows within half a
+/// second or two frames, whichever is longer. If the load falls within eight frames of a step down, the preset may stay too fast until
+/// the next change.
 ///
 /// ```
 /// use core::time::Duration;
@@ -95,7 +95,7 @@ impl Governor {
         Self { last: RUNGS - 1, ..self }
     }
 
-    /// Selects the fastest frames, for a start or a change that makes finer ones very late. Steps down would take a second.
+    /// Selects the fastest frames, for a start or a change that makes finer frames very late: steps down would take a second.
     pub fn select_fastest(&mut self) {
         self.rung = self.last;
         (self.late, self.calm, self.age, self.before) = (0, 0, 0, 0);
@@ -168,10 +168,10 @@ const RETRY_GAIN: f32 = 0.5;
 
 /// Selects presets of [`Preset::LADDER`] to hold an accuracy.
 ///
-/// It steps to a finer preset when the accuracy is certainly below the target, and to a faster one that would certainly reach the
-/// target, predicted by the gain of the last step. A difference of 6 dB causes a step within two seconds. The preset is stable
-/// while the accuracy is constant. Except at the finest preset, the accuracy is up to 1 dB below the target (2 dB in two cases of a
-/// thousand), and up to 4 dB above it.
+/// It steps to a finer preset if the accuracy is certainly below the target, and to a faster one that would certainly reach the target,
+/// predicted by the gain of the last step. A difference of 6 dB causes a step within two seconds. While the accuracy is constant, the
+/// preset is stable. The accuracy is at most 4 dB above the target and, except at the finest preset, at most 1 dB below it (2 dB in two
+/// cases of a thousand).
 #[derive(Debug)]
 pub struct AccuracyGovernor {
     target: f32,
@@ -185,7 +185,7 @@ pub struct AccuracyGovernor {
 }
 
 impl AccuracyGovernor {
-    /// Returns a governor at the finest preset, for a target in dB: the peak signal-to-noise ratio to exhaustive frames.
+    /// Returns a governor at the finest preset, for a target PSNR to exhaustive frames in dB.
     #[must_use]
     pub fn new(target: f32) -> Self {
         Self {
@@ -215,7 +215,7 @@ impl AccuracyGovernor {
         if self.probes.pixels < MIN_PROBES {
             return;
         }
-        // `max` replaces NaN, without errors. Later steps correct for errors that no probe met.
+        // `max` replaces NaN (no errors). Later steps correct for errors that no probe met.
         let margin = self.probes.margin_with(0.0).max(0.0);
         let psnr = self.probes.psnr();
         let threshold = &mut self.threshold[self.rung];

@@ -3,8 +3,8 @@
 //!
 //! # Shapes, materials and lights
 //!
-//! Shapes are spheres, boxes, cylinders, capsules and planes. Materials are matt, mirrors, metal or glass, and can have a pattern.
-//! Lights are points, suns or spotlights; a light with a diameter casts soft shadows.
+//! Shapes are spheres, boxes, cylinders, capsules and planes. Materials are matt, mirrors, metal or glass, and can have a pattern. Lights
+//! are points, suns or spotlights; with a diameter they cast soft shadows.
 //!
 //! ```
 //! use eightfold_tracer::glam::{Mat3, Vec3, vec3};
@@ -35,8 +35,8 @@
 //! # How it works
 //!
 //! A square is split if its corners differ in colour, objects or light, or if conservative bounds show that an object, a shadow on a
-//! plane, a reflection in the first plane or a highlight may be between them. To draw the outlines of the filled squares over a picture,
-//! set [`Method::squares`](scene::Method::squares) in its [`Presentation`](scene::Presentation):
+//! plane, a reflection in the first plane or a highlight may be between them. [`Method::squares`](scene::Method::squares) draws the
+//! outlines of the filled squares over a picture:
 //!
 #![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
 //!
@@ -44,24 +44,21 @@
 //!
 //! # Quality
 //!
-//! [`Preset::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A
-//! [`Governor`] selects the preset that holds a frame rate, and optionally a smaller size. An [`AccuracyGovernor`] selects the preset
-//! that holds an accuracy, measured by [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
-//!
-//! Rays end at [`Quality::depth`], or if they are fainter than [`Quality::least_contribution`]. They then see the background or the
-//! ambient light, the brighter in each channel.
+//! [`Preset::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A [`Governor`]
+//! selects the preset, and optionally a smaller size, to hold a frame rate. An [`AccuracyGovernor`] holds an accuracy, measured by
+//! [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
 //!
 //! # Memory and threads
 //!
-//! Rendering never allocates. A renderer needs one [`Memory`] of [`Memory::BYTES`] bytes, and one [`Worker`] of [`Worker::BYTES`]
-//! bytes per thread, for pictures of any size: under 8 MiB with sixteen threads. [`Renderer::detect`], [`ScopedThreads`] and
-//! [`Worker::several`] allocate them in place on the heap: a small stack suffices, even in unoptimised programs. Implement
-//! [`Threads`] for your own thread pool.
+//! Rendering never allocates. A renderer needs one [`Memory`] of [`Memory::BYTES`] bytes, and one [`Worker`] of [`Worker::BYTES`] bytes
+//! per thread: under 8 MiB with sixteen threads, for pictures of any size. [`Renderer::detect`], [`ScopedThreads`] and
+//! [`Worker::several`] allocate them in place on the heap, so that a small stack suffices. Implement [`Threads`] for your own thread
+//! pool.
 //!
 //! # Without std
 //!
-//! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Pass the
-//! memory to [`Renderer::with_memory`]. New memory and workers are all zeros, so a `static` takes no space in an executable file.
+//! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Pass the memory
+//! to [`Renderer::with_memory`]. New memory and workers are all zeros: a `static` takes no space in an executable file.
 //!
 //! # Scenes as data
 //!
@@ -76,13 +73,13 @@
 //!
 //! # Determinism
 //!
-//! A frame depends only on the scene, the size, the quality, the samples' offset and the instruction set, not on threads or
-//! previous frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
+//! A frame depends only on the scene, the size, the quality, the samples' offset and the instruction set, not on threads or previous
+//! frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
 //!
 //! # Compatibility
 //!
-//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](scene::Presentation), the structs in them, and [`Quality`],
-//! whose defaults keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`,
+//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](scene::Presentation), the structs in them, and [`Quality`].
+//! Their defaults keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`,
 //! so that they still compile.
 //!
 //! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of each [`Preset`] may change. A

@@ -1,5 +1,5 @@
-//! Scalar functions that `core` lacks, for animated scenes. Public functions use only correctly rounded operations, so they return
-//! the same bits on every platform.
+//! Scalar functions that `core` lacks, for animated scenes. Public ones use only correctly rounded operations: the same bits on every
+//! platform.
 
 pub use crate::lanes::ROUND_TO_INTEGER;
 
@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 use fearless_simd::f32x4;
 use glam::Vec3A;
 
-/// Converts a number below 2^24 exactly. The cast through `i32` is a single instruction; a cast from `usize` is not.
+/// Converts a number below 2^24 exactly. Via `i32` it is a single instruction, unlike from `usize`.
 #[inline(always)]
 pub(crate) fn to_f32(count: usize) -> f32 {
     count as i32 as f32
@@ -22,8 +22,8 @@ pub fn sqrt(x: f32) -> f32 {
     f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
 
-/// Returns the sine of an angle in radians, accurate to 1e-6 up to 1e6; NaN for NaN and infinity. `libm` needs 2.8 kB of digits of
-/// pi, for larger angles.
+/// Returns the sine of an angle in radians, accurate to 1e-6 up to 1e6; NaN for NaN and infinity. `libm` has 2.8 kB of digits of pi for
+/// larger angles.
 #[must_use]
 pub fn sin(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU)
@@ -35,7 +35,7 @@ pub fn cos(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU + 0.25)
 }
 
-// Small code: nothing calls it in a loop over pixels.
+// Optimised for size: not called per pixel.
 #[inline(never)]
 fn sin_turns(turns: f64) -> f32 {
     let half = if turns < 0.0 { -0.5 } else { 0.5 };
@@ -74,7 +74,7 @@ pub fn round(x: f32) -> f32 {
 
 /// Returns Hermite's smooth step: 0 for `u` up to 0, 1 from 1 on, and `u^2 (3 - 2 u)` between, with slope 0 at both ends.
 #[must_use]
-// Out of line it saves 8 packed bytes; hot code has its own, by lanes.
+// Saves 8 packed bytes; hot code uses lanes.
 #[inline(never)]
 pub fn smooth_step(u: f32) -> f32 {
     let u = u.clamp(0.0, 1.0);

@@ -2,10 +2,9 @@
 
 use crate::counts::Counts;
 
-/// Receives the points and squares of a frame, from all threads concurrently and in any order. For `()` the compiler removes all
-/// calls.
+/// Receives the points and squares of a frame, from all threads concurrently and in any order. For `()` the compiler removes all calls.
 ///
-/// Coordinates are pixels. Points may lie up to one square's side beyond the right and the lower edge of the picture.
+/// Coordinates are in pixels. Points may be up to one square's side beyond the right and the lower edge of the picture.
 pub trait Observer: Copy + Sync {
     /// Whether the methods are called.
     const LISTENS: bool = true;
@@ -13,28 +12,28 @@ pub trait Observer: Copy + Sync {
     /// Called for each traced point with its work.
     fn point(self, _x: usize, _y: usize, _work: Counts) {}
 
-    /// Called for each drawn square of `w` by `h` pixels, whose upper left pixel is (x, y).
+    /// Called for each drawn square of `w` by `h` pixels with its upper left pixel.
     fn square(self, _x: usize, _y: usize, _w: usize, _h: usize, _fill: Fill) {}
 
-    /// Called for each split square of `side` pixels, whose upper left pixel is (x, y). Its parts follow.
+    /// Called for each split square of `side` pixels with its upper left pixel, before the square's parts.
     fn split(self, _x: usize, _y: usize, _side: usize, _why: Split) {}
 }
 
-/// The reason why a square was split.
+/// The reason to split a square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Split {
-    /// It may show something that its corners do not, see [`Quality::guarded`](crate::Quality::guarded).
+    /// It may show a feature that its corners do not, see [`Quality::guarded`](crate::Quality::guarded).
     Uncovered,
     /// Its corners have different keys, and colours beyond [`tolerance_differing`](crate::Quality::tolerance_differing).
     Keys,
     /// Its corners have equal keys, and colours beyond [`tolerance_agreeing`](crate::Quality::tolerance_agreeing).
     Colours,
-    /// It could be filled, but lies between two squares that were split for their corners.
+    /// It could be filled, but is between two squares that were split for their corners.
     Gap,
 }
 
-/// The way in which the pixels of a square were computed.
+/// The source of a square's pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Fill {
@@ -42,7 +41,7 @@ pub enum Fill {
     Flat,
     /// Colours are interpolated between the corners.
     Bilinear,
-    /// Light is interpolated between the corners, and the pattern is evaluated at each pixel.
+    /// Light is interpolated between the corners, and the pattern evaluated at each pixel.
     Patterned,
     /// Each pixel has its own traced or averaged point.
     Points,

@@ -1,5 +1,5 @@
-//! Captions over a finished picture. Coverage is computed from a pixel's distance to the nearest stroke, so edges are antialiased
-//! at any size.
+//! Captions over a finished picture. A pixel's coverage is computed from its distance to the nearest stroke, so edges are antialiased at
+//! any size.
 
 use crate::font::strokes;
 use crate::maths::to_f32;
@@ -13,7 +13,7 @@ const ADVANCE: f32 = 2.0 + 2.0 * (HALF_WIDTH + SHADOW);
 
 const HALF_WIDTH: f32 = 0.3;
 
-/// The width of the shadow around a stroke in grid units, which makes text readable on white.
+/// The width of the shadow around a stroke in grid units. It makes text readable on white.
 const SHADOW: f32 = 0.35;
 
 const DARKNESS: f32 = 0.7;
@@ -97,7 +97,7 @@ fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
     Some(if number > 0 { b'0' + (number % 10) as u8 } else { b' ' })
 }
 
-/// Returns the distance from a point to the nearest of a letter's strokes, in grid units, at most 1.
+/// Returns the distance from a point to the letter's nearest stroke, in grid units, at most 1.
 fn distance(at: Vec2, letter: u8) -> f32 {
     let mut distance2 = 1.0_f32;
     for (from, to) in strokes(letter) {
@@ -108,11 +108,11 @@ fn distance(at: Vec2, letter: u8) -> f32 {
     sqrt(distance2)
 }
 
-/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares, at most `covered`. Inlined it would cost
-/// the intro 240 packed bytes.
+/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares, at most `covered`. Not inlined: 240 packed bytes
+/// less.
 #[inline(never)]
 fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
-    // In 256ths. Invalid scenes exceed the limits.
+    // In 256ths; invalid scenes exceed the limits.
     let rounded = |share: f32| (256.0 * share + 0.5) as u32;
     let covered = rounded(covered).min(256);
     let channel = |number: usize| {

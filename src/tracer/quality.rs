@@ -2,12 +2,12 @@ use crate::range_error::{Checked, Range, RangeError};
 use core::fmt;
 use core::str::FromStr;
 
-/// Settings that trade accuracy for speed: the refinement of squares, and the depth of rays.
+/// Settings that trade accuracy for speed: the refinement of squares and the depth of rays.
 ///
-/// A square is filled if its corners have one 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
-/// it is split. Corners with equal *keys* show the same objects in the same light, and, in mirrors and glass, the same fields
-/// of patterns. A tolerance is the largest difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for
-/// squares of 4 pixels, where an error covers a quarter of the pixels, and so on.
+/// A square is filled if its corners have one 8-bit colour, or if their colours differ by at most a tolerance; otherwise it is split.
+/// Corners with equal *keys* show the same objects in the same light and, in mirrors and glass, the same fields of patterns. A tolerance
+/// is a difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for squares of 4 pixels, where an error covers a
+/// quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
@@ -15,41 +15,41 @@ pub struct Quality {
     pub square: usize,
     /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The tolerance for different keys, 0 to infinity. If it equals the tolerance for equal keys, keys are not computed.
+    /// The tolerance for different keys, 0 to infinity. If both tolerances are equal, keys are not computed.
     pub tolerance_differing: f32,
-    /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within
-    /// it, the midpoint is their mean.
+    /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within it, the
+    /// midpoint is their mean.
     pub tolerance_side: f32,
-    /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first plane, or a highlight may be
-    /// between its corners, or if it lies between two split squares. [`limits`](crate::limits) lists exceptions. All presets are
-    /// guarded; the original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
+    /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first plane, or a highlight may be between
+    /// its corners, or if it is between two split squares. [`limits`](crate::limits) lists exceptions. All presets are guarded; the
+    /// original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
-    /// The least weight of reflected and refracted light that splits a square down to pixels, 0 to infinity: the guard has bounds
-    /// only for images in a flat first plane. Below infinity, a square is also split where a sphere or a block may be in shadow,
-    /// and where its corners show several objects in one colour. No thin thing is missed then. Ignored unless `guarded`.
+    /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: the guard has bounds only for
+    /// images in a flat first plane. Below infinity, a square is also split where a sphere or a block may be in shadow, and where its
+    /// corners show several objects in one colour, so that no thin thing is missed. Ignored unless `guarded`.
     pub unguarded_weight: f32,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
-    /// The least weight of rays whose objects are part of the key, 0 to infinity: it excludes weak reflections of a floor. A ray's
-    /// weight is the exposure times `kr`, `kt` and the haze's factors along its path.
+    /// The least weight of rays whose objects are part of the key, 0 to infinity. It excludes weak reflections of a floor. A ray's weight
+    /// is the exposure times `kr`, `kt` and the haze's factors along its path.
     ///
-    /// Reflections in a dense cluster are tiny. If `key_weight` is above 0 and a scene has twelve or more strong mirrors or glass
-    /// solids, all their points have different keys, except on large glass spheres, and squares have 4 pixels at most.
+    /// In dense clusters reflections are tiny. If `key_weight` is above 0 and a scene has twelve or more strong mirrors or glass solids,
+    /// all their points have different keys, except on large glass spheres, and squares have 4 pixels at most.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
     /// The strength `ks (r.v)^h` above which a light's state is "lit with a highlight" instead of "lit", 0 to infinity.
     pub highlight: f32,
-    /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`]. A ray beyond it returns the background in its direction or the
-    /// ambient light, the brighter in each channel, unless the scene is [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
+    /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`]. A deeper ray returns the background in its direction or the ambient light,
+    /// the brighter in each channel, unless the scene is [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
     pub depth: u32,
-    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the light of rays beyond `depth`.
+    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the same light as rays beyond `depth`.
     pub least_contribution: f32,
-    /// Whether edges are antialiased. The point half-way between two pixels at an edge is traced and mixed into these pixels; up to
-    /// three more points on each side find the edge by bisection.
+    /// Whether edges are antialiased. The midpoint between two pixels at an edge is traced and mixed into both pixels; up to three more
+    /// points on each side find the edge by bisection.
     pub antialias: bool,
-    /// The least difference of neighbouring pixels at an edge, in a channel, in units of 1/255; 0 counts as 1. Smaller numbers
-    /// bisect deeper.
+    /// The least difference of neighbouring pixels at an edge, in a channel, in units of 1/255; 0 counts as 1. A smaller number bisects
+    /// deeper.
     pub edge: u8,
 }
 
@@ -77,16 +77,16 @@ impl Quality {
         edge: 20,
     };
 
-    /// The rules of the 2008 thesis, guarded: squares of 8 pixels are filled if the corners agree in all objects of the ray tree
-    /// and in the lights' states at the primary hit, whatever their colours.
+    /// The rules of the 2008 thesis, guarded: squares of 8 pixels are filled if the corners agree in all objects of the ray tree and in
+    /// the lights' states at the primary hit, whatever their colours.
     pub const THESIS: Self =
         Self { square: 8, tolerance_agreeing: f32::INFINITY, ..Self::EXHAUSTIVE };
 
     /// The quality of [`Preset::Default`].
     pub const DEFAULT: Self = Self::within(8, 7.7).followed(5, 0.015).antialiased(20);
 
-    /// Returns a quality with a tolerance for equal keys only. Keys have the objects of the primary hit and of its stronger
-    /// secondary rays, and the lights' states, lit or dark.
+    /// Returns a quality with a tolerance for equal keys only. Keys have the objects of the primary hit and of stronger secondary rays,
+    /// and whether each light is lit.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,
@@ -159,9 +159,9 @@ macro_rules! presets {
         /// A named quality.
         ///
         /// `docs/accuracy.md` has the speed and errors of each. [`Preset::LADDER`] lies on the Pareto front of time, FLIP and pops
-        /// (pixels that jump between frames while the exhaustive frame's stay), which `cargo lab trade` prints. By PSNR only, a
-        /// tolerance of 9 and a least contribution of 0.02 would be the best default: it takes a tenth less time, but has three times
-        /// the pops. Squares of 16 are no faster than squares of 8 at equal error.
+        /// (pixels that jump between frames while the exhaustive frame's stay), as `cargo lab trade` prints. By PSNR only, a tolerance of
+        /// 9 and a least contribution of 0.02 would be the best default: a tenth less time, but three times the pops. Squares of 16 are
+        /// no faster than squares of 8 at equal error.
         ///
         /// ```
         /// use eightfold_tracer::{Preset, Quality};
@@ -171,7 +171,7 @@ macro_rules! presets {
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
-        // An index. The packed intro has 60 bytes less than by one byte per preset.
+        // An index: 60 packed bytes less than with one byte per preset.
         #[repr(usize)]
         pub enum Preset {
             $($(#[$doc])* $preset,)*
@@ -181,7 +181,7 @@ macro_rules! presets {
         const PRESETS: &[(&str, Quality)] = &[$(($name, $quality)),*];
 
         impl Preset {
-            /// All presets in the order of their numbers: `preset as usize` is the index of `preset`.
+            /// All presets, in order: `preset as usize` is the index of `preset`.
             pub const ALL: [Self; PRESETS.len()] = [$(Self::$preset),*];
         }
     };

@@ -90,7 +90,7 @@ impl Checked {
         Self { object, index }
     }
 
-    /// An empty name is the object itself.
+    /// An empty name means the object itself.
     pub fn field(
         self,
         field: &'static str,

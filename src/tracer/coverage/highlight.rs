@@ -1,8 +1,8 @@
 //! The highlights of lights on objects in direct view, as ellipses in the picture.
 //!
 //! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference between the mirrored ray r and the direction l
-//! to the light. At d = 0 the surface mirrors the light. Around this point d is nearly linear in the pixels x and y, so the lobe is `ks
-//! e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
+//! to the light. The surface mirrors the light where d = 0. Around this point d is nearly linear in the pixels x and y, so the lobe is
+//! `ks e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
 
 use super::Coverage;
 use super::mirror::Mirror;
@@ -15,20 +15,20 @@ use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// For each light, one highlight on each sphere and plane, and three on each block.
+/// For each light: one on each sphere and plane, three on each block.
 pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
-/// The side of the largest squares of the named qualities, in pixels.
+/// The side of the presets' largest squares, in pixels.
 const SQUARE: f32 = 8.0;
 
-/// The least visible difference in brightness, of 255: a larger error counts as a wrong pixel.
+/// The least visible difference in brightness, of 255: larger errors count as wrong pixels.
 const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
 const REACH: f32 = 3.5;
 
 /// The share of [`VISIBLE`] that a square may miss. With it and [`COUNTED_DECAY`], 0 of 5,115 highlights on spheres and planes are
-/// missed, without them 1; the model scene has 0.05 % more rays.
+/// missed, without them 1. They cost the model scene 0.05 % more rays.
 const SPARE: f32 = 0.6;
 
 /// The factor on the decay: off its centre a lobe is wider than the Gaussian.
@@ -59,7 +59,8 @@ impl Highlight {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
-    /// Returns whether any square of `side` pixels whose four corners show the object is nearly as bright at a corner as anywhere inside.
+    /// Returns whether the highlight is even: any square of `side` pixels whose four corners show the object is nearly as bright at a
+    /// corner as anywhere inside.
     ///
     /// From its minimum in a square to the nearest corner, the decay grows at most by its value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {
@@ -68,8 +69,8 @@ impl Highlight {
         self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.threshold(to_f32(side))
     }
 
-    /// Returns the allowed difference in brightness between a square and its corners. It grows as squares get smaller, like the tolerances
-    /// of a quality, up to 0.3 of the highlight.
+    /// Returns the allowed difference in brightness between a square and its corners. Like tolerances it grows as squares get smaller, up
+    /// to 0.3 of the highlight.
     fn threshold(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
@@ -91,8 +92,7 @@ impl Highlight {
         [(x.min(other) - half).max(self.bounds.x), (x.max(other) + half).min(-self.bounds.z)]
     }
 
-    /// Returns whether a square, in pixels, may be visibly brighter than all corners whose bits are set: upper left,
-    /// upper right, lower left, lower right.
+    /// Returns whether a square, in pixels, may be visibly brighter than all corners whose bits are set.
     #[inline(never)]
     pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
         let [a, b, c] = self.decay;
@@ -100,7 +100,7 @@ impl Highlight {
         let u = |x: Vec4, y: Vec4| a * x * x + y * (2.0 * b * x + c * y);
         let hidden = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
         let corner = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(hidden)).min_element();
-        // The brightest point is the highlight's centre if the square contains it; otherwise it is on a side.
+        // The brightest point is the highlight's centre, or on a side if the centre is outside.
         let mut min = 0.0;
         if rect.xy().max(-rect.zw()).max_element() > 0.0 {
             let sides = rect.xzyw();
@@ -114,14 +114,14 @@ impl Highlight {
         self.strength * (corner - min).min(1.0) > threshold * (1.0 + min + 0.5 * min * min)
     }
 
-    /// Returns whether the highlight can lie between corners: 4 pixels across and down, u is at most 64 times the larger of a and c.
+    /// Returns whether the highlight fits between corners: 4 pixels across and down, u is at most 64 times the larger of a and c.
     fn is_small(&self, visible: f32) -> bool {
         let [a, _, c] = self.decay;
         self.strength * a.max(c) * SQUARE * SQUARE > visible
     }
 
-    /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light. All positions are
-    /// relative to the object's centre.
+    /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light. Positions are relative
+    /// to the object's centre.
     fn at(
         mirror: &Mirror,
         axes: &Axes,
@@ -163,7 +163,7 @@ impl Highlight {
 }
 
 impl Coverage {
-    /// Computes the highlights, after the objects. Waves, and a solid around the eye, get no highlight.
+    /// Computes the highlights, after the objects. Waves and solids around the eye get none.
     pub(super) fn set_highlights(&mut self, world: World<'_>) {
         self.highlights.clear();
         for i in 0..world.background() {

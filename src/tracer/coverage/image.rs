@@ -1,4 +1,4 @@
-//! The images of solids and lights in the first plane. A camera mirrored in the plane sees the object in the image's outline.
+//! The images of solids and lights in the first plane: the mirrored camera sees the object in the image's outline.
 
 use super::screen::ScreenBounds;
 use super::view::View;

@@ -1,11 +1,11 @@
-//! The surface points that mirror a light to the eye. All positions are relative to the object's centre.
+//! The surface points that mirror a light to the eye. Positions are relative to the object's centre.
 
 use crate::maths::unit;
 use crate::prepare::Object;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Newton steps towards the mirror point of a curved surface: two suffice for distant eyes and lights, near ones need all.
+/// Newton steps towards the mirror point of a curved surface. Distant eyes and lights need two, near ones all.
 const NEWTON_STEPS: usize = 8;
 
 pub(super) struct Mirror {
@@ -39,8 +39,8 @@ impl Mirror {
         }
     }
 
-    /// Adds two points of a capsule, since a highlight continues across the joint: the mirror point of the end's sphere, and the point of
-    /// the side that is nearest to the mirror point of an endless cylinder.
+    /// Adds two points of a capsule, since a highlight continues across the joint: the mirror point of the end's sphere, and the side's
+    /// point nearest to the mirror point of an endless cylinder.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);
@@ -59,8 +59,8 @@ impl Mirror {
 
     /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
-    /// Seen along the axis, the normal bisects the directions to the eye and the light. The path of light is straight on the unrolled
-    /// cylinder, which gives the height.
+    /// Seen along the axis, the normal bisects the directions to the eye and the light. On the unrolled cylinder the path of light is
+    /// straight, which gives the height.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));

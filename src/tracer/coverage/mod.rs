@@ -1,46 +1,44 @@
 //! Conservative bounds of the features that a square may show between its corners: objects, shadows on planes, images in the first plane,
-//! and highlights.
+//! and highlights. `docs/guard.md` has a picture of each.
 //!
-//! A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split while it meets the bound of a feature that its corners do
-//! not show. An outline of one and a half sides or more covers a corner of each part that it crosses, so one corner clears the square and
+//! A guarded square (see `Quality::guarded`) is split while it meets the bound of a feature that no corner
+//! shows. An outline of one and a half sides or more covers a corner of each part that it crosses, so one corner clears the square and
 //! its parts. A thinner outline keeps the square open down to pixels, unless all four corners show it.
 //!
-//! | kind | bound | a square may be filled if | file |
+//! | kind | bound | the square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | a corner (all, if it is thin) shows it, or the corners show an occluder that hides it | `object` |
-//! | image | the cone of rays from the eye's mirror image | no corner shows the plane, or a corner (all, if it is thin) shows the plane inside the bound, or all corners show the plane and one side of a wide bound cuts the square | `image` |
-//! | shadow | the cone of rays from the light, projected onto the plane | a rule for images holds, or another shadow covers the square | `shadow` |
+//! | object | the cone of rays from the eye that meet it | a corner shows it (all corners, if it is thin), or the corners show an occluder that hides it | `object` |
+//! | image | the cone of rays from the mirrored eye | no corner shows the plane; or a corner that shows the plane is inside (all corners, if the image is thin); or all corners show the plane, and one side of a wide bound cuts the square | `image` |
+//! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow covers the square | `shadow` |
 //! | highlight | the ellipse of a Gaussian | no corner shows the object, or a corner that shows it is nearly as bright as the square's brightest point | `highlight` |
 //!
 //! # Guarantees
 //!
-//! - Objects: a square that shows an object meets its outline, so it is filled only if a corner shows the object, or if an occluder covers
-//!   the square. So each object has at least one pixel. An average of two points counts as showing the objects of both.
-//! - Shadows of spheres on planes from point lights: a square that shows the plane and meets a shadow is filled only if a corner that shows
-//!   the plane lies in it, or if all corners lie in another shadow from the same light ([`rounding`](crate::rounding) derives the margins).
-//!   The corner may be as dark without the shadow.
-//! - Images in the first plane: a frame shows every image of 2x2 pixels or more that no other image covers in part. A corner in an image's
-//!   outline shows the image or another one in front of it.
-//! - Thin bars, their shadows on a plane from a point light, and their images in the first plane have no holes (`tests/image/thin.rs`). The
-//!   width of an outline is a lower bound: the object's least extent at its farthest distance.
+//! - Each object has at least one pixel. A square that shows an object meets its outline, so it is filled only if a corner shows the
+//!   object or an occluder covers the square. An average of two points counts as showing the objects of both points.
+//! - A shadow of a sphere on a plane from a point light: a square that shows the plane and meets the shadow is filled only if a corner
+//!   that shows the plane is inside, or if all corners are inside another shadow from the same light (`rounding`
+//!   derives the margins). The corner may be as dark without the shadow.
+//! - A frame shows every image in the first plane of 2x2 pixels or more that no other image covers in part. A corner in an image's
+//!   outline shows the image or a nearer one.
+//! - Thin bars, their shadows on a plane from a point light, and their images in the first plane have no holes (`tests/image/thin.rs`).
+//!   An outline's width is a lower bound: the object's least extent at its farthest distance.
 //!
 //! # Best effort
 //!
-//! - Other shadows on planes: the bound of a capsule is the cylinder around it, and the bound of a cylinder from above a hexagonal prism.
-//!   An area light counts as its centre. A spotlight counts as shining everywhere. A corner is certainly dark inside the prism in a
-//!   cylinder, or in a capsule without its round ends.
-//! - Slits of light between two shadows from one light: a square stays open if each shadow covers some of its corners; otherwise slits
-//!   flicker. It also stays open if a shadow covers some corners, and an object hides the remaining ones.
+//! - Other shadows on planes: an area light counts as its centre, and a spotlight shines everywhere. The bound of a capsule is the
+//!   cylinder around it; from above, the bound of a cylinder is a hexagonal prism. A corner is certainly dark in the hexagonal prism
+//!   inside a cylinder, or inside a capsule without its round ends.
+//! - Slits of light between two shadows from one light: a square stays open if each shadow covers some of its corners, since slits would
+//!   flicker, or if a shadow covers some and an object hides all others.
 //! - Images of cylinders and capsules: they count as prisms.
 //! - Highlights: Phong's lobe is nearly a Gaussian, but a corner may be in shadow or on another face.
 //!
 //! # Light without a bound
 //!
-//! At `finest` ([`Quality::unguarded_weight`](crate::Quality::unguarded_weight)) a square is also split if a corner shows a reflection
-//! or a refraction without a bound, if a sphere or a block may be in shadow there, or if the corners show several objects in one colour
-//! (`refine::guard::unguarded`).
-//!
-//! `docs/guard.md` shows each in a picture; [`limits`](crate::limits) lists the rest in figures.
+//! At `finest` (`Quality::unguarded_weight`) a square is also split if a corner shows a reflection or
+//! a refraction without a bound, if a sphere or a block may be in shadow, or if the corners show several objects in one colour
+//! (`refine::guard::unguarded`). `limits` lists the rest in figures.
 
 mod highlight;
 mod image;
@@ -65,7 +63,7 @@ use screen::{Axes, ScreenBounds};
 use sides::Sides;
 use view::View;
 
-/// One for each object, each image of a solid or light, and each shadow of a solid on a plane by a light.
+/// One per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
 pub(crate) const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
 /// A feature with a convex outline in the picture.
@@ -74,7 +72,7 @@ pub(crate) enum Outline {
     /// An object in direct view.
     Object(ObjectId),
     Image(ObjectId),
-    /// The shadow of a solid, by the indices of plane and light.
+    /// The shadow of a solid. Plane and light are indices.
     Shadow {
         object: ObjectId,
         plane: u8,
@@ -130,7 +128,7 @@ impl Coverage {
         self.set_highlights(world);
     }
 
-    /// Adds an outline, whose least width at distance 1 is `width`.
+    /// Adds an outline whose least width is `width` at distance 1.
     fn list(&mut self, outline: Outline, screen: ScreenBounds, width: f32) {
         self.outlines[self.outlined] = outline;
         self.screen[self.outlined] = screen;
@@ -140,7 +138,7 @@ impl Coverage {
 
     #[inline(never)]
     pub fn region(&self, world: World<'_>, number: usize) -> Region {
-        // The object, the view, and the plane and viewer of an image or shadow.
+        // `shown`: the plane with the image or shadow, and its viewer.
         let (id, view, shown) = match self.outlines[number] {
             Outline::Object(id) => (id, &self.eye, None),
             Outline::Image(id) => (id, &self.image, Some((0, world.eye))),
@@ -158,7 +156,7 @@ impl Coverage {
             }
         };
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
-        // A part beyond the plane has no image or shadow, but its rays meet the plane.
+        // The rays of a part beyond the plane meet the plane, but the part has no image or shadow.
         if let Some((plane, viewer)) = shown
             && self.heights(id, &world.planes()[plane], viewer)[0] < 0.0
         {
@@ -167,8 +165,8 @@ impl Coverage {
         region
     }
 
-    /// Returns the least and greatest height of an object above a plane, on the side of the viewer (the shadow's light, or the image's
-    /// eye), with a margin for rounding.
+    /// Returns the least and greatest height of an object above a plane, on the viewer's side (a shadow's light, or an image's eye), plus
+    /// a margin for rounding.
     fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
         let (error, [min, max]) = (object.hit_error(), object.above(plane.centre.y));

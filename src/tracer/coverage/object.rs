@@ -13,9 +13,9 @@ pub(crate) struct ObjectBounds {
     /// The index of its node in the tree, for solids and lights.
     pub node: u16,
     pub screen: ScreenBounds,
-    /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared, or infinity if the eye is inside; `None`
-    /// if rounding decides. The plane of equal powers separates the visible parts of two spheres, so the sphere of smaller power is in
-    /// front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
+    /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared, or infinity if the eye is inside;
+    /// `None` if rounding decides. The plane of equal powers separates the visible parts of two spheres: the sphere of smaller power is
+    /// in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
     power: Option<[f32; 2]>,
     /// Half of the least extent.
     pub thickness: f32,
@@ -49,8 +49,8 @@ impl ObjectBounds {
         [self.min.y - height, self.max.y - height]
     }
 
-    /// Returns whether a plane across an axis separates the object from the eye and from `points` of the object `front`, given by vectors
-    /// from the eye and forward distances.
+    /// Returns whether a plane across an axis separates the object from the eye and from `points` of the object `front`. Points are
+    /// vectors from the eye, and forward distances.
     pub fn is_beyond(
         &self,
         front: &Self,
@@ -101,7 +101,7 @@ fn extent(block: &Block, forward: Vec3A) -> Vec4 {
     let half = Vec3A::from(block.half);
     let own = [inward.x_axis, inward.y_axis, inward.z_axis, inward * forward];
     Vec4::from(own.map(|axis| {
-        // Aligned axes are exact. Others get a margin for the error of the block's axes.
+        // Aligned axes are exact; others get a margin for their error.
         let tilt = (axis.abs().element_sum() - 1.0).abs();
         axis.abs().dot(half) + CORNER.min(4.0 * tilt) * half.element_sum()
     }))
@@ -144,7 +144,7 @@ impl Coverage {
             let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
             let far = self.eye.reach(centre, half.length());
             let to = (centre - world.eye).abs();
-            // An eye above the rectangle may look straight down. From the side, the angle is least at the far end.
+            // An eye above the rectangle may look straight down. From outside, the angle is least at the far end.
             let is_beside = to.x > half.x || to.z > half.z;
             let steep = if is_beside { to.y / far } else { 1.0 };
             let width = 2.0 * half.x.min(half.z) * steep / far;
@@ -152,7 +152,7 @@ impl Coverage {
         }
     }
 
-    /// Returns whether the sphere `front` is in front of the sphere `back` where rays meet both, see [`ObjectBounds::power`].
+    /// Returns whether the sphere `front` is in front of the sphere `back` on all rays that meet both, see [`ObjectBounds::power`].
     pub fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
         let power = |id: ObjectId| self.objects[id.index()].power;
         match (power(front), power(back)) {

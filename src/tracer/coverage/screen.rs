@@ -11,7 +11,7 @@ pub(crate) struct Axes {
     /// Right, down, and forward.
     pub rows: [Vec3A; 3],
     pub pixel: f32,
-    /// The largest u or v of the picture, at least 1. Rays are at most `reach` times the root of 3 long.
+    /// The largest u or v of the picture, at least 1. A ray's length is at most `reach` times the root of 3.
     pub reach: f32,
     /// The centre of the picture in pixels, x and y, twice.
     middle: Vec4,
@@ -28,13 +28,13 @@ pub(crate) struct Rects<S: Isa> {
     pub bottom: F<S>,
 }
 
-/// Builds the vector in a register: loading it right after storing its parts would stall.
+/// Builds the vector in a register: to load it right after its parts are stored would stall.
 #[inline(always)]
 pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) -> Vec4 {
     Vec4::new(to_f32(left), to_f32(top), to_f32(right), to_f32(bottom))
 }
 
-/// Returns the coordinates of a rectangle's corners: upper left, upper right, lower left, lower right.
+/// Returns the x and y of a rectangle's corners: upper left, upper right, lower left, lower right.
 #[inline(always)]
 pub(crate) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
     [rect.xzxz(), rect.yyww()].map(|ends| F::<Baseline>::simd_from(baseline(), ends.to_array()))
@@ -48,7 +48,7 @@ impl Axes {
     pub const ZERO: Self =
         Self { rows: [Vec3A::ZERO; 3], pixel: 0.0, reach: 0.0, middle: Vec4::ZERO };
 
-    /// Returns the axes of a picture whose samples are `offset` pixels off the pixels' centres; `raster` has no offset.
+    /// Returns the axes of a picture whose samples are `offset` pixels off the centres; `raster` has no offset.
     pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {
         let pixel = raster.dx.length();
         let [x, y] = [width, height].map(|side| 0.5 * (to_f32(side) - 1.0));
@@ -65,7 +65,7 @@ impl Axes {
         (pixels - self.middle) * self.pixel
     }
 
-    /// Returns a column of rectangles of `size` pixels, one per lane. The first has its corner at `[left, top]`.
+    /// Returns a column of rectangles of `size` pixels, one per lane, from the first one's upper left corner down.
     #[inline(always)]
     pub fn rects<S: Isa>(&self, simd: S, [left, top]: [usize; 2], size: [usize; 2]) -> Rects<S> {
         let [width, height] = size.map(to_f32);
@@ -99,9 +99,9 @@ impl ScreenBounds {
 
     pub const ZERO: Self = Self(Vec4::ZERO);
 
-    /// Returns the bounds whose ends are `(b + a) / (d + c)` and `(b - a) / (d - c)`, along u and along v, for vectors of a, b, c and d.
+    /// Returns the bounds from `(b + a) / (d + c)` to `(b - a) / (d - c)`, along u and along v, for vectors of a, b, c and d.
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
-        // The negation of the greatest slope is the least negated slope.
+        // The greatest slope, negated, is the least of the negated slopes.
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);
         let ahead = Vec4::new(u.w, v.w, u.w, v.w) + ends(u.z, v.z);
         let across = Vec4::new(u.x, v.x, u.x, v.x) + ends(u.y, v.y);
@@ -119,7 +119,7 @@ impl ScreenBounds {
         self.0 = self.0.min(other.0);
     }
 
-    /// Clips rectangles to the bounds' range of u. Rectangles above and below the bounds become empty.
+    /// Clips rectangles to the bounds' range of u; those above and below become empty.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
         let simd = rects.left.token();

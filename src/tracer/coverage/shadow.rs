@@ -24,7 +24,7 @@ impl Coverage {
                             plane: plane as u8,
                             light: number as u8,
                         };
-                        // The projection magnifies the shadow, and the eye's angle foreshortens it.
+                        // The projection magnifies the shadow; the eye's angle foreshortens it.
                         let height = light.position.y - rectangle.centre.y;
                         let scale = -height / to.y;
                         let at = light.position + to * scale;

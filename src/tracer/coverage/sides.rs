@@ -1,12 +1,12 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
-//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, where a is the axis of the sphere's bounding cone, and the angle is half of
-//! the cone's. For an object, w is the eye's ray `(u, v, 1)`. For a shadow, w leads from the light to the point where the eye's ray d meets
-//! the plane. It is linear in d, so a shadow is a cone in the picture, too. `view` computes w as a vector from the object's centre plus a
-//! share of the vector to the centre. Blocks and planes are bounded by planes through the eye or light.
+//! Each test is about a ray w from the viewpoint. In direct view, w is the eye's ray `d = (u, v, 1)`. For a shadow, w leads from the
+//! light to the point where d meets the plane. It is linear in d, so a shadow is a cone in the picture, too. `view` computes w as a
+//! vector from the object's centre plus a share of the vector to the centre.
 //!
-//! The difference of the inequality's sides is concave in u and v, so its tangent planes are upper bounds: rays are outside where a
-//! tangent plane is negative.
+//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, where a is the axis of the sphere's bounding cone, and the angle is half the
+//! cone's. The left side minus the right side is concave in u and v, so each of its tangent planes is an upper bound: rays are outside
+//! where it is negative. Blocks and planes are bounded by planes through the viewpoint.
 
 use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
@@ -20,7 +20,7 @@ use glam::{BVec4A, Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// Cuts at each end of a row's range. The first tangent touches the cone at the end's own side, later ones inside the rectangle.
+/// Cuts at each end of a row's range. The first tangent touches the cone at the end's own side, later tangents inside the rectangle.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -30,19 +30,19 @@ pub(crate) type Terms = [Vec4; 3];
 pub(crate) enum Sides {
     /// All rays: the origin is inside the object, or may be.
     All,
-    /// The rays in a cone, by `cos (a x w)` in three lanes and `sin (a . w)` in the last.
+    /// The rays in a cone: `cos (a x w)` in three lanes, `sin (a . w)` in the last.
     Round {
         terms: Terms,
-        /// The margin, relative to the last lane, beyond which rays certainly meet the sphere. The cone is wider by the hit error.
+        /// The margin, relative to the last lane, beyond which rays certainly meet the sphere. The hit error widens the cone.
         unsure: f32,
     },
-    /// The rays on the inner side of eight planes around the object, and of eight planes inside it.
+    /// The rays inside eight planes around the object, and inside eight planes within it.
     Flat { outer: [Terms; 2], inner: [Terms; 2] },
 }
 
 impl Sides {
-    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the tip to the centre. Each of `rays` is a vector
-    /// from the centre, and a share of `to`.
+    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. Each of `rays` is a
+    /// vector from the centre, and a share of `to`.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
         let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
@@ -62,15 +62,15 @@ impl Sides {
         }
     }
 
-    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward by `slack`. `to` is the vector
-    /// to the block's centre; for `rays` see [`Sides::of_sphere`].
+    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward by `slack`. For `rays` and
+    /// `to` see [`Sides::of_sphere`].
     #[inline(never)]
     pub fn of_block(rays: &[Vec4; 3], to: Vec3A, block: &Block, slack: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
         let half = Vec3A::from(block.half);
         let (shape, centre) = (block.shape, inward * to);
         let rays = rays.map(|ray| (across(shape, inward * Vec3A::from_vec4(ray)), ray.w));
-        // A cylinder, and a capsule without its round ends, contain a hexagonal prism.
+        // The inner prism: hexagonal in a cylinder, and in a capsule without its round ends.
         let ends = if shape == Shape::Capsule { half.x } else { 0.0 };
         let inside = half - slack - Vec3A::Y * ends;
         let inner = if inside.min_element() > 0.0 {
@@ -168,12 +168,12 @@ impl Sides {
 }
 
 impl<S: Isa> Rects<S> {
-    /// Clips rectangles to the range of u where `right u + down v + origin >= 0` for a v of the rectangle.
+    /// Clips rectangles to the range of u where `right u + down v + origin >= 0` for some v of the rectangle.
     #[inline(never)]
     fn cut(&mut self, right: F<S>, down: F<S>, origin: F<S>) {
         let zero = splat(right.token(), 0.0);
         let max = (down * self.top).max(down * self.bottom) + origin;
-        // NaN clips nothing. If `right` is 0, which must not be -0, the clip is all or nothing.
+        // NaN clips nothing. `right` must not be -0; if it is 0, the clip is all or nothing.
         let end = -max / (right + zero);
         let min = at_least::<S>(end, self.left);
         let greatest = at_most::<S>(end, self.right);
@@ -187,18 +187,19 @@ pub(crate) struct Region {
     pub sides: Sides,
     /// The bound on the rounding error of a side's inequality.
     pub rounding: f32,
-    /// The least depth at which a point certainly shows the object or an occluder of it.
+    /// The least depth at which a point certainly shows the object or its occluder.
     pub margin: f32,
 }
 
 impl Region {
-    /// Returns the region inside some sides. `rounding` is the applicable share of [`SIDE`].
+    /// Returns the region inside `sides`. `rounding` is the applicable share of [`SIDE`].
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
         let rounding = within_pixel(SIDE * axes.reach * rounding, axes.pixel);
         Self { bounds, sides, rounding, margin: rounding }
     }
 
-    /// Returns the least and greatest u of the region in each rectangle. The least exceeds the greatest if the rectangle is outside.
+    /// Returns the least and greatest u of the region in each rectangle. If the region misses a rectangle, the least exceeds the
+    /// greatest.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
         self.bounds.narrow(&mut rects);
@@ -214,7 +215,7 @@ impl Region {
     }
 }
 
-/// The silhouette of a block from a point. Each lane is an axis: seen along it, the block is a rectangle with two silhouette corners.
+/// The silhouette of a block from a point. Each lane is an axis: along it the block is a rectangle with two silhouette corners.
 struct Silhouette {
     shape: Shape,
     /// The centres of the rectangles, and half side lengths.
@@ -223,11 +224,11 @@ struct Silhouette {
     half_a: Vec4,
     half_b: Vec4,
     is_beside: BVec4A,
-    /// The axes without an edge: the point is between the block's sides.
+    /// The axes along which the point is inside the rectangle, which has no silhouette then.
     pub has_none: BVec4A,
 }
 
-/// Returns the depths of rays inside the planes through the edges of a block's silhouette, see [`Silhouette::new`].
+/// Returns the depths of rays inside the planes through a block's silhouette edges, see [`Silhouette::new`].
 #[inline(never)]
 fn silhouette_terms(
     shape: Shape,
@@ -253,8 +254,8 @@ fn silhouette_terms(
 }
 
 impl Silhouette {
-    /// Returns a block's silhouette from the origin, in the block's own axes. A cylinder or capsule is a circle seen along its axis; from
-    /// the side it is a hexagonal prism with an inner radius of `hexagon` radii.
+    /// Returns a block's silhouette from the origin, in the block's axes. Along its axis, a cylinder or capsule is a circle; from the
+    /// side it is a hexagonal prism with an inner radius of `hexagon` radii.
     pub fn new(shape: Shape, centre: Vec3A, half: Vec3A, hexagon: f32) -> Self {
         let [a, b] = across(shape, centre);
         let [half_a, mut half_b] = across(shape, half);
@@ -273,7 +274,7 @@ impl Silhouette {
         }
     }
 
-    /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1, from their centres.
+    /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1, relative to their centres.
     pub fn corners(&self, sign: f32) -> [Vec4; 2] {
         let &Self { a, b, half_a, half_b, .. } = self;
         let is_below = Vec4::select(self.is_beside, a * sign, b).cmplt(Vec4::ZERO);
@@ -290,8 +291,8 @@ impl Silhouette {
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Returns the two coordinates of a vector across each axis: the three axes of a box, or a cylinder's own axis and three across it that
-/// are 60 degrees apart.
+/// Returns the two coordinates of a vector across each axis: a box's three axes, or a cylinder's own and three across it, 60 degrees
+/// apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     match shape {
@@ -303,9 +304,9 @@ fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     }
 }
 
-/// Returns the vector from the centre (a, b) of a circle to the point where a line through the origin touches it, on the side of `sign`.
+/// Returns the vector from the centre (a, b) of a circle to the point where a line from the origin touches it, on the side of `sign`.
 fn tangent_point(a: f32, b: f32, radius: f32, sign: f32) -> [f32; 2] {
-    // Shares of the distance to the centre: along it and across.
+    // Shares of the distance to the centre, along it and across.
     let share = radius * radius / (a * a + b * b);
     let apart = sqrt((1.0 - share) * share) * sign;
     [b * apart - a * share, -a * apart - b * share]

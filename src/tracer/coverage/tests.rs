@@ -42,8 +42,8 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// Draws scenes of a sphere and a block between a floor and a light, seen from above the floor. Distances of light and camera are
-/// multiplied by up to 10 to the power `light` and `telescope`.
+/// Draws scenes of a sphere and a block between a floor and a light, seen from above the floor. The light and the camera are up to 10 to
+/// the power `light` and `telescope` times as far away.
 fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
@@ -122,7 +122,7 @@ fn is_shadow_of(solid: usize) -> impl Fn(Outline) -> bool {
     move |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid)
 }
 
-/// Returns the least distance of the segment between two points from a block's centre, in units of the surface's distance.
+/// Returns the least distance of the segment between two points from a block's centre, relative to the surface's distance.
 fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
     let inward = block.axes.as_dmat3().transpose();
     let half = block.half.as_dvec3();
@@ -193,7 +193,7 @@ proptest! {
     }
 }
 
-/// The sides from the hexagon inside a cylinder's end reach up to 1.087 radii, where the silhouette ends between two corners.
+/// The hexagon inside a cylinder's end allows 1.087 radii, where its silhouette ends between two corners.
 #[test]
 fn certain_points_are_in_shadow() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

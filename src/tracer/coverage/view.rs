@@ -13,8 +13,8 @@ use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
 ///
-/// The eye's ray d meets the plane in a point x. Vectors to x start at an object's centre `c`, so shadows of far lights are exact: for
-/// `m = -d.y` and an eye at the height H, `m (x - c) = H d + (c - eye) d.y`. For the eye's own view m is 0, and H is 1.
+/// The eye's ray d meets the plane in a point x. Vectors to x start at an object's centre `c`, so that shadows of far lights are exact:
+/// with `m = -d.y` and the eye's height H, `m (x - c) = H d + (c - eye) d.y`. For the eye's own view m is 0, and H is 1.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
@@ -23,12 +23,12 @@ pub(super) struct View {
     /// The vector from the eye to the light, and the light's height above the plane, divided by a common length. For the eye 0 and 1.
     pub to_light: Vec3A,
     pub above: f32,
-    /// The plane's height, the eye's distance from it, and the sign of the eye's side, 0 for the eye.
+    /// The plane's height, the eye's distance from it, and the sign of the eye's side (0 for the eye's own view).
     pub ground: f32,
     pub height: f32,
     pub side: f32,
     pub corner: f32,
-    /// The applicable share of [`SIDE`](crate::rounding::SIDE).
+    /// The applicable share of `SIDE`.
     pub rounding: f32,
 }
 
@@ -75,11 +75,12 @@ impl View {
 
     /// Returns the bounds of a node's sphere or of its shadow.
     ///
-    /// The line u = c of the picture is a plane through the viewpoint. Its normal is the normal of u = 0 minus c times the normal of the
-    /// line at infinity. It touches the sphere at the radius from the centre (Mara and McGuire: 2D Polyhedral Bounds of a Clipped,
-    /// Perspective-Projected 3D Sphere, JCGT 2013, with orthogonal normals). For a light at the height L above the plane, the normals are
-    /// linear in the eye's axes n: `n L - y (n . (light - eye))`. The centre's distances are `n . (L (c - eye) - (c.y - ground) (light -
-    /// eye))`.
+    /// A bound `u = k` is a plane through the viewpoint that touches the sphere: its distance from the sphere's centre is the radius
+    /// (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, for orthogonal axes). Its normal
+    /// is `right - k forward`, and `down - k forward` for a bound of v.
+    ///
+    /// For a shadow from a light at the height L above the plane, each axis n becomes `n L - up (n . (light - eye))`. Its product with
+    /// the vector to the sphere's centre c becomes `n . (L (c - eye) - (c.y - ground) (light - eye))`.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;
@@ -104,7 +105,7 @@ impl View {
         ScreenBounds::around(u, v, pixel)
     }
 
-    /// Returns the rays that meet an object, or for a light the rays whose points on the plane are in the object's shadow.
+    /// Returns the rays that meet an object, or for a light the rays to the object's shadow on the plane.
     pub fn sides(&self, node: &BvhNode, object: &Object<'_>) -> Sides {
         let (to, by_eye) = (node.centre - self.from, node.centre - self.eye);
         let aside = by_eye * self.side;

@@ -6,7 +6,7 @@ use fearless_simd::Level;
 pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::mul_add`] rounds once, as a fused operation, or twice.
     const FUSES_MUL_ADD: bool;
-    /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand where the first is NaN.
+    /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand if the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
     fn of(level: Level) -> Option<Self>;

@@ -1,7 +1,7 @@
 //! Vectors with a ray per lane. A lane's result never depends on its neighbours.
 //!
-//! A kernel is generic over the instruction set `S` and inlined into one function per set. Functions that kernels call need
-//! `#[inline(always)]`: a closure that is not inlined loses the instruction set.
+//! A kernel is generic over the instruction set `S` and inlined into one function per set. Functions and closures that kernels call need
+//! `#[inline(always)]`: otherwise they lose the instruction set.
 
 mod isa;
 mod pow;
@@ -71,8 +71,8 @@ pub(crate) fn clamp<S: Isa>(v: F<S>, min: F<S>, max: F<S>) -> F<S> {
     at_most::<S>(at_least::<S>(v, min), max)
 }
 
-/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, in the low bits of the sum; subtracting
-/// it again gives a float.
+/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, in the low bits of the sum; subtracting it
+/// again gives a float.
 pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// Returns the difference from the nearest integer, for numbers between -2^22 and 2^22.

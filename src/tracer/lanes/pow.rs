@@ -2,8 +2,8 @@ use super::*;
 
 /// Returns `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
 ///
-/// Computes `exp2(h log2 x)` with the polynomials of Moshier's Cephes (`logf`, `exp2f`). The relative error is below `1e-6 + 1.2e-7
-/// h |log2 x|`; results below 2^-126 become 2^-126.
+/// Computes `exp2(h log2 x)` with the polynomials of Moshier's Cephes (`logf`, `exp2f`). The relative error is below
+/// `1e-6 + 1.2e-7 h |log2 x|`; results below 2^-126 become 2^-126.
 #[inline(always)]
 pub(crate) fn pow<S: Simd>(simd: S, x: F<S>, h: F<S>) -> F<S> {
     exp2(simd, h * log2(simd, x))
@@ -12,7 +12,7 @@ pub(crate) fn pow<S: Simd>(simd: S, x: F<S>, h: F<S>) -> F<S> {
 /// Defined for positive normal numbers.
 #[inline(always)]
 pub(crate) fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
-    // x = 2^e m with m in sqrt(1/2)..sqrt(2), so that the series about 1 is short.
+    // x = 2^e m with m in sqrt(1/2)..sqrt(2): the series about 1 is short.
     let bits: I<S> = x.bitcast();
     let e = (bits - SQRT_HALF_BITS) >> 23;
     let m: F<S> = (bits - (e << 23)).bitcast();

@@ -51,8 +51,8 @@ impl Tap {
     const ZERO: Self = Self { height: 0.0, range: 0.0, weight: 0.0 };
 }
 
-/// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. A
-/// block is out of range of all taps if it is farther from the farthest tap than the tap's height.
+/// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. If a block is farther from the
+/// farthest tap than the tap's height, it is out of range of all taps.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 
 /// Slightly below 1, so that a convex block is out of range of its own points.
@@ -64,7 +64,7 @@ const FARTHEST: f32 = 5.0;
 /// A block's reach, as a factor of its middle extent.
 const BLOCK_REACH: f32 = 2.5;
 
-/// The share of ambient light that a near side of a solid reflects: the rest is occluded there, too.
+/// The share of ambient light that a near side of a solid reflects; the rest is occluded there, too.
 const AMBIENT_SHARE: f32 = 0.6;
 
 /// Boxes of the points that solids darken, a lane per solid.
@@ -132,7 +132,7 @@ impl Ambience {
         neighbour.centre = node.centre;
         neighbour.per_radius = 1.0 / node.radius;
         neighbour.per_reach2 = 1.0 / (farthest * farthest);
-        // Numbers that are not finite would spoil the lanes of a packet that the solid does not cover.
+        // Infinity or NaN would spoil the lanes of a packet that the solid does not cover.
         neighbour.opacity = bounded((1.0 - material.kt).max(0.0) * occlusion);
         let (mut half, mut ahead, mut turn) = (Vec3A::splat(farthest), 0.0, Mat3A::IDENTITY);
         if let Object::Block(block) = object {

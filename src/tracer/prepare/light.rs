@@ -22,7 +22,7 @@ pub(crate) struct PreparedLight {
     pub core: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
-    /// The first object that shadow rays list as an occluder. The spheres before it cast hard shadows, found by a faster test.
+    /// The first object that shadow rays list as an occluder. Spheres before it cast hard shadows, found by a faster test.
     pub listed_from: ObjectId,
     /// In the order of the tree's solid nodes.
     pub shadow_cones: [ShadowCone; MAX_NODES],
@@ -57,11 +57,11 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere: a cone around the sphere, with the apex at the light, from the sphere's near side on. Unaligned
-/// vectors make it fit a cache line of 64 bytes: a frame has up to 2,316 cones.
+/// The shadow of a node's sphere: a cone from the light around the sphere, which begins at the sphere's near side. A cone of unaligned
+/// vectors fits a cache line of 64 bytes; a frame has up to 2,316.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
-    /// The direction to the light, of length 1.
+    /// The direction from the centre to the light, of length 1.
     pub axis: Vec3,
     /// The squared chord between the axis and the side of the cone, on the unit sphere.
     pub chord2: f32,
@@ -73,11 +73,11 @@ pub(crate) struct ShadowCone {
     /// Whether the light is inside the sphere, which then shadows its outside.
     pub around_light: bool,
     pub to_light: Vec3,
-    /// The squared radius, reduced by the discriminant's rounding error: a ray that leaves the sphere is not in its shadow.
-    /// Enlarged if the light is inside.
+    /// The squared radius minus the discriminant's rounding error: a ray that leaves the sphere is not in its shadow. Plus the error if
+    /// the light is inside.
     pub r2: f32,
-    /// The normal, of any length, of the plane through the light and a block's longer axis. The block's shadow is between two
-    /// planes through the light at equal angles to that plane.
+    /// The block's shadow is between two planes through the light, at equal angles to the plane through the light and the block's longer
+    /// axis. This is the latter's normal, of any length.
     pub side: Vec3,
     /// The squared sine of these angles, times the squared length of `side`.
     pub sine2: f32,
@@ -113,7 +113,7 @@ impl PreparedLight {
         self.diameter = light.shadow_diameter();
         self.glow2 = light.glow_radius() * light.glow_radius();
         self.core = light.core * light.far();
-        // Below 0, a sphere's shadow would extend beyond its bound's.
+        // Below 0, a sphere's shadow would extend beyond its bound's shadow.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {
             let penumbra = 0.5 * self.max_penumbra;
@@ -152,7 +152,7 @@ impl ShadowCone {
         let error = hit_error(to_light, 0.0);
         let r2_error = 2.0 * node.radius * (node.hit_error + error);
         let wide = radius * (1.0 + BOUND) + error;
-        // The squared chord is 2 - 2 cos. Computed from the sine it loses no digits.
+        // The squared chord, 2 - 2 cos, computed from the sine loses no digits.
         let sine2 = wide * wide / distance2;
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
         let room = node.radius - 0.5 * diameter;

@@ -63,8 +63,8 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The number of strong mirrors and glass solids that make a crowd. Of random scenes of 16 blocks with fewer, one in fifty is below
-/// 42 dB at the default quality.
+/// The number of strong mirrors and glass solids that make a crowd. Of random scenes of 16 blocks with fewer, one in fifty is below 42 dB
+/// at the default quality.
 const CROWD: usize = 12;
 
 /// The least `kr + kt` of strong mirrors and glass: the presets' `key_weight`.
@@ -74,7 +74,7 @@ const STRONG: f32 = 0.3;
 const LARGE: f32 = 0.2;
 
 fn is_strong(material: &Material) -> bool {
-    // What lies behind a film keeps its place and size.
+    // A film does not move or resize the objects behind it.
     let bent = if material.index == 1.0 { 0.0 } else { material.kt };
     material.kr + bent >= STRONG
 }

@@ -3,7 +3,7 @@ use crate::lanes::MAX_LANES;
 use crate::scene::{Material, Scene};
 use glam::Vec3;
 
-/// Highlights below this, 1/40 of a step of 8-bit output, are not computed.
+/// Weaker highlights, below 1/40 of a step of 8-bit output, are not computed.
 const MIN_HIGHLIGHT: f32 = 1e-4;
 
 /// Larger than any r.v.
@@ -18,7 +18,7 @@ pub(crate) enum Parameter {
     InverseRadius = 3,
     /// 0 for visible lights and the background, otherwise 1 and [`Material::film_thickness`].
     IsLit = 4,
-    /// A colour: the reflected ambient light (the share that is reflected, with ambience), or the colour of a visible light or the background.
+    /// A colour: the reflected ambient light (with ambience the reflected share), or the colour of a visible light or the background.
     Emitted = 5,
     Diffuse = 8,
     /// A colour: the factor on a light's colour in its highlight.
@@ -46,7 +46,7 @@ pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 /// Above any parameter of a valid scene; products of a few such numbers are finite.
 const LARGEST: f32 = 2e9;
 
-/// Replaces with 0 NaN and numbers above [`LARGEST`], which spoil a point's sum even with the weight 0.
+/// Replaces NaN and numbers above [`LARGEST`] with 0: they spoil a point's sum even with the weight 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
@@ -96,8 +96,8 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
 
 /// Returns 0.8 to 1 times the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1.
 ///
-/// The bits of a float approximate its logarithm: `e + m` for `2^e (1 + m)` is too small by up to 0.09, and the inverse too large
-/// by up to a factor of 1.07.
+/// The bits of a float approximate its logarithm: `e + m` for `2^e (1 + m)` is up to 0.09 too small, and the inverse up to a factor of
+/// 1.07 too large.
 fn root_below(x: f32, h: f32) -> f32 {
     const ONE: f32 = (1 << 23) as f32;
     const BIAS: f32 = 127.0;

@@ -1,5 +1,5 @@
-//! The bounding volume hierarchy of spheres and blocks (solids): bounding spheres in depth-first order. A ray skips the descendants
-//! of missed nodes.
+//! The bounding volume hierarchy of spheres and blocks (solids): bounding spheres in depth-first order. A ray skips the descendants of
+//! missed nodes.
 
 use super::object::{self, Object, ObjectId};
 use crate::rounding::{BOUND, hit_error};
@@ -10,7 +10,7 @@ use glam::{Vec3, Vec3A};
 /// The number of groups of solids. Each tile has the set of groups that may be visible in it.
 const SOLID_GROUPS: usize = 32;
 
-/// Solids' groups, in the tree's order, then one for each light.
+/// The solids' groups, in the tree's order, then one per light.
 pub(crate) const MAX_GROUPS: usize = SOLID_GROUPS + MAX_LIGHTS;
 
 pub(crate) type GroupSet = u64;
@@ -24,8 +24,8 @@ pub(crate) struct VisibleGroups {
 
 /// The largest number of solids in a leaf.
 ///
-/// Shadow rays test all solids of a leaf without a branch, since a mispredicted branch takes as long as four tests. With 4 solids a
-/// scene of letters on water takes 8 % longer, with 16 a field of 64 spheres 7 %.
+/// Shadow rays test all solids of a leaf without a branch: a mispredicted branch takes as long as four tests. With 4 solids a scene of
+/// letters on water takes 8 % longer, with 16 a field of 64 spheres 7 %.
 const LEAF: usize = 10;
 
 const UNSORTED: usize = 4;
@@ -95,7 +95,7 @@ impl Tree {
         &self.nodes[..self.len]
     }
 
-    /// Returns the first node for rays that can only meet `groups`. Skips the root, which such rays probably meet.
+    /// Returns the first node for rays that only meet `groups`. Skips the root, which such rays probably meet.
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 { 1 } else { self.solid_node_end }
     }
@@ -151,7 +151,7 @@ impl Tree {
             radius = radius.max(centre.distance(ball.centre) + ball.radius);
         }
         radius *= 1.0 + BOUND;
-        // With NaN or infinity in a ball, rays must still find the others.
+        // If a ball has NaN or infinity, rays must still find the others.
         if !(centre.abs().element_sum() + radius).is_finite() {
             (centre, radius) = (Vec3A::ZERO, UNBOUNDED);
         }
@@ -290,7 +290,7 @@ impl BvhNode {
         (from.length_squared() - radius * radius) as f32
     }
 
-    /// Sets the powers of points. It is rarely called, so it is compiled once.
+    /// Sets the powers of points. Not inlined, since it is rarely called.
     #[inline(never)]
     pub fn powers(&self, [x, y, z]: [&[f32]; 3], powers: &mut [f32]) {
         for (power, ((&x, &y), &z)) in powers.iter_mut().zip(x.iter().zip(y).zip(z)) {

@@ -8,11 +8,11 @@ use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 
-/// The least difference between pixel and midpoint that starts the bisection: units of a sample per [`Quality::edge`].
+/// The least difference between pixel and midpoint that starts the bisection, in a sample's units per [`Quality::edge`].
 const HALF: u64 = 2 * STEP as u64;
 
-/// The least difference for the second step is 64/10 times [`Quality::edge`], and for the third step 128/10 times. From an edge of 20 on
-/// it exceeds 255, so there is no third step.
+/// The least difference is 64/10 times [`Quality::edge`] for the second step, and 128/10 times for the third. From an edge of 20 on the
+/// latter exceeds 255: there is no third step.
 const QUARTER: u64 = 64 * STEP as u64;
 
 /// The bits of a channel in a change.
@@ -20,12 +20,12 @@ const FIELD: usize = 21;
 
 const SIGN: u64 = 1 << (FIELD - 1);
 
-/// The units of a change in a sample's unit, so that all weights are whole. A change is a word of
-/// [`Pyramid::changes`](crate::grid::Pyramid::changes), per pixel and axis: blue, green and red from the low bits up, signed fields of
-/// [`FIELD`] bits. A negative field borrows from the next field.
+/// The units of a change in a sample's unit, so that all weights are whole. `Pyramid::changes` has a
+/// word per pixel and axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the
+/// next one.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
-/// Adds a traced midpoint on one side of a pixel to its changes, and queues the interval if it has an edge.
+/// Adds a traced midpoint on one side of a pixel to the pixel's changes, and queues the interval if it has an edge.
 #[inline(never)]
 pub(super) fn add_middle(
     plan: &FramePlan,
@@ -78,7 +78,7 @@ fn halve(worker: &mut Worker, i: usize, edge: u8) {
     let mut interval = worker.intervals[i % BATCH];
     let [start, end] = interval.ends;
     let middle = spread(worker.batch.results.sample(i));
-    // Turns the mean of two points into the mean of three points by the trapezoid rule.
+    // From the mean of two points to the mean of three, by the trapezoid rule.
     let more = (2 * middle).wrapping_sub(start + end);
     let weight = u64::from(interval.half.unsigned_abs());
     let change = &mut worker.pyramid.changes()[usize::from(interval.word) % CHANGES];

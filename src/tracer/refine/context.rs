@@ -5,7 +5,7 @@ use crate::prepare::{VisibleGroups, World};
 use crate::quality::Quality;
 use crate::trace::Batch;
 
-/// A frame, as all threads share it.
+/// A frame, shared by all threads.
 pub(crate) struct Context<'a, O> {
     pub plan: &'a FramePlan,
     pub kernels: Kernels,

@@ -10,7 +10,7 @@ use fearless_simd::Level;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Avx2, Avx512};
 
-/// The functions that are compiled for each instruction set. A program that makes `Kernels` of AVX2 only links only these.
+/// The functions that are compiled for each instruction set. Programs that only use AVX2 kernels link only these.
 #[derive(Clone, Copy)]
 pub(crate) struct Kernels {
     pub level: Level,
@@ -21,7 +21,7 @@ pub(crate) struct Kernels {
 }
 
 impl Kernels {
-    /// Returns the fastest kernels. Only rays use AVX-512: eight pixels, the row of a square, fit an AVX2 register.
+    /// Returns the fastest kernels. AVX-512 is only for rays: eight pixels, the row of a square, fit an AVX2 register.
     pub fn widest(level: Level) -> Self {
         #[cfg(target_arch = "x86_64")]
         if level.as_avx512().is_some() {
@@ -39,14 +39,14 @@ impl Kernels {
         Self::of::<Baseline, Baseline>(level)
     }
 
-    // Never in a caller's crate, which may be optimised for size.
+    // Not in the caller's crate, which may be optimised for size.
     #[cfg(target_arch = "x86_64")]
     #[inline(never)]
     pub fn avx2(simd: Avx2) -> Self {
         Self::of::<Avx2, Avx2>(Level::Avx2(simd))
     }
 
-    /// Returns kernels for rays by `R` and for squares by `S`, which the level has.
+    /// Returns kernels for rays by `R` and for squares by `S`; `level` has both.
     fn of<R: Isa, S: Isa>(level: Level) -> Self {
         Self {
             level,

@@ -1,7 +1,7 @@
-//! Probes: pixels of a finished band that are compared with pixels traced as in an exhaustive frame.
+//! Probes compare pixels of a finished band with the same pixels of an exhaustive frame.
 //!
-//! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of [`antialias`](super::antialias):
-//! probes of an exhaustive frame find no error.
+//! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of
+//! `antialias`, so that probes of an exhaustive frame find no error.
 
 use super::Context;
 use super::Worker;
@@ -24,10 +24,10 @@ const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 
 const POINTS: usize = 1 + 2 * SIDES.len();
 
-/// The probes of a batch, at most: a power of two bounds an index.
+/// The most probes of a batch; a power of two bounds an index.
 const PROBES: usize = (BATCH / POINTS).next_power_of_two();
 
-/// Returns the probed pixels. The seeds visit all pixels in one random order, `count` per seed, and then start again.
+/// Returns the probed pixels. Successive seeds visit all pixels in one random order, `count` per seed, then start again.
 fn places(probing: Probing, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
     let pixels = (columns * rows) as u32;
     let count = u32::from(probing.count);
@@ -40,7 +40,7 @@ fn places(probing: Probing, [columns, rows]: [usize; 2]) -> impl Iterator<Item =
 
 /// Returns element `index` of a random permutation of the numbers below `count`.
 fn shuffled(mut index: u32, count: u32) -> u32 {
-    // Permutes the numbers below a power of two; skips numbers from `count` on.
+    // Permutes the numbers below a power of two, and skips those from `count` on.
     let mask = count.next_power_of_two() - 1;
     loop {
         for _ in 0..3 {
@@ -53,7 +53,7 @@ fn shuffled(mut index: u32, count: u32) -> u32 {
     }
 }
 
-/// Compares a finished band with an exhaustive one at its probes. The work is not counted.
+/// Compares a finished band with an exhaustive one at its probes, without counting the work.
 pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut Band<'_>) {
     let Context { plan, world, .. } = context;
     let size = [plan.finished, plan.size[1]];
@@ -64,7 +64,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     // Probes are far apart: culling groups would not pay.
     let all = VisibleGroups { directly: GroupSet::MAX, mirrored: GroupSet::MAX };
     let sides = if plan.quality.antialias { &SIDES[..] } else { &[] };
-    // The index of a pixel in the band, beyond its end for pixels of other rows; above, it wraps around.
+    // The index of a pixel in the band. It is beyond the end for pixels of other rows; above, it wraps around.
     let (top, stride) = (band.top, band.stride);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();

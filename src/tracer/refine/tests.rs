@@ -1,4 +1,4 @@
-//! Filled squares against interpolation in real numbers, on every instruction set of the machine.
+//! Compares filled squares with interpolation in real numbers, on every instruction set of the machine.
 
 extern crate std;
 

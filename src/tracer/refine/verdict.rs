@@ -6,8 +6,8 @@ use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
 
-/// The largest difference of channels at a square's corners, in 128ths of an output step. It has 16 bits per channel, like a [`Sample`],
-/// and ignores the rest of a sample's word.
+/// The largest allowed difference of channels at a square's corners, in 128ths of an output step: 16 bits per channel, like a [`Sample`],
+/// and ones in the bits that are ignored.
 #[derive(Clone, Copy)]
 pub(super) struct Limit(u64);
 
@@ -19,8 +19,7 @@ impl Limit {
         Self((limit * 0x0001_0001_0001) | (0xffff << 48))
     }
 
-    /// Returns whether two samples are within the limit, to 128th of a step. Sums of halved channels leave a word's highest bit for the
-    /// result.
+    /// Returns whether two samples are within the limit, to 128th of a step. Halved channels leave a word's highest bit for the result.
     pub fn has(self, a: Sample, b: Sample) -> bool {
         const HALF: u64 = 0x3fff_3fff_3fff;
         const GREATER: u64 = 0x8000_8000_8000;
@@ -31,14 +30,14 @@ impl Limit {
     }
 }
 
-/// Returns the factor on tolerances for squares of a side in pixels, see [`Quality`]. In crowded tiles (`crowding`, 0 to 1) errors
-/// in small squares add up, so the factor is closer to 1.
+/// Returns the factor on tolerances for squares of a side in pixels, see [`Quality`]. In crowded tiles (`crowding`, 0 to 1) errors in
+/// small squares add up, so it is closer to 1.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     let growth = 8.0 / side as f32;
     growth + crowding * (1.0 - growth)
 }
 
-/// Returns the limits for equal keys and for different keys, scaled by [`growth`].
+/// Returns the limits for equal and for different keys, scaled by [`growth`].
 pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
     let tolerances = [quality.tolerance_agreeing, quality.tolerance_differing];
     tolerances.map(|tolerance| Limit::new(tolerance * growth))
@@ -48,7 +47,7 @@ pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
 pub(super) struct Verdict {
     pub agreeing: Bits,
     pub flat: Bits,
-    /// The corners are the same pixel, or within the limit.
+    /// The corners have the same 8-bit colour, or differ within the limit.
     pub filled: Bits,
     /// A corner shows a pattern finer than squares.
     pub patterned: Bits,
@@ -63,7 +62,7 @@ impl Verdict {
     }
 }
 
-/// Judges the squares whose bits are set, from the rows of points above and below.
+/// Judges the squares whose bits are set by the points above and below.
 #[inline(always)]
 pub(super) fn judge<S: Simd>(
     simd: S,

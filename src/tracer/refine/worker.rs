@@ -4,14 +4,14 @@ use crate::grid::{Bits, LEVELS, Pyramid};
 use crate::picture::TILE_HEIGHT;
 use crate::trace::{BATCH, Batch};
 
-/// The working memory of one thread, of fixed size: [`Worker::BYTES`]. A single worker renders on the caller's thread: see
+/// The working memory of one thread, [`Worker::BYTES`] large. A single worker renders on the caller's thread: see
 /// [`Threads`](crate::Threads).
 pub struct Worker {
     pub(super) batch: Batch,
     pub(super) pyramid: Pyramid,
     pub(super) marks: Marks,
     pub(super) guard: Guard,
-    /// The points' indices in the pyramid, or their pixels' in the band.
+    /// The points' indices in the pyramid, or their pixels' indices in the band.
     pub(super) targets: [u32; BATCH],
     pub(super) intervals: [Interval; BATCH],
     pub(super) found: usize,
@@ -21,7 +21,7 @@ impl Worker {
     /// The size in bytes, at most 460,000, for any picture.
     pub const BYTES: usize = size_of::<Self>();
 
-    /// Allocates workers, without any part on the stack, even in unoptimised programs.
+    /// Allocates workers in place on the heap, even in unoptimised programs.
     #[cfg(feature = "std")]
     #[must_use]
     pub fn several(count: usize) -> std::vec::Vec<Self> {
@@ -64,15 +64,15 @@ impl Default for Worker {
 const _: () = assert!(Worker::BYTES <= 460_000);
 
 pub(super) const CLUSTER_WIDTH: usize = 4;
-/// A cluster's points are the bits of a word. (Clusters of 8x8 points make a show 6 % slower.)
+/// A cluster's points are a word's bits. (Clusters of 8x8 points make a show 6 % slower.)
 pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 
 pub(super) struct Marks {
-    /// The squares to judge: the top level's, then the parts of split ones.
+    /// The squares to judge: all of the top level, then the parts of split ones.
     pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// The squares that may show something between their corners; before the guard runs, the parts of such squares.
+    /// The squares that may show a feature between their corners; before the guard runs, the parts of such squares.
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Filled squares; single pixels are never filled, so half the rows suffice.
+    /// Filled squares. Single pixels are never filled, so half the rows suffice.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],
     /// The last cluster may extend beyond the rows.
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],

@@ -32,7 +32,7 @@ impl Memory {
     /// Returns empty memory.
     #[must_use]
     pub const fn new() -> Self {
-        // Evaluated at compile time: unoptimised code would build each part on the stack.
+        // A constant: unoptimised code would build each part on the stack.
         const {
             Self {
                 prepared: Prepared::new(),
@@ -45,7 +45,7 @@ impl Memory {
         }
     }
 
-    /// Not generic, so it is compiled once, in this crate.
+    /// Not generic: compiled once, in this crate.
     pub(super) fn render(
         &mut self,
         kernels: Kernels,

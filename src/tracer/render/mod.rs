@@ -87,8 +87,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Self { kernels, memory }
     }
 
-    /// Returns a renderer that uses AVX2 at most. The linker then leaves the AVX-512 kernel, of 16 kB, out of a program that makes
-    /// no other renderer.
+    /// Returns a renderer that uses at most AVX2. If a program makes no other renderer, the linker leaves out the AVX-512 kernel of 16
+    /// kB.
     #[doc(hidden)]
     #[must_use]
     pub fn narrow(level: Level, memory: M) -> Self {
@@ -96,7 +96,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Self { kernels, memory }
     }
 
-    /// Returns a renderer by AVX2. The linker then leaves all other kernels out of a program that makes no other renderer.
+    /// Returns a renderer by AVX2. If a program makes no other renderer, the linker leaves out all other kernels.
     #[cfg(target_arch = "x86_64")]
     #[doc(hidden)]
     #[must_use]
@@ -108,8 +108,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// Renders a frame, and returns its work.
     ///
     /// # Errors
-    /// If the frame's size, stride or number of pixels, or a number of the quality, the scene or its presentation, is out of range: the pixels stay
-    /// unchanged.
+    /// If the frame's size, stride or number of pixels, or a number of the quality, the scene or its presentation is out of range. Pixels
+    /// stay unchanged.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -121,8 +121,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(self.render_valid(scene, quality, frame, threads))
     }
 
-    /// Renders the same frame as [`Renderer::render`], and reports its points and squares, except points of antialiasing, to an
-    /// observer.
+    /// Renders the same frame as [`Renderer::render`], and reports its points and squares, except points of antialiasing, to an observer.
     ///
     /// # Errors
     /// Like [`Renderer::render`].
@@ -140,12 +139,11 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(memory.render_observed(self.kernels, &plan, scene, frame, threads, observer))
     }
 
-    /// Renders a frame without checking the scene. An invalid one gives some picture, in bounded time, see
-    /// [`limits`](crate::limits).
+    /// Renders a frame without checking the scene. An invalid scene gives some picture, in bounded time, see [`limits`](crate::limits).
     ///
     /// # Panics
-    /// If the frame's size, stride or number of pixels is out of range, or the quality's [`square`](Quality::square) or
-    /// [`depth`](Quality::depth).
+    /// If the frame's size, stride or number of pixels, or the quality's [`square`](Quality::square) or [`depth`](Quality::depth), is out
+    /// of range.
     pub fn render_valid(
         &mut self,
         scene: &Scene,

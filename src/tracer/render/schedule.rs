@@ -2,13 +2,13 @@ use super::threads::{Job, Threads};
 use crate::counts::Counts;
 use crate::picture::{Band, MAX_BANDS, TILE_HEIGHT};
 
-/// Sorts bands by their rays in the previous frame, most first, so that threads finish at about the same time.
+/// Sorts bands by their rays in the previous frame, most first: threads finish at about the same time.
 pub(super) struct Schedule {
     rays: [u64; MAX_BANDS],
 }
 
 impl Schedule {
-    /// Without a previous frame bands are drawn from the bottom up, since the sky needs the fewest rays.
+    /// Without a previous frame bands are drawn from the bottom up: the sky needs the fewest rays.
     pub const fn new() -> Self {
         Self { rays: [0; MAX_BANDS] }
     }

@@ -6,18 +6,17 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::vec::Vec;
 
-/// The caller's thread, and the threads that [`std::thread::scope`] starts up to three times per frame, each with its own
-/// [`Worker`].
+/// The caller's thread, and threads that [`std::thread::scope`] starts up to three times per frame, each with its own [`Worker`].
 ///
-/// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate
-/// forbids; pass a closure that uses one as [`Threads`].
+/// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate forbids;
+/// pass a closure that uses such a pool as [`Threads`].
 #[derive(Debug)]
 pub struct ScopedThreads {
     workers: Vec<Worker>,
 }
 
 impl ScopedThreads {
-    /// Returns one thread for each processor that is available to the program.
+    /// Returns one thread per processor that is available to the program.
     #[must_use]
     pub fn new() -> Self {
         Self::of(thread::available_parallelism().map_or(1, usize::from))

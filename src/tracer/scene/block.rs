@@ -3,7 +3,7 @@ use super::{Material, Shape};
 use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
-/// A box, cylinder or capsule. Transparent blocks refract rays that enter or leave.
+/// A box, cylinder or capsule. Transparent blocks refract entering and leaving rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -11,13 +11,12 @@ pub struct Block {
     /// The shape.
     #[cfg_attr(feature = "serde", serde(default))]
     pub shape: Shape,
-    /// The centre in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    /// The centre in scene units, coordinates -1e9 to 1e9.
     pub centre: Vec3,
-    /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH).
-    /// Cylinders and capsules are along y; their radius is `half.x`, equal to `half.z`. A capsule's `half.y` includes an end, so it
-    /// is at least the radius.
+    /// Half the extent along each of the block's own axes, 1e-9 to 1e9. Cylinders and capsules are along y; their radius is `half.x`,
+    /// equal to `half.z`. A capsule's `half.y` includes an end, so it is at least the radius.
     pub half: Vec3,
-    /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity is aligned with the scene.
+    /// The block's own axes in scene coordinates: three perpendicular vectors of length 1.
     #[cfg_attr(feature = "serde", serde(default))]
     pub axes: Mat3,
     /// The surface.

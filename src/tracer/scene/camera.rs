@@ -9,16 +9,16 @@ use glam::{Vec3, Vec3A};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Camera {
-    /// The pinhole in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    /// The pinhole in scene units, coordinates -1e9 to 1e9.
     pub eye: Vec3,
-    /// The point in the middle of the picture, other than `eye`, in the range of `eye`.
+    /// The point in the middle of the picture, in the same range, other than `eye`.
     pub look_at: Vec3,
     /// The upward direction of the picture, of any length, more than 0.001 radians off the line of sight.
     pub up: Vec3,
     /// The vertical field of view in radians, above 0 and below pi.
     pub field_of_view: f32,
-    /// The picture's width divided by its height down to which the field of view is `field_of_view`, 0 to 4. Narrower pictures have
-    /// a larger one, and show the width of a picture of this ratio; with 0 they are cut off at the sides.
+    /// The aspect (width divided by height) down to which the field of view is `field_of_view`, 0 to 4. Narrower pictures show the width
+    /// of a picture of this aspect, with a larger field of view. With 0 they are cut off at the sides.
     pub min_aspect: f32,
 }
 
@@ -28,8 +28,8 @@ impl Default for Camera {
     }
 }
 
-/// The picture plane at distance 1 from the eye: the ray through the pixel (x, y) has the direction `corner + x dx + y dy`, which
-/// is not normalised.
+/// The picture plane at distance 1 from the eye: the ray through the pixel (x, y) has the direction `corner + x dx + y dy`, not
+/// normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
     /// The direction of the upper left pixel's centre.
@@ -60,7 +60,7 @@ impl Camera {
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let forward = self.forward();
         let has_view = forward != Vec3::ZERO;
-        // Closer to the line of sight, rounding decides where the picture's sides are.
+        // Nearer the line of sight, rounding decides where the picture's sides are.
         let is_upright = forward.cross(self.up.normalize_or_zero()).length() > 1e-3;
         let angle = Range(f32::from_bits(1), PI.next_down(), "above 0 and below pi");
         of.field("eye", self.eye, POINT)?;
@@ -89,7 +89,7 @@ impl Camera {
 
     /// Returns the rays through a picture of `width` by `height` pixels.
     #[must_use]
-    // Out of line it saves 29 packed bytes.
+    // Saves 29 packed bytes.
     #[inline(never)]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = unit(Vec3A::from(self.look_at) - Vec3A::from(self.eye), Vec3A::NEG_Z);

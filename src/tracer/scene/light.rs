@@ -8,26 +8,23 @@ use glam::{Vec3, Vec3A};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Light {
-    /// The position in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    /// The position in scene units, coordinates -1e9 to 1e9.
     pub position: Vec3,
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
-    /// The radius of the visible light, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH); 0 makes it
-    /// invisible. Lights cast no shadows, and haze does not dim them.
+    /// The radius of the visible light, 1e-9 to 1e9; 0 makes it invisible. Lights cast no shadows, and haze does not dim them.
     pub drawn_radius: f32,
-    /// Whether the rays are nearly parallel: `position`, `diameter`, `glow` and `core` are multiplied by [`Light::FAR`], and the
-    /// light is invisible.
+    /// Whether the rays are nearly parallel: `position`, `diameter`, `glow` and `core` are multiplied by [`Light::FAR`], and the light is
+    /// invisible.
     pub parallel: bool,
-    /// The diameter for shadows, 0 to [`MAX_LENGTH`](super::MAX_LENGTH). Above 0, solids cast penumbrae coloured by their `tint`.
-    /// At 0 shadows are hard and black.
+    /// The diameter for shadows, 0 to 1e9. Above 0, solids cast penumbrae coloured by their `tint`; at 0 shadows are hard and black.
     pub diameter: f32,
-    /// The radius of the glow, 0 to [`MAX_LENGTH`](super::MAX_LENGTH). A ray through the position sees the light's colour, a ray at
-    /// this distance half of it; far away the glow falls off with the squared distance. An object hides the glow behind it. The
-    /// glow of a parallel light is the sun's disc.
+    /// The radius of the glow, 0 to 1e9. A ray through the position sees the light's colour, a ray at this distance half of it; far away
+    /// the glow falls off with the squared distance. An object hides the glow behind it. The glow of a parallel light is the sun's disc.
     pub glow: f32,
-    /// The radius of a sphere from which the glow's distances count, 0 to [`MAX_LENGTH`](super::MAX_LENGTH): the rim of air around
-    /// a planet, or a corona. The glow is then as bright as the light where the ray is nearest to the position: a spotlight's cone,
-    /// with its `aim` towards the sun, restricts it to the sun's side.
+    /// The radius of a sphere from which the glow's distances count, 0 to 1e9: the rim of air around a planet, or a corona. The glow is
+    /// then as bright as the light where the ray is nearest to the position. The cone of a spotlight that aims at the sun restricts it to
+    /// the sun's side.
     pub core: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
@@ -41,7 +38,7 @@ impl Default for Light {
 }
 
 impl Light {
-    /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, rays differ in direction by
+    /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, the directions of rays differ by
     /// at most 0.001 radians.
     pub const FAR: f32 = 1000.0;
 
@@ -91,8 +88,8 @@ impl Light {
         self.glow * self.far()
     }
 
-    /// Returns the upper limit of a penumbra's width at its occluder: for parallel rays, whose penumbrae grow without end, the
-    /// width at four times the distance of `position`.
+    /// Returns the upper limit of a penumbra's width at its occluder. Penumbrae of parallel rays, which grow without end, have the width
+    /// at four times the distance of `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel { 4.0 * self.diameter } else { self.diameter }
     }

@@ -1,7 +1,7 @@
 use core::fmt;
 use core::ops::{Deref, DerefMut};
 
-/// A list of up to `N` items, stored in place, which dereferences to a slice.
+/// A list of up to `N` items, stored in place. It dereferences to a slice.
 ///
 /// ```
 /// use eightfold_tracer::scene::List;

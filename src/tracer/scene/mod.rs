@@ -63,17 +63,17 @@ pub struct Scene {
     pub camera: Camera,
     /// The colour of the background at the horizon and below, 0 to 1e9 in each channel.
     pub background: Vec3,
-    /// The zenith's colour minus `background`, which may be negative; the sum is 0 to 1e9 in each channel. Its weight for a ray
-    /// whose direction, of length 1, rises by y is `y (2 - y)`.
+    /// The zenith's colour minus `background`; the zenith's is 0 to 1e9 in each channel. A ray whose direction, of length 1, rises by y
+    /// has the share `y (2 - y)` of it.
     pub sky: Vec3,
-    /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`;
-    /// the background has the rest.
+    /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`; the
+    /// background has the rest.
     pub haze: f32,
     /// The fall of the haze with height in 1 / scene units, 0 to 1000: at the height y above 0, its density is
     /// `haze / (1 + haze_fall y)^2`.
     pub haze_fall: f32,
-    /// The share of the first light's colour that sky and haze scatter, 0 to 1. At an angle with the cosine c to the light's
-    /// position, its weight is `c^8`, or 0 from 90 degrees on.
+    /// The share of the first light's colour that sky and haze scatter, 0 to 1. At an angle with the cosine c to the light's position,
+    /// its weight is `c^8`, or 0 from 90 degrees on.
     pub scatter: f32,
     /// The factor on all light of the picture, 0 to 11.
     pub exposure: f32,
@@ -83,8 +83,8 @@ pub struct Scene {
     pub ambient: Vec3,
     /// The occlusion of ambient light, and the ambient light from below.
     pub ambience: Ambience,
-    /// Whether rays beyond [`Quality::depth`](crate::Quality::depth) and
-    /// [`Quality::least_contribution`](crate::Quality::least_contribution), and softboxes, are black, as in the 2008 thesis.
+    /// Whether rays beyond `depth` and `least_contribution` of the [`Quality`](crate::Quality), and softboxes, are black, as in the 2008
+    /// thesis.
     pub black_beyond: bool,
     /// The spheres, in any order.
     pub spheres: List<Sphere, MAX_SPHERES>,
@@ -96,7 +96,7 @@ pub struct Scene {
     pub blocks: List<Block, MAX_BLOCKS>,
     /// The lights.
     pub lights: List<Light, MAX_LIGHTS>,
-    /// The lights beyond the scene that only mirrors and glass show.
+    /// The lights at infinity that only mirrors and glass show.
     pub softboxes: List<Softbox, MAX_SOFTBOXES>,
 }
 
@@ -133,7 +133,7 @@ impl Scene {
         }
     };
 
-    /// All zeros, for a `static` scene that takes no space in an executable file. It is invalid.
+    /// All zeros, so that a `static` scene takes no space in an executable file. It is invalid.
     #[doc(hidden)]
     pub const ZEROED: Self = Self {
         camera: Camera { eye: Vec3::ZERO, up: Vec3::ZERO, field_of_view: 0.0, ..Camera::STANDARD },
@@ -152,9 +152,9 @@ impl Scene {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Sphere {
-    /// The centre in scene units, coordinates up to [`MAX_LENGTH`].
+    /// The centre in scene units, coordinates -1e9 to 1e9.
     pub centre: Vec3,
-    /// The radius in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// The radius in scene units, 1e-9 to 1e9.
     pub radius: f32,
     /// The surface.
     pub material: Material,
@@ -179,11 +179,11 @@ impl Sphere {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Plane {
-    /// The centre in scene units, coordinates up to [`MAX_LENGTH`].
+    /// The centre in scene units, coordinates -1e9 to 1e9.
     pub centre: Vec3,
-    /// Half the extent along x in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// Half the extent along x in scene units, 1e-9 to 1e9.
     pub half_x: f32,
-    /// Half the extent along z, in the range of `half_x`.
+    /// Half the extent along z, 1e-9 to 1e9.
     pub half_z: f32,
     /// The surface.
     pub material: Material,

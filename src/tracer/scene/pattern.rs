@@ -8,8 +8,8 @@ use glam::Vec3;
 ///
 /// Coordinates are relative to the object's centre, along its own axes; spheres and planes have the scene's axes. Along each axis a
 /// triangle wave between -1 and 1 has a maximum at 0. The smallest of the waves' magnitudes, with the sign of their product, is
-/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three
-/// checkers, with fields half a period wide. Noise along x turns stripes into marble.
+/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three checkers,
+/// with fields half a period wide. Noise along x turns stripes into marble.
 ///
 /// Swirls turn stripes into the bands of a giant planet. They shear the coordinates seven times along each axis, each time by finer
 /// waves: x by waves along y, y by waves along z, z by waves along x. Waves below four pixels vanish.
@@ -21,14 +21,14 @@ pub struct Pattern {
     pub waves: Vec3,
     /// The share of the colour that the darkest points lose, 0 to 1.
     pub depth: f32,
-    /// The steepness of transitions, 0 to 1000: 1 is the triangle wave itself. Against aliasing, transitions are at least one pixel
-    /// wide, and waves shorter than a pixel average out.
+    /// The steepness of transitions, 0 to 1000: 1 is the triangle wave itself. Against aliasing, transitions are at least one pixel wide,
+    /// and waves shorter than a pixel average out.
     pub edge: f32,
-    /// The balance of light and dark, -1 to 1: `balance * max(edge, 1)` is added to the pattern. With sharp edges, light stripes
-    /// take the share `(1 + balance) / 2`, the mean far from the eye. Near 1 thin dark veins are left.
+    /// The balance of light and dark, -1 to 1: `balance * max(edge, 1)` is added to the pattern. With sharp edges, light stripes take the
+    /// share `(1 + balance) / 2`, which is the mean far from the eye. Near 1 thin dark veins are left.
     pub balance: f32,
-    /// The amplitude in periods of the noise that shifts the pattern along x, 0 to 1000. Octaves of half the size and amplitude are
-    /// added while their amplitude is above [`Pattern::LEAST_WARP`].
+    /// The amplitude in periods of the noise that shifts the pattern along x, 0 to 1000. Octaves of half the size and amplitude are added
+    /// while their amplitude is above [`Pattern::LEAST_WARP`].
     pub warp: f32,
     /// Cells of the coarsest octave of noise and swirls per scene unit, 0 to 1000.
     pub grain: f32,

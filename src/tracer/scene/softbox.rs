@@ -2,7 +2,7 @@ use super::validate::{LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 
-/// A rectangle of light at infinity. Reflected and transmitted rays that leave the scene see it, camera rays do not, and it lights no
+/// A rectangle of light at infinity. Reflected and transmitted rays that leave the scene see it; camera rays do not, and it lights no
 /// surface.
 ///
 /// Its sides are level and upright. A direction `d` with the components x and y along the sides and z towards the middle has the share
@@ -17,7 +17,7 @@ pub struct Softbox {
     pub half_width: f32,
     /// Half the height at distance 1, 0.001 to 1000.
     pub half_height: f32,
-    /// The width of the soft edge inside the sides, at distance 1, 0.001 to 1000. Edges of a few pixels may be lost in squares.
+    /// The width of the soft edge inside the sides, at distance 1, 0.001 to 1000. Squares may lose edges of a few pixels.
     pub softness: f32,
     /// The colour, 0 to 1e9 in each channel.
     pub colour: Vec3,

@@ -5,9 +5,9 @@ use crate::range_error::{Checked, Range, RangeError};
 
 /// Waves on the first plane of a scene, which turn a mirror into water. They tilt normals; the plane stays flat.
 ///
-/// There are six waves of equal slope, each [`Waves::SHORTER`] times as long as the previous one. The first travels along z, each
-/// next one turned by [`Waves::TURN`] from z towards x. At u wavelengths from a level point, -1/2 to 1/2, the slope is
-/// `8 u (1 - 2 |u|)` times the steepest one, nearly a sine.
+/// Each of six waves of equal slope is [`Waves::SHORTER`] times as long as the previous one. The first travels along z, each next one is
+/// turned by [`Waves::TURN`] from z towards x. At u wavelengths from a level point, -1/2 to 1/2, the slope is `8 u (1 - 2 |u|)` times the
+/// steepest one, nearly a sine.
 ///
 /// Where a pixel covers w scene units, the slope of a wave of the length l is multiplied by `1 - w x / l`, at least 0, where x is
 /// [`Waves::PIXELS`]: distant water is calm.
@@ -17,11 +17,10 @@ use crate::range_error::{Checked, Range, RangeError};
 pub struct Waves {
     /// The steepest slope of each wave, 0 to 0.1. 0 turns waves off.
     pub slope: f32,
-    /// The length of the longest wave in scene units, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH), or 0
-    /// if `slope` is 0.
+    /// The length of the longest wave in scene units, 1e-9 to 1e9, or 0 if `slope` is 0.
     pub length: f32,
-    /// The distance travelled by the longest wave in its lengths, -1e6 to 1e6. Each next wave travels [`Waves::FASTER`] times as
-    /// far in its own lengths, as on deep water.
+    /// The distance travelled by the longest wave in its lengths, -1e6 to 1e6. Each next wave travels [`Waves::FASTER`] times as far in
+    /// its own lengths, as on deep water.
     pub phase: f32,
 }
 
@@ -37,8 +36,8 @@ impl Waves {
     /// The length in pixels below which waves vanish: the corners of 8-pixel squares would sample them at random.
     pub const PIXELS: f32 = 10.0;
 
-    /// The limit of the total slope, relative to a ray's descent per unit of length: the water never faces away from the ray, and
-    /// never reflects it below the surface.
+    /// The limit of the total slope, relative to a ray's descent per unit of length: the water never faces away from the ray, nor
+    /// reflects it below the surface.
     pub const STEEPEST: f32 = 0.375;
 
     /// A flat mirror.

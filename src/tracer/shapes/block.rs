@@ -5,7 +5,7 @@ use crate::rounding;
 use crate::scene::{Block, Shape};
 use glam::{Mat3, Mat3A, Vec3A};
 
-/// Added to directions along a block's axes, to avoid divisions by 0.
+/// Added to directions along a block's axes, against divisions by 0.
 pub(super) const TINY: f32 = 1e-12;
 
 #[inline(always)]
@@ -45,8 +45,8 @@ pub(crate) fn distance<S: Isa>(
     (t, is_inside)
 }
 
-/// Returns the components of `own` along the axes of each point's face, and the point's distance relative to the face's. `out` has
-/// the relative distance along each axis.
+/// Returns the components of `own` along the axes of each point's face, and the point's distance relative to the face's. `out` has the
+/// relative distance along each axis.
 #[inline(always)]
 fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>) {
     let farthest = out.max_element();
@@ -129,8 +129,8 @@ pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     }
 }
 
-/// Returns the rays along `d` that certainly miss a block's [`bounding_cylinder`], or hit beyond `limit`. `radius` and `chord` are
-/// the bounding sphere's.
+/// Returns the rays along `d` that certainly miss a block's [`bounding_cylinder`], or hit beyond `limit`. `radius` and `chord` belong to
+/// the bounding sphere.
 #[inline(always)]
 pub(crate) fn is_off<S: Isa>(
     chord: &Chord<S>,

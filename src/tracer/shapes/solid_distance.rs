@@ -1,4 +1,4 @@
-//! Signed distances of points from blocks, and where rays come nearest to them.
+//! Signed distances of points from blocks, and the points of rays nearest to blocks.
 
 use super::block::along;
 use super::{cuboid, cylinder};
@@ -8,8 +8,8 @@ use glam::Vec3A;
 
 /// Returns the distances along rays, 0 to `limit`, where they come nearest to a block, and their depths there, negative outside.
 ///
-/// The result is approximate: the middle of the ray's interval between the block's faces, moved once towards the block. Where a ray
-/// misses the block along a face, the interval may be far away.
+/// The result is approximate: the middle of the ray's interval between the block's faces, moved once towards the block. If a ray misses
+/// the block along a face, the interval may be far away.
 #[inline(always)]
 pub(crate) fn approach<S: Isa>(
     simd: S,
@@ -27,7 +27,7 @@ pub(crate) fn approach<S: Isa>(
     };
     let mut moved = (span.near + span.far) * 0.5;
     let (mut distance, mut t) = (zero, zero);
-    // A loop, so that the distance is compiled once.
+    // A loop compiles the distance once.
     for _ in 0..2 {
         t = clamp::<S>(moved, zero, limit);
         let outside = outside(simd, block, &o.add_scaled(d, t));

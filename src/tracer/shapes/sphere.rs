@@ -28,8 +28,8 @@ impl<S: Isa> Chord<S> {
     /// Recomputes the perpendicular as accurately as with FMA.
     ///
     /// Without FMA the product `d t_mid` is rounded before most of it cancels. Halves of 12 bits have exact products (Dekker: A
-    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last product,
-    /// smaller by 2^12, is rounded.
+    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last product, smaller by
+    /// 2^12, is rounded.
     #[inline(always)]
     pub fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -48,8 +48,7 @@ impl<S: Isa> Chord<S> {
         Self { l, l2, ..self }
     }
 
-    /// Returns a conservative mask of the rays that hit the sphere. `cull2` is the squared radius, enlarged by a thousandth or
-    /// more.
+    /// Returns a conservative mask of the rays that hit the sphere. `cull2` is the squared radius, enlarged by at least a thousandth.
     #[inline(always)]
     pub fn may_be_ahead(&self, cull2: f32) -> M<S> {
         let simd = self.t_mid.token();
@@ -78,7 +77,7 @@ impl<S: Isa> Chord<S> {
     ) -> (M<S>, F<S>) {
         let simd = self.t_mid.token();
         let r2_error = splat(simd, r2_error);
-        // For rays that miss the sphere it is negative, its root is NaN, and all comparisons fail.
+        // Negative for rays that miss the sphere: its root is NaN, and all comparisons fail.
         let discriminant = splat::<S>(simd, r2) - self.l2;
         let start = self.t_mid.mul_add(self.t_mid, -discriminant);
         let is_inward = self.t_mid.simd_gt(splat(simd, hit_error));
@@ -90,10 +89,10 @@ impl<S: Isa> Chord<S> {
         (mask & is_ahead & t.simd_lt(limit), t)
     }
 
-    /// Returns the result of [`Chord::entry`] for origins whose powers, the squared distances from the centre minus the squared
-    /// radius, are exact: 0 on the sphere, below 0 inside.
+    /// Returns the result of [`Chord::entry`] for origins whose powers (squared distance from the centre minus squared radius) are exact:
+    /// 0 on the sphere, below 0 inside.
     ///
-    /// The ends of the chord are roots of `t^2 - 2 t_mid t + power`. No difference of large numbers decides about the nearer one.
+    /// The ends of the chord are roots of `t^2 - 2 t_mid t + power`. The nearer one needs no difference of large numbers.
     #[inline(always)]
     pub fn exact_entry(&self, mask: M<S>, power: F<S>, limit: F<S>) -> (M<S>, F<S>) {
         let zero = splat(self.t_mid.token(), 0.0);
@@ -113,8 +112,8 @@ fn upper_half<S: Isa>(c: F<S>) -> F<S> {
     (c.bitcast::<U<S>>() & 0xffff_f000).bitcast()
 }
 
-/// Returns the distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`. `length2` is the squared
-/// length of `d`; `from` is relative to the centre.
+/// Returns the distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`. `length2` is the squared length
+/// of `d`; `from` is relative to the centre.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,

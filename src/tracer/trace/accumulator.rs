@@ -9,14 +9,14 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The light of a point on a patterned surface, whose colour is `rest + reflectance * untextured`. These layers vary slowly across
-/// the surface.
+/// The light of a point on a patterned surface. Its colour is `rest + reflectance * untextured`; these layers vary slowly across the
+/// surface.
 ///
-/// The first four numbers are `rest`: highlights, reflection, transmission and haze; the last four are `untextured`: ambient and
-/// diffuse light. Each is blue, green, red and 0, in steps of 1/255.
+/// The first four numbers are `rest`: highlights, reflection, transmission and haze. The last four are `untextured`: ambient and diffuse
+/// light. Each is blue, green, red and 0, in steps of 1/255.
 pub(crate) type Layers = [f32; 8];
 
-/// The results of the points in the [`Queue`](super::queue::Queue), with the same indices.
+/// The results of the points in the `Queue`, with the same indices.
 pub(crate) struct Accumulator {
     sums: [Sum; BATCH],
     terms: [Sum; MAX_LANES],
@@ -90,7 +90,7 @@ impl Accumulator {
         }
     }
 
-    /// Adds a packet's contribution to the sums of its points, which primary rays start from point `first` on.
+    /// Adds a packet's contribution to the sums of its points. Primary rays are those of the points from `first` on.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,

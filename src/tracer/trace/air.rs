@@ -7,7 +7,7 @@ use crate::lanes::*;
 use crate::prepare::{SpotCone, World};
 use glam::Vec3A;
 
-/// The density of haze added everywhere, in 1 / scene units: invisible within a scene, it leaves only the sky at the distance of a
+/// The density of haze added everywhere, in 1 / scene units: invisible within a scene, but it leaves only the sky at the distance of a
 /// miss, 1e30.
 const BACKGROUND_HAZE: f32 = 1e-20;
 
@@ -91,8 +91,8 @@ const FARTHEST: f32 = 1e15;
 
 /// Returns the glow in front of surfaces at the distance `t`.
 ///
-/// At the distance r from a light, the air of a glow with the radius a emits `a^2 / 2 (r^2 + a^2)^(-3/2)`. The integral along a ray
-/// that passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))` with
+/// At the distance r from a light, the air of a glow with the radius a emits `a^2 / 2 (r^2 + a^2)^(-3/2)`. The integral along a ray that
+/// passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))` with
 /// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray. With a core, h is the height of the seen part of the ray above it.
 #[inline(always)]
 pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {

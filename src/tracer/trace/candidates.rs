@@ -2,8 +2,7 @@ use crate::lanes::*;
 use crate::prepare::ObjectId;
 use crate::scene::{List, MAX_SOLIDS};
 
-/// A solid that needs an exact test in some lanes after the traversal. Other lanes ignore it, so that a hit does not depend on its
-/// packet.
+/// A solid that needs an exact test in some lanes after the traversal. Other lanes ignore it: a hit must not depend on its packet.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Candidate {
     pub object: ObjectId,
@@ -35,7 +34,7 @@ pub(super) struct Occluders {
     pub solids: Candidates,
 }
 
-/// A power of two, so that one instruction bounds an index.
+/// A power of two: one instruction bounds an index.
 pub(super) const CONES: usize = MAX_SOLIDS.next_power_of_two();
 
 impl Occluders {

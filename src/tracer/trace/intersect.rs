@@ -75,7 +75,7 @@ pub(crate) fn nearest<S: Isa>(
     hit
 }
 
-/// Returns the powers of rays' origins with respect to a sphere: rays that leave it outward have 0, inward below 0.
+/// Returns the powers of rays' origins with respect to a sphere: 0 for rays that leave it outward, below 0 inward.
 #[inline(always)]
 fn power<S: Isa>(rays: &Rays<S>, node: &BvhNode) -> F<S> {
     let simd = rays.weight.token();

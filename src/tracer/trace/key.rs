@@ -1,8 +1,8 @@
 //! Keys: hashes of the objects that a point's ray tree hit.
 //!
 //! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the lights' states, or, below
-//! `state_depth`, the field of the object's pattern. Different trees collide with a probability of 2^-32, so one frame in 40,000
-//! fills a square wrongly.
+//! `state_depth`, the field of the object's pattern. Different trees collide with a probability of 2^-32: one frame in 40,000 fills a
+//! square wrongly.
 
 use super::rays::{PATH_BITS, Rays};
 use crate::lanes::*;
@@ -16,7 +16,7 @@ const STATE_BITS: u32 = 2;
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
     counted: M<S>,
-    /// Whether any node counts. In most packets of secondary rays no node does.
+    /// Whether any node counts; in most packets of secondary rays none does.
     has_any: bool,
     states: U<S>,
 }

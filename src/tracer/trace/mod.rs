@@ -1,7 +1,7 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Rays of different points share packets, one per lane. Secondary rays go to a stack, and a packet is popped as soon as it fills
-//! the lanes. Colours are integer sums, so a point's bits do not depend on the order of rays or on other points.
+//! Rays of different points share packets, one per lane. Secondary rays go to a stack, which a packet leaves as soon as it fills the
+//! lanes. Colours are integer sums: a point's bits depend neither on the order of rays nor on other points.
 //!
 //! | step of a packet | module |
 //! | --- | --- |
@@ -78,7 +78,7 @@ impl Batch {
         self.surfaces.clear();
     }
 
-    /// Takes a thousandth of the time, so the baseline suffices.
+    /// A thousandth of the time: the baseline suffices.
     #[inline(never)]
     fn finish(&mut self, film: &Film) {
         self.results.finish(film, &self.points);

@@ -20,13 +20,13 @@ pub(super) struct ShadingPoint<S: Isa> {
     /// The direction of the grooves, of length 1; undefined where `anisotropy` is 0.
     pub groove: Vec3x<S>,
     pub anisotropy: F<S>,
-    /// The texture's factor on the colour, 0 to 1, negative where the texture is finer than squares.
+    /// The texture's factor on the colour, 0 to 1; negative if the texture is finer than squares.
     pub reflectance: F<S>,
-    /// See [`Pattern::tint`](crate::scene::Pattern::tint).
+    /// See `Pattern::tint`.
     pub tint: Vec3x<S>,
     pub field: U<S>,
-    /// The least cosine of the angle between normal and light, divided by the light's distance: above 0 inside a sphere, whose far
-    /// side blocks all lights beyond it. A chord towards a light is twice the cosine times the radius long.
+    /// The least cosine between normal and light, divided by the light's distance: above 0 inside a sphere, whose far side blocks all
+    /// lights beyond it. A chord towards a light is twice the cosine times the radius long.
     pub horizon: F<S>,
     pub inside: M<S>,
     pub shaded: M<S>,
@@ -94,7 +94,7 @@ impl<S: Isa> ShadingPoint<S> {
         }
     }
 
-    /// Computes the points on blocks, and the textures, one object at a time.
+    /// Computes the points on blocks, and the textures, object by object.
     #[inline(always)]
     fn add_detail(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;

@@ -5,7 +5,7 @@ use fearless_simd::{f32x4, i32x4, u32x4};
 /// The capacity: 16 kB of sums stay in the L1 cache.
 pub(crate) const BATCH: usize = 1024;
 
-/// Positions are in 16ths of a pixel, so that the widest picture fits in 16 bits.
+/// Positions are in 16ths of a pixel: the widest picture fits in 16 bits.
 pub(crate) const PARTS: usize = 16;
 
 const PART: f32 = 1.0 / PARTS as f32;
@@ -61,7 +61,7 @@ impl Queue {
             .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
-    /// Returns the positions of a packet in pixels. Lanes after the last point have stale ones, which are ignored.
+    /// Returns the positions of a packet in pixels. Lanes after the last point have stale positions, which are ignored.
     #[inline(always)]
     pub(super) fn packet<S: Isa>(&self, simd: S, start: usize) -> [F<S>; 2] {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);

@@ -48,7 +48,7 @@ pub(super) fn shade<S: Isa>(
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scattered = scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
-        // The guard knows the images in the first plane, but not the shadows there.
+        // The guard has bounds of images in the first plane, but not of shadows there.
         let much = splat(simd, quality.unguarded_weight);
         let shadows = shaded & rays.mirrored(simd) & weight.simd_ge(much);
         batch.results.mark_unguarded(rays, shadows | scattered.unguarded);
@@ -235,9 +235,8 @@ fn refract<S: Isa>(
     Refraction { rays, refracted, through, kr }
 }
 
-/// Returns the light of rays that are not traced: the brighter of background and ambient light in each channel. In crowds of glass
-/// at the fastest preset's limits, this has 30 dB against deeper rays, the background 29 dB, the ambient light 23 dB, and black 20
-/// dB.
+/// Returns the light of untraced rays: the brighter of background and ambient light in each channel. In crowds of glass at the fastest
+/// preset's limits, this has 30 dB against deeper rays, the background 29 dB, the ambient light 23 dB, and black 20 dB.
 #[inline(always)]
 fn untraced<S: Isa>(tracer: Tracer<'_, S>, d: &Vec3x<S>, lost: M<S>, weight: Vec3x<S>) -> Vec3x<S> {
     let (simd, world) = (tracer.isa, tracer.world);

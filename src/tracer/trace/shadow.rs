@@ -66,8 +66,7 @@ impl<S: Isa> ShadowRays<S> {
         is_near & self.distance.simd_gt(splat(simd, cone.from))
     }
 
-    /// Returns the rays that certainly miss a solid and its penumbra, or are wholly inside the sphere, as in
-    /// [`ShadowRays::meet_sphere`].
+    /// Returns the rays that certainly miss a solid and its penumbra, or are wholly inside the sphere, as in [`ShadowRays::meet_sphere`].
     #[inline(always)]
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
@@ -75,7 +74,7 @@ impl<S: Isa> ShadowRays<S> {
         let f = Vec3x::splat(simd, cone.to_light);
         let along = f.dot(d);
         let across = f.add_scaled(d, -along);
-        // Half of the penumbra is outside the sphere. Terms are multiplied by the distance: no division.
+        // Half of the penumbra is outside the sphere. Multiplying by the distance avoids a division.
         let share = at_least::<S>(distance - along, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
         let across2 = across.dot(across);

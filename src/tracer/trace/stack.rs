@@ -6,7 +6,7 @@ use crate::lanes::*;
 /// A packet of depth d is replaced by at most two of depth d + 1, so at most two of each depth, 1 to 7, wait at once.
 const CAPACITY: usize = 256;
 
-/// Secondary rays, in columns longer than the capacity, so that a whole packet can be written at the top.
+/// Secondary rays, in columns longer than the capacity: a whole packet can be written at the top.
 pub(crate) struct RayStack {
     /// Origin, direction, weight, and the bits of `slot_path`.
     columns: [[f32; CAPACITY + MAX_LANES]; 8],
@@ -35,7 +35,7 @@ impl RayStack {
         self.len = start + mask.to_bitmask().count_ones() as usize;
     }
 
-    /// Pops up to a full packet of rays. Returns them, in the first lanes, and their number.
+    /// Pops up to a full packet of rays. Returns them in the first lanes, and their number.
     #[inline(always)]
     pub fn pop<S: Isa>(&mut self, simd: S) -> (Rays<S>, usize) {
         let count = self.len.min(lanes::<S>());

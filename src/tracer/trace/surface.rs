@@ -3,12 +3,12 @@ use crate::prepare::{
     ObjectId, Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable, World,
 };
 
-/// The number of cached surfaces, more than most tiles show. With one, the model scene takes 3 % more instructions.
+/// The number of cached surfaces, more than most tiles show. One takes 3 % more instructions in the model scene.
 const CACHED: usize = 16;
 
 const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
 
-/// A thread's cache of surfaces spread over lanes, an object's at its number modulo [`CACHED`].
+/// A thread's cache of surfaces spread over lanes, at the object's number modulo [`CACHED`].
 pub(super) struct SurfaceRows {
     cached: [SurfaceTable; CACHED],
     objects: [Option<ObjectId>; CACHED],
@@ -32,8 +32,8 @@ pub(super) struct SurfaceLanes<'a, S: Isa> {
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
-    /// Looks up the objects of the active lanes. Most packets hit one, usually cached; otherwise surfaces are mixed lane by lane.
-    /// The cache must belong to this frame.
+    /// Looks up the objects of the active lanes. Most packets hit one, usually cached; otherwise surfaces are mixed lane by lane. The
+    /// cache must belong to this frame.
     #[inline(always)]
     pub fn look_up(
         simd: S,
@@ -126,7 +126,7 @@ fn load<S: Isa>(simd: S, row: &PerLane) -> F<S> {
     F::<S>::from_slice(simd, &row[..lanes::<S>()])
 }
 
-/// Rarely called, so it is compiled once.
+/// Not inlined: rarely called.
 #[inline(never)]
 fn spread(surface: &SurfaceNumbers, table: &mut SurfaceTable) {
     for (row, &number) in table.iter_mut().zip(surface) {

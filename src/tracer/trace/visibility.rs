@@ -17,7 +17,7 @@ pub(super) struct ArrivingLight<S: Isa> {
 }
 
 impl<S: Isa> ShadingPoint<S> {
-    /// Returns the light that arrives at the points that show it; `None` if all face away from it or are outside its cone.
+    /// Returns the light that arrives at the points that show it; `None` if all points face away or are outside its cone.
     #[inline(always)]
     pub fn light_of(
         &self,
@@ -99,7 +99,7 @@ fn transmittance<S: Isa>(
             None => zero,
         };
         let covered = outward.select(zero, certain.select(splat(simd, 1.0), covered));
-        // A NaN tint counts as black, so that it cannot spoil the lanes that are not in shadow.
+        // A NaN tint counts as black: it must not spoil the lanes that are not in shadow.
         let mut absorbed = Vec3A::ONE;
         if light.diameter > 0.0 {
             absorbed -= Vec3A::from(material.tint).max(Vec3A::ZERO).min(Vec3A::ONE);

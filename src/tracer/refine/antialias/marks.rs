@@ -1,4 +1,4 @@
-//! Marks edges between neighbouring pixels, by a bit for each pixel of a stretch.
+//! Marks edges between neighbouring pixels: a bit per pixel of a stretch.
 
 use crate::grid::each;
 use crate::lanes::*;
@@ -18,7 +18,8 @@ pub(super) const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
 
 const CELLS: usize = STRETCH / CELL;
 
-/// Marks of a stretch: for each row, the edges to the row above, then the edges to the right. The last entry is for the row below the band.
+/// Marks of a stretch. Each row has the edges to the row above, then the edges to the right; the last entry has the edges to the row
+/// below the band.
 pub(super) type Marks = [u64; ROWS * TILE_HEIGHT + 1];
 
 pub(super) fn stretch(word: usize, width: usize) -> Range<usize> {
@@ -31,7 +32,7 @@ pub(super) fn rough_cells(row: &RoughRow, word: usize) -> u64 {
     tile >> (CELLS * word % (TILE_WIDTH / CELL)) & ((1 << CELLS) - 1)
 }
 
-/// Marks the edges between two lines of pixels, in the cells whose bits are set.
+/// Marks the edges between two lines of pixels in the cells whose bits are set.
 #[inline(never)]
 pub(super) fn mark(plan: &FramePlan, line: &[u32], other: &[u32], cells: u64) -> u64 {
     let edge = plan.quality.edge;
@@ -49,7 +50,7 @@ pub(super) fn mark(plan: &FramePlan, line: &[u32], other: &[u32], cells: u64) ->
     marks
 }
 
-/// Marks the edges of a stretch, except in the method's overlay to the right of the finished columns.
+/// Marks the edges of a stretch, except to the right of the finished columns, where the method is drawn.
 pub(super) fn mark_stretch(
     plan: &FramePlan,
     band: &Band<'_>,

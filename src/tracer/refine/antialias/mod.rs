@@ -1,8 +1,8 @@
-//! Antialiasing, the second phase of a frame, blends pixels at edges with points between them.
+//! Antialiasing, the second phase of a frame: blends pixels at edges with points between them.
 //!
-//! If there is an edge between two pixels, the midpoint between them is traced, once for both pixels. Then each pixel bisects the interval
-//! from its centre to the midpoint. If the ends differ by [`HALF`](super::bisect), the point between them is traced. If this point differs
-//! from an end by [`QUARTER`](super::bisect), a point on that side is traced, and at twice the difference a third.
+//! If two neighbouring pixels differ by an edge, the midpoint between them is traced, once for both. Then each pixel bisects the interval
+//! from its centre to the midpoint. If the ends differ by `HALF`, the point between them is traced. If that point
+//! differs from an end by `QUARTER`, a point between these two is traced, and from twice that difference on a third.
 //!
 //! ```text
 //!     a          midpoint         b
@@ -14,10 +14,12 @@
 //!                    an edge
 //! ```
 //!
-//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and a side
-//! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel, since the line that crosses the edge
-//! steeply measures coverage better than a mean of both lines. Marks compare pixels before any is blended, even across bands, so the bits
-//! do not depend on the number of threads. A filled square of 8 has no edges inside: only rough cells and their borders are searched.
+//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and a
+//! side without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the axis that crosses the edge
+//! steeply measures coverage better than the mean of both axes.
+//!
+//! Marks compare pixels before any pixel is blended, even across bands, so the bits do not depend on the number of threads. A filled
+//! square of 8 has no edges inside: only rough cells and their borders are searched.
 
 mod marks;
 
@@ -35,10 +37,10 @@ use crate::prepare::VisibleGroups;
 use crate::trace::{BATCH, PARTS};
 use marks::{MAX_STRETCHES, Marks, ROWS, RowMarks, mark, mark_stretch, rough_cells, stretch};
 
-/// The most midpoints in a batch: bisection needs a point on both sides of each midpoint.
+/// The most midpoints in a batch: bisection needs a point on each side of a midpoint.
 const MIDDLES: usize = BATCH / 2;
 
-/// Marks between each band's last row and the row below, before the next band is smoothed. (Copies of the rows would take 2 MB.)
+/// Marks between each band's last row and the row below, set before any band is smoothed. (Copies of the rows would take 2 MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
 
 impl Seams {
@@ -91,7 +93,7 @@ fn smooth<O: Observer>(
     let &Context { plan, coverage, .. } = context;
     let finished = plan.finished;
     let mut marks: Marks = [0; _];
-    // For each row, whether an edge lies between the previous stretch and this one.
+    // Per row: whether an edge lies between the previous stretch and this one.
     let mut before = [0; TILE_HEIGHT];
     let (top, height) = (band.top, band.height());
     for (word, start) in (0..finished).step_by(STRETCH).enumerate() {

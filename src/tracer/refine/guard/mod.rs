@@ -1,8 +1,8 @@
 //! Finds the squares of a tile that may show a feature between their corners.
 //!
-//! A tile meets few outlines. Tangents give the range of squares that an outline covers in each row, for four rows at once. Samples name
-//! the object at a corner, but not its shadows and images. A corner that shows the plane inside an outline shows the shadow or image, or
-//! its occluder.
+//! A tile meets few outlines. For four rows of squares at once, tangents give the range of squares that an outline covers. Samples have
+//! the object at a corner, but not its shadows and images. If a corner shows the plane inside an outline, it shows the shadow or the
+//! image, or an occluder of it.
 
 mod highlights;
 mod objects;
@@ -18,7 +18,7 @@ use crate::quality::Quality;
 use planes::{Covered, SQUARE_ROWS};
 pub(crate) use squares::Squares;
 
-/// A tile's highlights, and the outlines that its next level has to test.
+/// A tile's highlights, and the outlines to test at its next level.
 pub(crate) struct Guard {
     outlines: [u16; MAX_OUTLINES],
     count: usize,
@@ -44,8 +44,8 @@ impl Guard {
         }
     }
 
-    /// Sets `open` to the squares of a level that may show a feature that their corners do not show. Tests outlines in squares that were
-    /// open, and highlights in `all` squares.
+    /// Sets `open` to the squares of a level that may show a feature that no corner shows. Outlines are tested in squares that were open,
+    /// highlights in `all` squares.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -95,15 +95,15 @@ struct Search<'a> {
     light: Option<u8>,
     /// The least corner mask that clears a square: 1 (any corner), or [`ALL`] for a thin outline.
     enough: u64,
-    /// The corners that shadows from `light`, or images, cover in each row of squares.
+    /// The corners in each row of squares that shadows from `light`, or images, cover.
     covered: [Covered; SQUARE_ROWS],
 }
 
 impl Search<'_> {
-    /// Tests the open squares against an outline. Returns whether their parts have to be tested.
+    /// Tests the open squares against an outline. Returns whether the outline must be tested at the next level.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
         let plane = |i: u8| ObjectId::new(self.squares.world.first_plane() + usize::from(i));
-        // The light, and the object or the plane that shows the image or shadow.
+        // The light, and the object that corners must show: the plane, for images and shadows.
         let (light, id) = match outline {
             Outline::Object(id) => (None, id),
             Outline::Image(_) => (None, plane(0)),
@@ -122,7 +122,7 @@ impl Search<'_> {
             #[inline(always)]
             |y, [first, last]| {
                 Bits::masks(first, last, |i, mask| {
-                    // If the outline's next level is tested anyway, open squares need no test.
+                    // Once the outline must be tested at the next level, open squares need no test.
                     let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
                     each(open[y].0[i] & mask & !known, |bit| {
                         let x = 64 * i + bit;
@@ -144,7 +144,7 @@ impl Search<'_> {
     }
 }
 
-/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side covers a corner; a partly hidden outline
+/// The width limit of thin outlines, in halves of a square's side. A whole outline wider than a side covers a corner; a partly hidden one
 /// needs another half.
 const THIN: usize = 3;
 

@@ -8,7 +8,8 @@ use crate::prepare::ObjectId;
 use crate::trace::surface_points;
 
 impl Search<'_> {
-    /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was opened.
+    /// Opens a square unless a corner shows the object (all corners, if it is thin) or an occluder hides it. Returns whether it was
+    /// opened.
     pub(super) fn look_for_object(&mut self, id: ObjectId, shown: u64, x: usize, y: usize) -> bool {
         let labels = self.squares.labels(x, y);
         let is_same = labels.simd_eq(labels[0]).all_true();
@@ -22,8 +23,8 @@ impl Search<'_> {
 
     /// Returns whether the object `back` is hidden in a square whose corners all have the label `front`.
     ///
-    /// If the eye is outside the convex occluder, the pyramid of the eye and the corners' points contains all that the square shows in
-    /// front of the occluder. A plane that separates `back` from the pyramid proves that `back` is hidden.
+    /// The pyramid from the eye to the corners' points contains all that the square shows in front of the occluder, which is convex, if
+    /// the eye is outside of it. The object is hidden if a plane separates it from the pyramid.
     #[inline(never)]
     fn is_hidden(&self, back: ObjectId, front: u32, x: usize, y: usize) -> bool {
         let &Squares { world, coverage, .. } = self.squares;

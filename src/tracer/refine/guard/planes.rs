@@ -9,7 +9,7 @@ pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
 /// The corners in a row of squares that the shadows of one light, or the images, cover.
 ///
-/// A square stays open if two outlines each cover some corners: there may be a slit between them. A convex outline that covers all corners
+/// If two outlines each cover some corners, a slit may run between them, and the square stays open. A convex outline around all corners
 /// covers the square.
 #[derive(Clone, Copy)]
 pub(super) struct Covered {
@@ -17,7 +17,7 @@ pub(super) struct Covered {
     wholly: Bits,
     /// One outline covers some corners that show the plane.
     partly: Bits,
-    /// An outline covers no corner that shows the plane, or two outlines each cover some of these corners.
+    /// An outline covers no corner that shows the plane, or two outlines each cover some of them.
     missed: Bits,
 }
 
@@ -26,10 +26,14 @@ impl Covered {
 }
 
 impl Search<'_> {
-    /// Tests an image or shadow on a plane that some corners show. An image opens the square unless a corner that shows the plane (all four
-    /// corners, if the image is thin) is inside the region. If one side of the region cuts the square, a corner is inside, since a
-    /// half-plane that meets a square contains a corner. If an object hides some corners, a corner that shows the plane must be outside as
-    /// well. Shadows wait for [`Search::settle`], since another shadow may cover the square.
+    /// Tests one square against an image or a shadow on a plane that some of its corners show.
+    ///
+    /// An image opens the square unless a corner that shows the plane is inside the region (all four corners, if the image is thin). If
+    /// only one side of the region cuts the square, a corner is certainly inside: a half-plane that meets a square contains a corner. If
+    /// an object hides some corners, another corner must show the plane outside the region, since the plane may show between the object
+    /// and the region.
+    ///
+    /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
         let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
         let cuts = region.sides.cuts(rect, region.margin);
@@ -41,7 +45,7 @@ impl Search<'_> {
             _ => region.corners(rect),
         };
         let covered = &mut self.covered[y % SQUARE_ROWS];
-        // If an object hides the remaining corners, the plane may show between the object and the outline.
+        // The plane may show between the object at the hidden corners and the region.
         let is_between = shown != ALL && shown & !inside == 0;
         let is_open = is_between || shown & inside < self.enough;
         if inside == ALL {
@@ -55,7 +59,7 @@ impl Search<'_> {
         }
     }
 
-    /// Opens the squares that may miss a shadow from the current light, an image, or a slit between two shadows or images.
+    /// Opens the squares that may miss a shadow from the current light, an image, or a slit between two of them.
     #[inline(never)]
     pub(super) fn settle(&mut self) {
         let rows = self.squares.rows;

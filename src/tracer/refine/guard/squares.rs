@@ -80,8 +80,8 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Returns the first and last square that may meet a region, for each of [`ROWS`] rows from `top` down. The first exceeds the last in
-    /// an empty range.
+    /// Returns the first and last square that may meet a region, for each of [`ROWS`] rows from `top` down. In an empty range the first
+    /// exceeds the last.
     #[inline(never)]
     fn ranges(&self, region: &Region, top: usize) -> [[i32; ROWS]; 2] {
         let simd = baseline();

@@ -1,4 +1,4 @@
-//! Squares with light that has no bound: reflections, refractions, and shadows on spheres and blocks.
+//! Tests for light without a bound: reflections, refractions, and shadows on spheres and blocks.
 
 use super::squares::Squares;
 use crate::coverage::corners;
@@ -22,8 +22,8 @@ impl Squares<'_> {
         }
     }
 
-    /// Returns whether a square may show light without a bound, or whether its corners show several objects in one colour: the verdict
-    /// would miss a slit between them.
+    /// Returns whether a square may show light without a bound, or shows several objects in one colour: the verdict would miss a slit
+    /// between them.
     fn may_show_unguarded(&self, x: usize, y: usize) -> bool {
         let row = &self.grid[y * self.stride + x..];
         let samples = [row[0], row[1], row[self.stride], row[self.stride + 1]].map(Sample);
@@ -38,7 +38,7 @@ impl Squares<'_> {
         first.object().is_some_and(|id| self.may_be_shadowed(id, x, y))
     }
 
-    /// Returns whether an object may cast a shadow without an outline on the part of the object `id` that a square shows.
+    /// Returns whether a shadow without an outline may fall on the part of the object `id` that a square shows.
     fn may_be_shadowed(&self, id: ObjectId, x: usize, y: usize) -> bool {
         let world = self.world;
         // Sharp shadows on planes have outlines.
@@ -70,7 +70,7 @@ impl Squares<'_> {
     }
 }
 
-/// The bulge of the surface between four corners: the edge of a right angle is 1.42 times as far from their middle as they are.
+/// The bulge of the surface between four corners: a right-angled edge is 1.42 times as far from their middle as they are.
 const BULGE: f32 = 1.5;
 
 /// A bound of the shadow rays from a square to a light.

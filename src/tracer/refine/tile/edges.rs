@@ -1,7 +1,7 @@
 //! Opens filled squares at which an edge ends: a feature crosses them between their corners.
 //!
-//! Each pair of pixels along the border between a smooth and a rough cell has a bit, set if the two differ by an edge. The first pair is at
-//! a traced corner. If its bit is clear and another bit is set, an edge of the rough cell does not continue in the smooth cell.
+//! Each pair of pixels across the border of a smooth and a rough cell has a bit, set if they differ by an edge. The first pair is at a
+//! traced corner. If its bit is clear and another bit is set, an edge of the rough cell does not continue in the smooth cell.
 
 use super::Tile;
 use crate::grid::{Bits, each};
@@ -10,7 +10,7 @@ use crate::picture::{CELL, TILE_WIDTH};
 use crate::refine::antialias::is_edge;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Traces all pixels of the smooth cells at whose sides an edge of a rough cell ends, until no such cell is left.
+    /// Traces all pixels of smooth cells at whose sides a rough cell's edge ends, until there is no such cell.
     pub(super) fn follow_edges(&mut self) {
         let [columns, rows] = [self.area.columns(0), self.area.rows(0)].map(|size| size / CELL);
         let whole = Bits::first(columns).0[0];
@@ -30,7 +30,7 @@ impl<O: Observer> Tile<'_, '_, O> {
                         & if side == 0 { self.drawn(y) >> 1 } else { self.drawn(y + 1) };
                     each((own ^ other) & among & drawn, |x| {
                         let mut at = self.area.left + CELL * (y * stride + x) + (CELL - 1) * across;
-                        // A one above the pairs' bits ends the loop, which is smaller than one over a range.
+                        // A one above the pairs' bits ends the loop: smaller code than a range.
                         let mut edges = 1_u32;
                         while edges >> CELL == 0 {
                             // The pixel between them may be a mean of corners.
@@ -52,7 +52,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Returns the cells that a fold leaves to be drawn.
+    /// Returns the cells that are drawn, not copied by a fold.
     fn drawn(&self, y: usize) -> u64 {
         self.worker.marks.squares[CELL.ilog2() as usize][y].0[0]
     }

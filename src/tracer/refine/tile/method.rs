@@ -1,12 +1,12 @@
 //! The method's overlay: traced points and filled squares, drawn over the picture.
 //!
-//! Points on a band's first row are marked if this band traced them; the band above may have traced them too.
+//! Points on a band's first row are marked only if this band traced them.
 
 use super::Tile;
 use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
 
-/// A pixel on the upper or left side of a filled square; the other sides are its neighbours'.
+/// A pixel on the upper or left side of a filled square; its other sides belong to neighbours.
 const SIDE: u8 = 1;
 const POINT: u8 = 2;
 
@@ -14,7 +14,7 @@ const POINT: u8 = 2;
 const FRONT: usize = 3;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Draws the marks of a finished tile, as bright as [`Method`](crate::scene::Method) specifies.
+    /// Draws a finished tile's marks with the brightnesses of `Method`.
     pub(super) fn show_method(&mut self) {
         let plan = self.context.plan;
         let start = plan.finished.max(self.area.left);
@@ -24,7 +24,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let method = &plan.method;
         let both = method.squares.max(method.points);
         let blends = [0.0, method.squares, method.points, both].map(|mark| {
-            // The picture's weight in 256ths, and the white to add: at most full brightness in sum, for any numbers.
+            // The picture's weight in 256ths, and the white to add. Their sum never exceeds full brightness.
             let white = byte(mark);
             (byte((1.0 - mark) * method.picture).min(255 - white), white)
         });

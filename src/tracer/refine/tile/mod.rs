@@ -1,4 +1,4 @@
-//! Draws a band, the first phase of a frame: traces the points of each tile, level by level, judges its squares, and fills or splits them.
+//! Draws a band, the first phase of a frame: traces each tile's points, level by level, judges its squares, and fills or splits them.
 
 mod edges;
 mod method;
@@ -147,7 +147,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         growth(1 << level, self.crowding)
     }
 
-    /// Returns the squares that the verdict splits. Not inlined, like [`Tile::split_row`]: that saves 175 packed bytes.
+    /// Returns the squares that the verdict splits. Not inlined, like [`Tile::split_row`]: 175 packed bytes less.
     #[inline(never)]
     fn fill_row(&mut self, level: usize, y: usize) -> Bits {
         let Context { plan, kernels, .. } = self.context;
@@ -183,8 +183,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         squares.without(filled)
     }
 
-    /// Marks the rough cells of a row. The largest squares that were filled by interpolation are smooth: adjacent pixels differ by at most
-    /// an eighth of the tolerance, plus 2 for rounding and dither.
+    /// Marks the rough cells of a row. The largest squares are smooth if interpolated: adjacent pixels differ by at most an eighth of the
+    /// tolerance, plus 2 for rounding and dither.
     fn note_rough(&mut self, level: usize, y: usize, filled: Bits) {
         let plan = self.context.plan;
         let quality = &plan.quality;
@@ -217,8 +217,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.band.put(x, y, sample.pixel(threshold));
     }
 
-    /// Splits a row's filled squares between two squares that the verdict split: a thin line between equal corners would pop. This halves
-    /// the pops of letters on water. The bits are the squares that the verdict split in the row above, in this row and in the row below.
+    /// Splits a row's filled squares that are between two squares split by the verdict: a thin line between equal corners would pop. This
+    /// halves the pops of letters on water. `above`, `here` and `below` are the squares that the verdict split in three rows.
     fn open_gaps(&mut self, level: usize, y: usize, [above, here, below]: &[Bits; 3]) {
         let mut gaps = Bits::NONE;
         if self.context.plan.quality.guarded {
@@ -240,7 +240,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         }
     }
 
-    /// Returns the kind of a square's fill.
     fn fill_of(&self, level: usize, x: usize, y: usize) -> Fill {
         let pyramid = &self.worker.pyramid;
         let corners = Pyramid::corner_indices(level, x, y).map(|index| pyramid.sample(index));

@@ -1,4 +1,4 @@
-//! Finds the points that a level needs, and their samples: from the level above, by averaging two points, or by tracing.
+//! Finds a level's points and their samples: from the level above, by averaging two points, or by tracing.
 
 use super::Tile;
 use crate::counts::Counts;
@@ -42,11 +42,11 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 
     fn trace_marked(&mut self, level: usize, rows: usize) {
-        // A level has one point more per row than squares; pixels fill all words.
+        // A row has one point more than squares; pixels fill all words.
         let used = (self.area.columns(level) / 64 + 1).min(WORDS);
         for top in (0..rows).step_by(CLUSTER_HEIGHT) {
             for word in 0..used {
-                // By single words: mapping the strip's rows would copy them whole.
+                // Single words: mapping the strip's rows would copy them whole.
                 let rows = &self.worker.marks.traced[level][top..top + CLUSTER_HEIGHT];
                 let words: [u64; CLUSTER_HEIGHT] = array::from_fn(|y| rows[y].0[word]);
                 let mut columns = words.iter().fold(0, |all, word| all | word);
@@ -64,7 +64,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.trace(level);
     }
 
-    /// Adds the points of a cluster to the batch; traces a full batch first.
+    /// Adds a cluster's points to the batch, and traces a full batch first.
     #[inline(never)]
     pub(super) fn add_cluster(&mut self, level: usize, [left, top]: [usize; 2], mut cluster: u64) {
         if self.worker.batch.points.len() + CLUSTER_WIDTH * CLUSTER_HEIGHT > BATCH {
@@ -107,10 +107,10 @@ impl<O: Observer> Tile<'_, '_, O> {
         });
     }
 
-    /// Sets midpoints of sides to the mean of their ends, and returns the midpoints whose ends agree within the limit.
+    /// Sets midpoints of sides to the mean of their ends, and returns those whose ends agree within the limit.
     fn average(&mut self, level: usize, y: usize, points: Bits, limit: Limit) -> Bits {
         let mut averaged = Bits::NONE;
-        // In even rows, midpoints lie between two columns of the level above; in odd rows, between two rows.
+        // Midpoints are between two columns of the level above in even rows, between two rows in odd rows.
         let (middles, step) = if y.is_multiple_of(2) {
             (Bits::ODD, 1)
         } else {
@@ -126,7 +126,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             // The ends do not determine a pattern at the midpoint.
             let is_patterned = a.is_patterned() | b.is_patterned();
             let is_near = (key == pyramid.keys[ends[1]]) & limit.has(a, b) & !is_patterned;
-            // Branch-free: the outcome is unpredictable. Tracing overwrites a rejected mean.
+            // Branch-free: the outcome is unpredictable. Tracing overwrites rejected means.
             averaged.0[x / 64] |= u64::from(is_near) << (x % 64);
             if level == 0 {
                 self.put(self.area.left + x, y, a.mean(b));
@@ -175,7 +175,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.worker.batch.points.clear();
     }
 
-    /// Traces each point of the batch again to report its rays. The batch's counts stay unchanged.
+    /// Traces each point of the batch again to report its rays, without counting them.
     fn report_points(&mut self) {
         let batch = &mut self.worker.batch;
         let mut pixels = [(0, 0); BATCH];
@@ -196,7 +196,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// Returns the corners in row `y` of a level's points; at level 0 the squares themselves.
+/// Returns the points of row `y` that are corners of squares; at level 0 the squares themselves.
 pub(in crate::refine) fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
     let row = |y: usize| if y < rows { squares[y] } else { Bits::NONE };
     if level == 0 {

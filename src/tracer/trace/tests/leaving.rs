@@ -115,7 +115,7 @@ fn outside(block: &Block, p: Vec3) -> f64 {
     }
 }
 
-/// Compact blocks anywhere, hit from nearby; or any blocks at the origin, hit from any distance.
+/// Tests compact blocks anywhere, hit from nearby, or any blocks at the origin, hit from any distance.
 fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
     let mut random = Random::new(1998);
     // Aligned boxes, turned boxes, cylinders and capsules.

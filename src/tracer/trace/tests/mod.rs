@@ -1,4 +1,4 @@
-//! Properties of the kernels, checked with many rays on every instruction set. [`crate::limits`] has their figures.
+//! Properties of the kernels, checked with many rays on every instruction set.
 
 mod leaving;
 mod precision;
@@ -22,7 +22,7 @@ use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
 
 /// The kernels of one instruction set. Packets and results have plain numbers, so that properties are compiled once. Only the first
-/// [`lanes`](Self::lanes) rays of a packet are traced; further results repeat theirs.
+/// `lanes` rays of a packet are traced; further results repeat theirs.
 trait Kernels {
     fn lanes(&self) -> usize;
 

@@ -1,4 +1,4 @@
-//! Small distant spheres: the figures of [`crate::limits`], whose command takes a minute.
+//! The accuracy of hits on small distant spheres.
 
 use super::*;
 
@@ -9,7 +9,7 @@ const SEEDS: u64 = 1;
 /// The probability that a seed exceeds its bound.
 const EXCEEDED: f64 = 1e-6;
 
-/// Distances in radii, and bounds on the wrong rays per million, as in the columns of [`crate::limits`].
+/// Distances in radii, and bounds on the wrong rays per million: at the origin with and without FMA, and anywhere.
 const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e0, [3.0, 4.0, 5.0]),
     (1e1, [1.0, 1.0, 1.0]),
