@@ -91,6 +91,9 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+#[macro_use]
+mod zero;
+
 mod counts;
 mod coverage;
 mod debug;

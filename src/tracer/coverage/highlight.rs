@@ -10,6 +10,7 @@ use super::screen::Axes;
 use crate::maths::{sqrt, to_f32};
 use crate::prepare::{Object, ObjectId, World};
 use crate::rounding::DRAWN_OUT;
+use crate::zero::Zero;
 
 use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
@@ -46,15 +47,9 @@ pub(crate) struct Highlight {
     strength: f32,
 }
 
-impl Highlight {
-    pub const ZERO: Self = Self {
-        object: ObjectId::FIRST,
-        middle: Vec2::ZERO,
-        bounds: Vec4::ZERO,
-        decay: [0.0; 3],
-        strength: 0.0,
-    };
+zero! { Highlight { object, middle, bounds, decay, strength } }
 
+impl Highlight {
     pub fn meets(&self, rect: Vec4) -> bool {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }

@@ -98,23 +98,15 @@ pub(crate) struct Coverage {
     pub outlined: usize,
 }
 
-impl Coverage {
-    pub const fn new() -> Self {
-        Self {
-            axes: Axes::ZERO,
-            groups: [[ScreenBounds::ZERO; MAX_GROUPS]; 2],
-            objects: [const { ObjectBounds::ZERO }; MAX_OBJECTS],
-            eye: View::ZERO,
-            image: View::ZERO,
-            shadows: [[View::ZERO; MAX_LIGHTS]; MAX_PLANES],
-            highlights: List::over(Highlight::ZERO),
-            outlines: [Outline::Object(ObjectId::FIRST); MAX_OUTLINES],
-            screen: [ScreenBounds::ZERO; MAX_OUTLINES],
-            widths: [0; MAX_OUTLINES],
-            outlined: 0,
-        }
-    }
+zero! { Outline = Self::Object(ObjectId::FIRST); }
 
+zero! {
+    Coverage {
+        axes, groups, objects, eye, image, shadows, highlights, outlines, screen, widths, outlined
+    }
+}
+
+impl Coverage {
     /// Computes the bounds for a picture of `width` by `height` pixels, whose samples are `offset` pixels off the pixels' centres.
     pub fn set(&mut self, world: World<'_>, [width, height]: [usize; 2], offset: Vec2) {
         let raster = world.scene.camera.raster(width, height);

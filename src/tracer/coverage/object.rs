@@ -7,6 +7,7 @@ use crate::maths::sqrt;
 use crate::prepare::{BvhNode, Object, ObjectId, World};
 use crate::rounding::{CORNER, HIT, SURFACE_POINT, TOUCHING, hit_error};
 use crate::scene::Block;
+use crate::zero::Zero;
 use glam::{Mat3A, Vec3A, Vec4};
 
 pub(crate) struct ObjectBounds {
@@ -24,16 +25,9 @@ pub(crate) struct ObjectBounds {
     max: Vec4,
 }
 
-impl ObjectBounds {
-    pub const ZERO: Self = Self {
-        node: 0,
-        screen: ScreenBounds::ZERO,
-        power: None,
-        thickness: 0.0,
-        min: Vec4::ZERO,
-        max: Vec4::ZERO,
-    };
+zero! { ObjectBounds { node, screen, power, thickness, min, max } }
 
+impl ObjectBounds {
     #[inline(never)]
     pub fn hit_error(&self) -> f32 {
         let reach = self.min.abs().max(self.max.abs());

@@ -44,10 +44,11 @@ pub(crate) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ScreenBounds(Vec4);
 
-impl Axes {
-    pub const ZERO: Self =
-        Self { rows: [Vec3A::ZERO; 3], pixel: 0.0, reach: 0.0, middle: Vec4::ZERO };
+zero! { ScreenBounds = Self(Vec4::ZERO); }
 
+zero! { Axes { rows, pixel, reach, middle } }
+
+impl Axes {
     /// Returns the axes of a picture whose samples are `offset` pixels off the centres; `raster` has no offset.
     pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {
         let pixel = raster.dx.length();
@@ -96,8 +97,6 @@ impl ScreenBounds {
     pub const NONE: Self = Self(Vec4::INFINITY);
 
     pub const ALL: Self = Self(Vec4::NEG_INFINITY);
-
-    pub const ZERO: Self = Self(Vec4::ZERO);
 
     /// Returns the bounds from `(b + a) / (d + c)` to `(b - a) / (d - c)`, along u and along v, for vectors of a, b, c and d.
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {

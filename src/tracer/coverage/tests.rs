@@ -6,6 +6,7 @@ use super::*;
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+use crate::zero::Zero;
 use glam::{DVec3, EulerRot, Mat3, Vec3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -93,7 +94,7 @@ struct Bounds {
 
 impl Bounds {
     fn of(scene: &Scene) -> Self {
-        let (mut prepared, mut coverage) = (Box::new(Prepared::new()), Box::new(Coverage::new()));
+        let (mut prepared, mut coverage) = (Box::new(Prepared::ZERO), Box::new(Coverage::ZERO));
         let world = prepared.prepare(scene, SIZE, Vec2::ZERO);
         coverage.set(world, SIZE, Vec2::ZERO);
         Self { prepared, coverage }

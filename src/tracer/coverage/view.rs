@@ -9,6 +9,7 @@ use crate::rounding::{
     within_pixel,
 };
 use crate::scene::Plane;
+use crate::zero::Zero;
 use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
@@ -32,20 +33,9 @@ pub(super) struct View {
     pub rounding: f32,
 }
 
-impl View {
-    pub const ZERO: Self = Self {
-        from: Vec3A::ZERO,
-        eye: Vec3A::ZERO,
-        axes: [Vec3A::ZERO; 3],
-        to_light: Vec3A::ZERO,
-        above: 0.0,
-        ground: 0.0,
-        height: 0.0,
-        side: 0.0,
-        corner: 0.0,
-        rounding: 0.0,
-    };
+zero! { View { from, eye, axes, to_light, above, ground, height, side, corner, rounding } }
 
+impl View {
     pub fn eye(eye: Vec3A, axes: [Vec3A; 3], pixel: f32) -> Self {
         let corner = within_pixel(CORNER, pixel);
         Self { from: eye, eye, axes, above: 1.0, height: 1.0, corner, rounding: 1.0, ..Self::ZERO }

@@ -10,6 +10,8 @@ pub(crate) const WORDS: usize = TILE_WIDTH / 64;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Bits(pub [u64; WORDS]);
 
+zero! { Bits = Self::NONE; }
+
 impl Bits {
     pub const NONE: Self = Self([0; WORDS]);
 

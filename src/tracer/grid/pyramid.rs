@@ -45,11 +45,9 @@ const POINTS: usize = STARTS[LEVELS] + 2 * MAX_LANES;
 /// Two words for each pixel of an eighth of a tile.
 pub(crate) const CHANGES: usize = 2 * TILE_WIDTH * TILE_HEIGHT / 8;
 
-impl Pyramid {
-    pub const fn new() -> Self {
-        Self { samples: [0; POINTS], keys: [0; POINTS], layers: [[0.0; 8]; POINTS] }
-    }
+zero! { Pyramid { samples, keys, layers } }
 
+impl Pyramid {
     pub fn index(level: usize, x: usize, y: usize) -> usize {
         STARTS[level] + y * columns(level) + x
     }

@@ -47,10 +47,6 @@ pub(crate) struct Tap {
     pub weight: f32,
 }
 
-impl Tap {
-    const ZERO: Self = Self { height: 0.0, range: 0.0, weight: 0.0 };
-}
-
 /// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. If a block is farther from the
 /// farthest tap than the tap's height, it is out of range of all taps.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
@@ -76,32 +72,14 @@ pub(crate) struct Bounds {
     pub ahead: [f32; CAPACITY],
 }
 
-impl Ambience {
-    pub const ZERO: Self = Self {
-        is_on: false,
-        bounces: false,
-        sky: Vec3A::ZERO,
-        ground: Vec3A::ZERO,
-        floor: 0.0,
-        contact: 0.0,
-        neighbours: [Neighbour {
-            object: ObjectId::FIRST,
-            centre: Vec3A::ZERO,
-            per_radius: 0.0,
-            per_reach2: 0.0,
-            opacity: 0.0,
-            taps: [Tap::ZERO; TAPS.len()],
-            ambient: Vec3A::ZERO,
-            lights: [[Vec3A::ZERO; 2]; MAX_LIGHTS],
-        }; CAPACITY],
-        bounds: Bounds {
-            low: [[0.0; CAPACITY]; 3],
-            high: [[0.0; CAPACITY]; 3],
-            ahead: [0.0; CAPACITY],
-        },
-        count: 0,
-    };
+zero! {
+    Ambience { is_on, bounces, sky, ground, floor, contact, neighbours, bounds, count }
+    Neighbour { object, centre, per_radius, per_reach2, opacity, taps, ambient, lights }
+    Tap { height, range, weight }
+    Bounds { low, high, ahead }
+}
 
+impl Ambience {
     pub fn set(&mut self, scene: &Scene, nodes: &[BvhNode], lights: &[PreparedLight]) {
         let ambience = &scene.ambience;
         self.is_on = ambience.occlusion > 0.0;

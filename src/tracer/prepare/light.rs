@@ -36,8 +36,6 @@ pub(crate) struct SpotCone {
 }
 
 impl SpotCone {
-    const ZERO: Self = Self { aim: Vec3::ZERO, inner2: 0.0, outer2: 0.0 };
-
     /// All directions, with a margin.
     const ALL_BRIGHT: Self = Self { aim: Vec3::ZERO, inner2: 2.0, outer2: 3.0 };
 
@@ -85,24 +83,21 @@ pub(crate) struct ShadowCone {
     pub radius: f32,
 }
 
+zero! {
+    PreparedLight {
+        position, colour, is_cone, cone, diameter, glow2, core, max_penumbra, is_point, listed_from,
+        shadow_cones
+    }
+    SpotCone { aim, inner2, outer2 }
+    ShadowCone {
+        axis, chord2, from, solids, skip, object, around_light, to_light, r2, side, sine2, radius
+    }
+}
+
 /// Larger than the squared chord of any cone.
 const ALL_AROUND: f32 = 5.0;
 
 impl PreparedLight {
-    pub const ZERO: Self = Self {
-        position: Vec3A::ZERO,
-        colour: Vec3A::ZERO,
-        is_cone: false,
-        cone: SpotCone::ZERO,
-        diameter: 0.0,
-        glow2: 0.0,
-        core: 0.0,
-        max_penumbra: 0.0,
-        is_point: false,
-        listed_from: ObjectId::FIRST,
-        shadow_cones: [ShadowCone::ZERO; MAX_NODES],
-    };
-
     pub fn set(&mut self, light: &Light, nodes: &[BvhNode], spheres: usize) {
         self.position = light.shadow_position();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
@@ -129,21 +124,6 @@ impl PreparedLight {
 }
 
 impl ShadowCone {
-    const ZERO: Self = Self {
-        axis: Vec3::ZERO,
-        chord2: 0.0,
-        from: 0.0,
-        solids: 0,
-        skip: 0,
-        object: ObjectId::FIRST,
-        around_light: false,
-        to_light: Vec3::ZERO,
-        r2: 0.0,
-        side: Vec3::ZERO,
-        sine2: 0.0,
-        radius: 0.0,
-    };
-
     /// `penumbra` is the largest width of the penumbra outside the node.
     fn set(&mut self, light: Vec3A, diameter: f32, penumbra: f32, node: &BvhNode) {
         let (to_light, radius) = (light - node.centre, node.radius + penumbra);

@@ -13,7 +13,7 @@ pub(crate) use film::{Dither, Film, Four};
 pub(crate) use light::{PreparedLight, ShadowCone, SpotCone};
 pub(crate) use object::{Object, ObjectId, is_crowd};
 pub(crate) use softbox::Softbox;
-pub(crate) use surface::{Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable};
+pub(crate) use surface::{Parameter, PerLane, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};
 
 use crate::scene::{
@@ -81,35 +81,18 @@ pub(crate) struct Prepared {
     pub weight: f32,
 }
 
-impl Prepared {
-    pub const fn new() -> Self {
-        Self {
-            is_clear: false,
-            haze: 0.0,
-            haze_fall: 0.0,
-            scattered: [Vec3A::ZERO; 2],
-            glows: false,
-            film: Film::ZERO,
-            eye: Vec3A::ZERO,
-            raster: Raster::ZERO,
-            pixel: 0.0,
-            tree: Tree::ZERO,
-            ambience: Ambience::ZERO,
-            solids: 0,
-            lights: [const { PreparedLight::ZERO }; MAX_LIGHTS],
-            light_count: 0,
-            softboxes: [Softbox::ZERO; _],
-            softbox_count: 0,
-            plane_count: 0,
-            surfaces: [[0.0; SURFACE_NUMBERS]; MAX_OBJECTS],
-            glitters: [false; MAX_OBJECTS],
-            block_errors: [0.0; MAX_BLOCKS],
-            has_patterns: false,
-            has_details: false,
-            weight: 0.0,
-        }
-    }
+zero! { Film = Self::ZERO; }
 
+zero! {
+    Prepared {
+        is_clear, haze, haze_fall, scattered, glows, film, eye, raster, pixel, tree, ambience, solids,
+        lights, light_count, softboxes, softbox_count, plane_count, surfaces, glitters, block_errors,
+        has_patterns, has_details, weight
+    }
+    Raster { corner, dx, dy }
+}
+
+impl Prepared {
     pub fn lights(&self) -> &[PreparedLight] {
         &self.lights[..self.light_count]
     }

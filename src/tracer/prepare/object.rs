@@ -28,6 +28,8 @@ impl Object<'_> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
 pub(crate) struct ObjectId(u16);
 
+zero! { ObjectId = Self::FIRST; }
+
 impl ObjectId {
     pub const FIRST: Self = Self(0);
 

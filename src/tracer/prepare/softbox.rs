@@ -11,10 +11,9 @@ pub(crate) struct Softbox {
     pub colour: Vec3,
 }
 
-impl Softbox {
-    pub const ZERO: Self =
-        Self { aim: Vec3::ZERO, along: [Vec3::ZERO; 2], half: Vec2::ZERO, colour: Vec3::ZERO };
+zero! { Softbox { aim, along, half, colour } }
 
+impl Softbox {
     pub fn of(softbox: &scene::Softbox) -> Self {
         let aim = unit(softbox.aim.into());
         let right = Vec3A::Y.cross(aim).normalize_or(Vec3A::X);

@@ -5,6 +5,7 @@ use super::object::{self, Object, ObjectId};
 use crate::rounding::{BOUND, hit_error};
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
+use crate::zero::Zero;
 use glam::{Vec3, Vec3A};
 
 /// The number of groups of solids. Each tile has the set of groups that may be visible in it.
@@ -78,19 +79,19 @@ pub(crate) struct Tree {
     solid_node_end: usize,
 }
 
+zero! {
+    BvhNode {
+        centre, r2, cull2, hit_error, r2_error, radius, groups, object, skip, is_bound, solids,
+        is_block, is_at_eye, axis, thin2
+    }
+    Ball { centre, radius, object }
+    Tree { eye, balls, solid_count, nodes, len, solid_node_end }
+}
+
 /// Far larger than [`MAX_LENGTH`], with a finite square.
 const UNBOUNDED: f32 = 1e18;
 
 impl Tree {
-    pub const ZERO: Self = Self {
-        eye: Vec3A::ZERO,
-        balls: [Ball { centre: Vec3A::ZERO, radius: 0.0, object: ObjectId::FIRST }; MAX_SOLIDS],
-        solid_count: 0,
-        nodes: [BvhNode::ZERO; MAX_NODES],
-        len: 0,
-        solid_node_end: 0,
-    };
-
     pub fn nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.len]
     }
@@ -258,24 +259,6 @@ fn partition(balls: &mut [Ball], middle: usize, axis: usize) {
 }
 
 impl BvhNode {
-    const ZERO: Self = Self {
-        centre: Vec3A::ZERO,
-        r2: 0.0,
-        cull2: 0.0,
-        hit_error: 0.0,
-        r2_error: 0.0,
-        radius: 0.0,
-        groups: 0,
-        object: ObjectId::FIRST,
-        skip: 0,
-        is_bound: false,
-        solids: 0,
-        is_block: false,
-        is_at_eye: false,
-        axis: Vec3A::ZERO,
-        thin2: 0.0,
-    };
-
     fn set_block(&mut self, block: &Block) {
         self.is_block = true;
         let (axis, radius2) = block::bounding_cylinder(block);

@@ -3,6 +3,7 @@ use crate::counts::Counts;
 use crate::grid::{Bits, LEVELS, Pyramid};
 use crate::picture::TILE_HEIGHT;
 use crate::trace::{BATCH, Batch};
+use crate::zero::Zero;
 
 /// The working memory of one thread, [`Worker::BYTES`] large. A single worker renders on the caller's thread: see
 /// [`Threads`](crate::Threads).
@@ -15,6 +16,14 @@ pub struct Worker {
     pub(super) targets: [u32; BATCH],
     pub(super) intervals: [Interval; BATCH],
     pub(super) found: usize,
+}
+
+zero! { Guard = Self::new(); }
+
+zero! {
+    Worker { batch, pyramid, marks, guard, targets, intervals, found }
+    Marks { squares, open, filled, traced }
+    Interval { ends, start, half, word }
 }
 
 impl Worker {
@@ -37,17 +46,7 @@ impl Worker {
     #[must_use]
     pub const fn new() -> Self {
         // As in `Memory::new`.
-        const {
-            Self {
-                batch: Batch::new(),
-                pyramid: Pyramid::new(),
-                marks: Marks::new(),
-                guard: Guard::new(),
-                targets: [0; BATCH],
-                intervals: [Interval::NONE; _],
-                found: 0,
-            }
-        }
+        const { Self::ZERO }
     }
 
     pub(crate) fn take_counts(&mut self) -> Counts {
@@ -78,17 +77,6 @@ pub(super) struct Marks {
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
 
-impl Marks {
-    pub const fn new() -> Self {
-        Self {
-            squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            filled: [[Bits::NONE; TILE_HEIGHT / 2]; LEVELS],
-            traced: [[Bits::NONE; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
-        }
-    }
-}
-
 /// The pixels that share a word of marks and a set of visible groups.
 pub(super) const STRETCH: usize = u64::BITS as usize;
 
@@ -104,8 +92,6 @@ pub(super) struct Interval {
 }
 
 impl Interval {
-    const NONE: Self = Self { ends: [0; 2], start: 0, half: 0, word: 0 };
-
     pub fn middle(&self) -> u32 {
         let step = i32::from(self.half) << (16 * (self.word % 2));
         self.start.wrapping_add_signed(step)

@@ -11,6 +11,7 @@ use crate::refine::antialias::Seams;
 use crate::refine::probe::probe;
 use crate::refine::{Context, Kernels, Worker, draw};
 use crate::scene::Scene;
+use crate::zero::Zero;
 
 /// The memory that threads share while they render a frame, of [`Memory::BYTES`] bytes.
 ///
@@ -25,6 +26,8 @@ pub struct Memory {
     smoothing: Schedule,
 }
 
+zero! { Memory { prepared, coverage, seams, rough, drawing, smoothing } }
+
 impl Memory {
     /// The size in bytes, at most 1,000,000, for pictures of any size.
     pub const BYTES: usize = size_of::<Self>();
@@ -33,16 +36,7 @@ impl Memory {
     #[must_use]
     pub const fn new() -> Self {
         // A constant: unoptimised code would build each part on the stack.
-        const {
-            Self {
-                prepared: Prepared::new(),
-                coverage: Coverage::new(),
-                seams: Seams::new(),
-                rough: [[0; _]; _],
-                drawing: Schedule::new(),
-                smoothing: Schedule::new(),
-            }
-        }
+        const { Self::ZERO }
     }
 
     /// Not generic: compiled once, in this crate.
@@ -101,7 +95,8 @@ impl Memory {
         };
         if !overlay.is_empty() {
             let job = |_: &mut Worker, band: &mut Band<'_>| overlay.draw(band);
-            Schedule::new().run(picture, &job, threads);
+            let mut schedule = Schedule::ZERO;
+            schedule.run(picture, &job, threads);
         }
         counts
     }

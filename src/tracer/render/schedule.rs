@@ -3,16 +3,14 @@ use crate::counts::Counts;
 use crate::picture::{Band, MAX_BANDS, TILE_HEIGHT};
 
 /// Sorts bands by their rays in the previous frame, most first: threads finish at about the same time.
+/// Without a previous frame bands are drawn from the bottom up: the sky needs the fewest rays.
 pub(super) struct Schedule {
     rays: [u64; MAX_BANDS],
 }
 
-impl Schedule {
-    /// Without a previous frame bands are drawn from the bottom up: the sky needs the fewest rays.
-    pub const fn new() -> Self {
-        Self { rays: [0; MAX_BANDS] }
-    }
+zero! { Schedule { rays } }
 
+impl Schedule {
     pub fn run(
         &mut self,
         picture: &mut Band<'_>,
@@ -49,6 +47,7 @@ mod tests {
     use super::*;
     use crate::picture::CELL_ROWS;
     use crate::refine::Worker;
+    use crate::zero::Zero;
     use std::sync::Mutex;
     use std::vec::Vec;
 
@@ -63,7 +62,7 @@ mod tests {
             band.counts.rays = RAYS[number];
             band.pixels.fill(1);
         };
-        let mut schedule = Schedule::new();
+        let mut schedule = Schedule::ZERO;
         for expected in [[4, 3, 2, 1, 0], [2, 4, 3, 0, 1]] {
             let mut pixels = [0; PIXELS];
             let mut picture = Band {

@@ -40,10 +40,6 @@ pub struct Raster {
     pub dy: Vec3,
 }
 
-impl Raster {
-    pub(crate) const ZERO: Self = Self { corner: Vec3::ZERO, dx: Vec3::ZERO, dy: Vec3::ZERO };
-}
-
 impl Camera {
     pub(super) const STANDARD: Self = Self::new(Vec3::Z, Vec3::ZERO, FRAC_PI_4);
 

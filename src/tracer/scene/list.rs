@@ -1,3 +1,4 @@
+use crate::zero::Zero;
 use core::fmt;
 use core::ops::{Deref, DerefMut};
 
@@ -63,6 +64,10 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         self.push(item);
         Ok(())
     }
+}
+
+impl<T: Copy + Default + Zero, const N: usize> Zero for List<T, N> {
+    const ZERO: Self = Self::over(T::ZERO);
 }
 
 impl<T: Copy + Default, const N: usize> Default for List<T, N> {

@@ -26,17 +26,9 @@ pub(crate) struct Accumulator {
     objects: [u32; BATCH],
 }
 
-impl Accumulator {
-    pub const fn new() -> Self {
-        Self {
-            sums: [[0; 4]; BATCH],
-            terms: [[0; 4]; MAX_LANES],
-            samples: [0; BATCH],
-            patterned: [[0.0; 4]; BATCH],
-            objects: [0; BATCH],
-        }
-    }
+zero! { Accumulator { sums, terms, samples, patterned, objects } }
 
+impl Accumulator {
     pub fn sample(&self, i: usize) -> Sample {
         let i = i % BATCH;
         Sample(self.samples[i]).showing(self.objects[i])

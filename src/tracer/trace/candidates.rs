@@ -13,8 +13,6 @@ pub(crate) struct Candidate {
 pub(crate) type Candidates = List<Candidate, MAX_SOLIDS>;
 
 impl Candidate {
-    const ZERO: Self = Self { object: ObjectId::FIRST, lanes: 0 };
-
     #[inline(always)]
     pub fn new<S: Isa>(object: ObjectId, lanes: M<S>) -> Self {
         let lanes = lanes.to_bitmask() as u16;
@@ -37,8 +35,7 @@ pub(super) struct Occluders {
 /// A power of two: one instruction bounds an index.
 pub(super) const CONES: usize = MAX_SOLIDS.next_power_of_two();
 
-impl Occluders {
-    pub const NONE: Self = Self { cones: [0; CONES], solids: NONE };
+zero! {
+    Candidate { object, lanes }
+    Occluders { cones, solids }
 }
-
-pub(crate) const NONE: Candidates = List::over(Candidate::ZERO);

@@ -39,7 +39,7 @@ pub(crate) use queue::{BATCH, PARTS};
 pub(crate) use sample::{STEP, Sample};
 pub(crate) use texture::{PatternOnScreen, surface_points};
 
-use crate::counts::Counts;
+use crate::counts::{Counts, Probes};
 use crate::lanes::*;
 use crate::prepare::{Film, GroupSet, VisibleGroups, World};
 use crate::quality::Quality;
@@ -60,19 +60,13 @@ pub(crate) struct Batch {
     surfaces: SurfaceRows,
 }
 
-impl Batch {
-    pub const fn new() -> Self {
-        Self {
-            points: Queue::new(),
-            results: Accumulator::new(),
-            counts: Counts::NONE,
-            stack: RayStack::new(),
-            blocks: candidates::NONE,
-            occluders: Occluders::NONE,
-            surfaces: SurfaceRows::NONE,
-        }
-    }
+zero! {
+    Batch { points, results, counts, stack, blocks, occluders, surfaces }
+    Counts { points, rays, shadow_rays, lanes, probes }
+    Probes { pixels, squares, fourths }
+}
 
+impl Batch {
     #[inline(never)]
     pub fn begin(&mut self) {
         self.surfaces.clear();

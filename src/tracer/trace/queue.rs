@@ -16,11 +16,9 @@ pub(crate) struct Queue {
     len: usize,
 }
 
-impl Queue {
-    pub const fn new() -> Self {
-        Self { positions: [0; BATCH], len: 0 }
-    }
+zero! { Queue { positions, len } }
 
+impl Queue {
     pub fn len(&self) -> usize {
         self.len
     }

@@ -13,11 +13,9 @@ pub(crate) struct RayStack {
     len: usize,
 }
 
-impl RayStack {
-    pub const fn new() -> Self {
-        Self { columns: [[0.0; CAPACITY + MAX_LANES]; 8], len: 0 }
-    }
+zero! { RayStack { columns, len } }
 
+impl RayStack {
     pub fn len(&self) -> usize {
         self.len
     }

@@ -1,12 +1,8 @@
 use crate::lanes::*;
-use crate::prepare::{
-    ObjectId, Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable, World,
-};
+use crate::prepare::{ObjectId, Parameter, PerLane, SurfaceNumbers, SurfaceTable, World};
 
 /// The number of cached surfaces, more than most tiles show. One takes 3 % more instructions in the model scene.
 const CACHED: usize = 16;
-
-const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
 
 /// A thread's cache of surfaces spread over lanes, at the object's number modulo [`CACHED`].
 pub(super) struct SurfaceRows {
@@ -15,10 +11,9 @@ pub(super) struct SurfaceRows {
     mixed: SurfaceTable,
 }
 
-impl SurfaceRows {
-    pub const NONE: Self =
-        Self { cached: [NO_SURFACES; CACHED], objects: [None; CACHED], mixed: NO_SURFACES };
+zero! { SurfaceRows { cached, objects, mixed } }
 
+impl SurfaceRows {
     pub fn clear(&mut self) {
         self.objects = [None; CACHED];
     }

@@ -35,6 +35,7 @@ use crate::picture::{Band, CELL_ROWS, MAX_BANDS, TILE_HEIGHT};
 use crate::plan::FramePlan;
 use crate::prepare::VisibleGroups;
 use crate::trace::{BATCH, PARTS};
+use crate::zero::Zero;
 use marks::{MAX_STRETCHES, Marks, ROWS, RowMarks, mark, mark_stretch, rough_cells, stretch};
 
 /// The most midpoints in a batch: bisection needs a point on each side of a midpoint.
@@ -43,11 +44,9 @@ const MIDDLES: usize = BATCH / 2;
 /// Marks between each band's last row and the row below, set before any band is smoothed. (Copies of the rows would take 2 MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
 
-impl Seams {
-    pub const fn new() -> Self {
-        Self([[0; _]; MAX_BANDS])
-    }
+zero! { Seams = Self(Zero::ZERO); }
 
+impl Seams {
     /// Computes the marks of a drawn picture.
     pub fn set(&mut self, plan: &FramePlan, picture: &Band<'_>) {
         let finished = plan.finished;

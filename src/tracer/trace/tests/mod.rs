@@ -6,16 +6,18 @@ mod refraction;
 
 extern crate std;
 
+use super::candidates::Candidates;
 use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
 use super::rays::Rays;
 use super::shade::shade;
 use super::surface::{SurfaceLanes, SurfaceRows};
-use super::{Batch, Tracer, candidates};
+use super::{Batch, Tracer};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared, World};
 use crate::quality::Quality;
 use crate::scene::{List, Material, Scene, Sphere};
+use crate::zero::Zero;
 use core::array;
 use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
@@ -125,7 +127,7 @@ impl Ready {
 
 fn prepared(scene: &Scene) -> Ready {
     let scene = scene.clone();
-    let mut memory = Box::new(Prepared::new());
+    let mut memory = Box::new(Prepared::ZERO);
     memory.prepare(&scene, [8, 8], Vec2::ZERO);
     Ready { scene, memory }
 }
@@ -173,7 +175,7 @@ impl<S: Isa> By<S> {
     fn nearest(&self, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
         let simd = self.0;
         by_isa!(simd: {
-            let mut blocks = candidates::NONE;
+            let mut blocks = Candidates::ZERO;
             let mut hit = nearest(simd, world, rays, GroupSet::MAX, &mut blocks);
             resolve_blocks(simd, world, rays, &blocks, &mut hit);
             hit
@@ -201,7 +203,7 @@ impl<S: Isa> Kernels for By<S> {
         let hit = self.nearest(world, &rays);
         let point = by_isa!(simd: {
             let active = first_lanes(simd, lanes::<S>());
-            let mut rows = SurfaceRows::NONE;
+            let mut rows = SurfaceRows::ZERO;
             let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
             ShadingPoint::new(simd, world, &rays, &hit, &surface, active)
         });
