@@ -2,8 +2,7 @@
 //! any size.
 
 use crate::font::strokes;
-use crate::maths::to_f32;
-use crate::maths::{round, sqrt};
+use crate::maths::{round, sqrt, to_f32};
 use crate::picture::{Band, Frame};
 use crate::scene::Caption;
 use glam::{Vec2, vec2};
@@ -87,12 +86,8 @@ fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
     let Some(number) = numbers.get(usize::from(letter.wrapping_sub(b'#'))) else {
         return Some(letter);
     };
-    let number = after.iter().fold(
-        *number,
-        |number, &next| {
-            if next == letter { number / 10 } else { number }
-        },
-    );
+    let places = after.iter().filter(|&&next| next == letter);
+    let number = places.fold(*number, |number, _| number / 10);
     // No leading zeros.
     Some(if number > 0 { b'0' + (number % 10) as u8 } else { b' ' })
 }

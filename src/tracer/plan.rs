@@ -37,22 +37,16 @@ impl FramePlan {
         };
         let coarse = method.coarse as usize;
         let fold = Fold::new(*sectors, &scene.camera, size);
-        let is_coarse = coarse >= 2;
         let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
         let square = if glitters { quality.square.min(CROWD_SQUARE) } else { quality.square };
         let quality = Quality {
-            // Squares may be larger than the quality's to reach the coarse size.
-            square: if is_coarse {
-                let side = 1 << coarse.min(Quality::MAX_SQUARE).ilog2();
-                square.max(side)
-            } else {
-                square
-            },
+            square,
             // Coarse squares and marks keep their hard edges.
-            antialias: quality.antialias && !is_coarse && finished > 0,
+            antialias: quality.antialias && coarse < 2 && finished > 0,
             edge: quality.edge.max(1),
             ..*quality
-        };
+        }
+        .coarser(coarse);
         Self {
             quality,
             size,

@@ -86,8 +86,7 @@ pub(crate) struct Checked {
 
 impl Checked {
     pub fn one(object: &'static str) -> Self {
-        let index = None;
-        Self { object, index }
+        Self { object, index: None }
     }
 
     /// An empty name means the object itself.

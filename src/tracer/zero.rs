@@ -1,4 +1,4 @@
-//! Fresh memory: all bits are zero, so a `static` takes no space in an executable file.
+//! Fresh memory: all bits are zero, so a `static` takes no space in an executable file. Other default values.
 
 use glam::{Vec2, Vec3, Vec3A, Vec4};
 
@@ -15,6 +15,17 @@ macro_rules! zero {
         $(impl $crate::zero::Zero for $type {
             const ZERO: Self = Self { $($field: $crate::zero::Zero::ZERO),* };
         })*
+    };
+}
+
+/// Implements [`Default`] for a type by its value.
+macro_rules! default {
+    ($type:ident = $value:expr) => {
+        impl Default for $type {
+            fn default() -> Self {
+                $value
+            }
+        }
     };
 }
 

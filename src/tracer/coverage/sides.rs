@@ -16,7 +16,7 @@ use crate::rounding::{CONE_RADIUS_FACTOR, HIT, SIDE, UNSURE, within_pixel};
 use crate::scene::{Block, Plane, Shape};
 use crate::shapes::plane;
 use core::array;
-use glam::{BVec4A, Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
+use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
@@ -215,20 +215,10 @@ impl Region {
     }
 }
 
-/// The silhouette of a block from a point. Each lane is an axis: along it the block is a rectangle with two silhouette corners.
-struct Silhouette {
-    shape: Shape,
-    /// The centres of the rectangles, and half side lengths.
-    a: Vec4,
-    b: Vec4,
-    half_a: Vec4,
-    half_b: Vec4,
-    is_beside: BVec4A,
-    /// The axes along which the point is inside the rectangle, which has no silhouette then.
-    pub has_none: BVec4A,
-}
-
-/// Returns the depths of rays inside the planes through a block's silhouette edges, see [`Silhouette::new`].
+/// Returns the depths of rays inside the planes through the edges of a block's silhouette from the origin, in the block's axes.
+///
+/// Each lane is an axis: along it the block is a rectangle with two silhouette corners. Along its own axis a cylinder or capsule is a
+/// circle; from the side it is a hexagonal prism with an inner radius of `hexagon` radii.
 #[inline(never)]
 fn silhouette_terms(
     shape: Shape,
@@ -237,10 +227,23 @@ fn silhouette_terms(
     hexagon: f32,
     rays: &[([Vec4; 2], f32); 3],
 ) -> [Terms; 2] {
-    let silhouette = Silhouette::new(shape, centre, half, hexagon);
-    let (has_none, a, b) = (silhouette.has_none, silhouette.a, silhouette.b);
+    let [a, b] = across(shape, centre);
+    let [half_a, mut half_b] = across(shape, half);
+    if shape != Shape::Box {
+        half_b = Vec4::new(hexagon, 1.0, hexagon, hexagon) * half.x;
+    }
+    let is_beside = a.abs().cmpgt(half_a);
+    // From inside the rectangle there is no silhouette.
+    let has_none = !(is_beside | b.abs().cmpgt(half_b));
     [1.0, -1.0].map(|sign| {
-        let [right, up] = silhouette.corners(sign);
+        // The silhouette's corner on the side of `sign`, from the rectangle's centre.
+        let is_below = Vec4::select(is_beside, a * sign, b).cmplt(Vec4::ZERO);
+        let mut up = Vec4::select(is_below, half_b, -half_b);
+        let is_left = ((b + up) * sign).cmplt(Vec4::ZERO);
+        let mut right = Vec4::select(is_left, -half_a, half_a);
+        if shape != Shape::Box {
+            [right.y, up.y] = tangent_point(a.y, b.y, half_b.y, sign);
+        }
         let (x, y) = (a + right, b + up);
         let scale = Vec4::select(has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
         let mut terms = rays.map(|([across_a, across_b], share)| {
@@ -251,41 +254,6 @@ fn silhouette_terms(
         terms[2] += Vec4::select(has_none, Vec4::ONE, Vec4::ZERO);
         terms
     })
-}
-
-impl Silhouette {
-    /// Returns a block's silhouette from the origin, in the block's axes. Along its axis, a cylinder or capsule is a circle; from the
-    /// side it is a hexagonal prism with an inner radius of `hexagon` radii.
-    pub fn new(shape: Shape, centre: Vec3A, half: Vec3A, hexagon: f32) -> Self {
-        let [a, b] = across(shape, centre);
-        let [half_a, mut half_b] = across(shape, half);
-        if shape != Shape::Box {
-            half_b = Vec4::new(hexagon, 1.0, hexagon, hexagon) * half.x;
-        }
-        let is_beside = a.abs().cmpgt(half_a);
-        Self {
-            shape,
-            a,
-            b,
-            half_a,
-            half_b,
-            is_beside,
-            has_none: !(is_beside | b.abs().cmpgt(half_b)),
-        }
-    }
-
-    /// Returns the rectangles' silhouette corners on the side of `sign`, 1 or -1, relative to their centres.
-    pub fn corners(&self, sign: f32) -> [Vec4; 2] {
-        let &Self { a, b, half_a, half_b, .. } = self;
-        let is_below = Vec4::select(self.is_beside, a * sign, b).cmplt(Vec4::ZERO);
-        let mut y = Vec4::select(is_below, half_b, -half_b);
-        let is_left = ((b + y) * sign).cmplt(Vec4::ZERO);
-        let mut x = Vec4::select(is_left, -half_a, half_a);
-        if self.shape != Shape::Box {
-            [x.y, y.y] = tangent_point(a.y, b.y, half_b.y, sign);
-        }
-        [x, y]
-    }
 }
 
 /// The sine of 60 degrees.

@@ -10,6 +10,7 @@ use crate::zero::Zero;
 use glam::{DVec3, EulerRot, Mat3, Vec3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
 use std::prelude::v1::*;
 
 const SIZE: [usize; 2] = [320, 240];
@@ -55,17 +56,13 @@ fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
         [prop_oneof![Just(0.0), 0.0..=light], prop_oneof![Just(0.0), 0.0..=telescope]],
     )
         .prop_map(|(eye, look_at, (centre, radius), block, (light, far), decades)| {
+            let floor = Material::matt(Vec3::ONE, 1.0);
             let [by_light, by_eye] = decades.map(|decades| libm::powf(10.0, decades));
             Scene {
                 camera: Camera::new(eye * by_eye, look_at, 1.0 / by_eye),
                 spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
                 blocks: List::of(&[block]),
-                planes: List::of(&[Plane::new(
-                    Vec3::ZERO,
-                    1e3,
-                    1e3,
-                    Material::matt(Vec3::ONE, 1.0),
-                )]),
+                planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, floor)]),
                 lights: List::of(&[Light {
                     position: light * Vec3::new(far, 1.0, far) * by_light,
                     ..Light::DARK
@@ -73,6 +70,10 @@ fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
                 ..Scene::default()
             }
         })
+}
+
+fn draw<T>(strategy: &impl Strategy<Value = T>, runner: &mut TestRunner) -> T {
+    strategy.new_tree(runner).expect("it has no filter").current()
 }
 
 /// Returns a point inside a block; `at` is within -1 to 1 along each axis.
@@ -197,14 +198,12 @@ proptest! {
 /// The hexagon inside a cylinder's end allows 1.087 radii, where its silhouette ends between two corners.
 #[test]
 fn certain_points_are_in_shadow() {
-    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut runner = TestRunner::deterministic();
     let points = vector(1.5, -1.5..1.5);
-    let mut draw = || points.new_tree(&mut runner).expect("no filter").current();
-    let points: Vec<_> = (0..200).map(|_| draw().as_dvec3()).collect();
+    let points: Vec<_> = (0..200).map(|_| draw(&points, &mut runner).as_dvec3()).collect();
     let mut certain = 0;
     for _ in 0..400 {
-        let tree = scene(3.0, 1.0).new_tree(&mut runner);
-        let scene = tree.expect("it has no filter").current();
+        let scene = draw(&scene(3.0, 1.0), &mut runner);
         let bounds = Bounds::of(&scene);
         let (coverage, axes) = (&bounds.coverage, &bounds.coverage.axes);
         let (eye, block) = (scene.camera.eye.as_dvec3(), &scene.blocks[0]);
@@ -236,11 +235,10 @@ fn certain_points_are_in_shadow() {
 
 #[test]
 fn small_shadows_have_small_bounds() {
-    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut runner = TestRunner::deterministic();
     let (mut met, mut tried) = (0, 0);
     for _ in 0..200 {
-        let tree = scene(0.0, 0.0).new_tree(&mut runner);
-        let mut scene = tree.expect("it has no filter").current();
+        let mut scene = draw(&scene(0.0, 0.0), &mut runner);
         scene.spheres[0].radius = 0.02;
         let bounds = Bounds::of(&scene);
         let (coverage, shadow) = (&bounds.coverage, bounds.number(is_shadow_of(0)));
@@ -268,8 +266,8 @@ fn planes_have_outlines_but_no_images() {
 
 #[test]
 fn black_planes_have_no_shadows() {
-    let mut runner = proptest::test_runner::TestRunner::deterministic();
-    let mut scene = scene(0.0, 0.0).new_tree(&mut runner).expect("no filter").current();
+    let mut runner = TestRunner::deterministic();
+    let mut scene = draw(&scene(0.0, 0.0), &mut runner);
     assert!(Bounds::of(&scene).number(is_shadow_of(0)).is_some());
     scene.planes[0].material = Material { kr: 0.5, ..Material::BLACK };
     assert!(Bounds::of(&scene).number(is_shadow_of(0)).is_none());

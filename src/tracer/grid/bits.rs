@@ -2,7 +2,7 @@
 
 use crate::picture::TILE_WIDTH;
 use core::array;
-use core::ops::{BitAnd, BitOr, BitOrAssign};
+use core::ops::{BitAnd, BitOr};
 
 /// Words with a bit per pixel of a tile's width.
 pub(crate) const WORDS: usize = TILE_WIDTH / 64;
@@ -134,11 +134,5 @@ impl BitOr for Bits {
 
     fn bitor(self, other: Self) -> Self {
         Self(array::from_fn(|i| self.0[i] | other.0[i]))
-    }
-}
-
-impl BitOrAssign for Bits {
-    fn bitor_assign(&mut self, other: Self) {
-        *self = *self | other;
     }
 }

@@ -67,6 +67,16 @@ impl<S: Simd> Vec3x<S> {
     pub fn scaled_minus(self, s: F<S>, b: Self) -> Self {
         Self { x: self.x.mul_sub(s, b.x), y: self.y.mul_sub(s, b.y), z: self.z.mul_sub(s, b.z) }
     }
+
+    #[inline(always)]
+    pub fn select(mask: M<S>, a: Self, b: Self) -> Self {
+        Self { x: mask.select(a.x, b.x), y: mask.select(a.y, b.y), z: mask.select(a.z, b.z) }
+    }
+
+    #[inline(always)]
+    pub fn scaled(self, s: F<S>) -> Self {
+        Self { x: self.x * s, y: self.y * s, z: self.z * s }
+    }
 }
 
 impl<S: Simd> Add for Vec3x<S> {
@@ -91,17 +101,5 @@ impl<S: Simd> Mul for Vec3x<S> {
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
         Self { x: self.x * b.x, y: self.y * b.y, z: self.z * b.z }
-    }
-}
-
-impl<S: Simd> Vec3x<S> {
-    #[inline(always)]
-    pub fn select(mask: M<S>, a: Self, b: Self) -> Self {
-        Self { x: mask.select(a.x, b.x), y: mask.select(a.y, b.y), z: mask.select(a.z, b.z) }
-    }
-
-    #[inline(always)]
-    pub fn scaled(self, s: F<S>) -> Self {
-        Self { x: self.x * s, y: self.y * s, z: self.z * s }
     }
 }

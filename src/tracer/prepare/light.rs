@@ -9,16 +9,14 @@ use crate::scene::{Block, Light, Spot};
 use glam::{Mat3A, Vec3, Vec3A};
 
 pub(crate) struct PreparedLight {
-    /// See [`Light::shadow_position`].
+    /// In scene units, like all lengths: times [`Light::far`].
     pub position: Vec3A,
     pub colour: Vec3A,
     pub is_cone: bool,
     pub cone: SpotCone,
-    /// See [`Light::shadow_diameter`].
     pub diameter: f32,
-    /// The square of [`Light::glow_radius`].
+    /// The square of [`Light::glow`].
     pub glow2: f32,
-    /// [`Light::core`] times [`Light::far`].
     pub core: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
@@ -99,15 +97,16 @@ const ALL_AROUND: f32 = 5.0;
 
 impl PreparedLight {
     pub fn set(&mut self, light: &Light, nodes: &[BvhNode], spheres: usize) {
-        self.position = light.shadow_position();
+        let far = light.far();
+        self.position = Vec3A::from(light.position) * far;
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
         self.is_point = light.is_point();
         self.listed_from = ObjectId::new(spheres * usize::from(self.is_point));
         self.is_cone = light.spot.is_some();
         self.cone = light.spot.map_or(SpotCone::ALL_BRIGHT, SpotCone::new);
-        self.diameter = light.shadow_diameter();
-        self.glow2 = light.glow_radius() * light.glow_radius();
-        self.core = light.core * light.far();
+        self.diameter = light.diameter * far;
+        self.glow2 = (light.glow * far) * (light.glow * far);
+        self.core = light.core * far;
         // Below 0, a sphere's shadow would extend beyond its bound's shadow.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {

@@ -16,6 +16,6 @@ pub(crate) struct Context<'a, O> {
 
 impl<O> Context<'_, O> {
     pub fn trace(&self, quality: &Quality, visible: VisibleGroups, batch: &mut Batch) {
-        self.kernels.trace(self.world, quality, visible, batch);
+        (self.kernels.trace)(self.kernels.level, self.world, quality, visible, batch);
     }
 }

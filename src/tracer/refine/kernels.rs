@@ -14,9 +14,9 @@ use fearless_simd::{Avx2, Avx512};
 #[derive(Clone, Copy)]
 pub(crate) struct Kernels {
     pub level: Level,
-    trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
-    judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
-    fill: fn(Level, &mut Band<'_>, &Run<'_>),
+    pub trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
+    pub(super) judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
+    pub(super) fill: fn(Level, &mut Band<'_>, &Run<'_>),
     pattern: fn(Level, &PatternOnScreen<'_>, [usize; 2], usize, usize) -> [f32; 64],
 }
 
@@ -63,33 +63,6 @@ impl Kernels {
                 pattern.at(in_level::<S>(level), start, width, count)
             },
         }
-    }
-
-    /// See [`trace::trace`].
-    pub fn trace(
-        &self,
-        world: World<'_>,
-        quality: &Quality,
-        visible: VisibleGroups,
-        batch: &mut Batch,
-    ) {
-        (self.trace)(self.level, world, quality, visible, batch);
-    }
-
-    /// See [`verdict::judge`].
-    pub(super) fn judge(
-        &self,
-        limits: [Limit; 2],
-        squares: &Bits,
-        above: GridRow<'_>,
-        below: GridRow<'_>,
-    ) -> Verdict {
-        (self.judge)(self.level, limits, squares, above, below)
-    }
-
-    /// See [`fill::fill`].
-    pub(super) fn fill(&self, band: &mut Band<'_>, run: &Run<'_>) {
-        (self.fill)(self.level, band, run);
     }
 
     /// See [`PatternOnScreen::at`].

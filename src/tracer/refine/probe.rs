@@ -3,10 +3,9 @@
 //! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of
 //! `antialias`, so that probes of an exhaustive frame find no error.
 
-use super::Context;
-use super::Worker;
 use super::antialias::is_edge;
 use super::bisect::{add_middle, bisect, mix_pixel};
+use super::{Context, Worker};
 use crate::counts::Counts;
 use crate::picture::{Band, CELL, Probing};
 use crate::plan::FramePlan;

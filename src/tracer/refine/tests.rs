@@ -41,7 +41,8 @@ proptest! {
             let mut pixels = [UNDRAWN; 50 * 45];
             let mut band = Band { pixels: &mut pixels, stride: width, width, ..Band::none() };
             let filled = Bits::first(1);
-            kernels.fill(&mut band, &Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND });
+            let run = Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND };
+            (kernels.fill)(kernels.level, &mut band, &run);
             for (i, &pixel) in pixels.iter().enumerate() {
                 let (i, j) = (i % width, i / width);
                 let is_in = (x..x + side).contains(&i) && (y..y + side).contains(&j);

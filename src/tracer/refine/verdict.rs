@@ -1,7 +1,6 @@
 //! The verdict on squares: whether their corners' keys agree, and how far their colours differ.
 
-use crate::grid::Bits;
-use crate::grid::GridRow;
+use crate::grid::{Bits, GridRow};
 use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::{STEP, Sample};

@@ -54,11 +54,7 @@ impl Worker {
     }
 }
 
-impl Default for Worker {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+default!(Worker = Self::new());
 
 const _: () = assert!(Worker::BYTES <= 460_000);
 

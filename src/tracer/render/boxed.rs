@@ -15,11 +15,7 @@ impl BoxedMemory {
     }
 }
 
-impl Default for BoxedMemory {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+default!(BoxedMemory = Self::new());
 
 impl Borrow<Memory> for BoxedMemory {
     fn borrow(&self) -> &Memory {

@@ -102,10 +102,6 @@ impl Memory {
     }
 }
 
-impl Default for Memory {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+default!(Memory = Self::new());
 
 const _: () = assert!(Memory::BYTES <= 1_000_000 && Memory::BYTES + 16 * Worker::BYTES < 8 << 20);

@@ -83,8 +83,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// Returns a renderer for an instruction set with the caller's memory.
     #[must_use]
     pub fn with_memory(level: Level, memory: M) -> Self {
-        let kernels = Kernels::widest(level);
-        Self { kernels, memory }
+        Self { kernels: Kernels::widest(level), memory }
     }
 
     /// Returns a renderer that uses at most AVX2. If a program makes no other renderer, the linker leaves out the AVX-512 kernel of 16
@@ -92,8 +91,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     #[doc(hidden)]
     #[must_use]
     pub fn narrow(level: Level, memory: M) -> Self {
-        let kernels = Kernels::narrow(level);
-        Self { kernels, memory }
+        Self { kernels: Kernels::narrow(level), memory }
     }
 
     /// Returns a renderer by AVX2. If a program makes no other renderer, the linker leaves out all other kernels.
@@ -101,8 +99,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     #[doc(hidden)]
     #[must_use]
     pub fn avx2(simd: Avx2, memory: M) -> Self {
-        let kernels = Kernels::avx2(simd);
-        Self { kernels, memory }
+        Self { kernels: Kernels::avx2(simd), memory }
     }
 
     /// Renders a frame, and returns its work.

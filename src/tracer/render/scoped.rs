@@ -35,11 +35,7 @@ impl ScopedThreads {
     }
 }
 
-impl Default for ScopedThreads {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+default!(ScopedThreads = Self::new());
 
 impl Threads for ScopedThreads {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {

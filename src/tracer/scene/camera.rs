@@ -22,11 +22,7 @@ pub struct Camera {
     pub min_aspect: f32,
 }
 
-impl Default for Camera {
-    fn default() -> Self {
-        Self::STANDARD
-    }
-}
+default!(Camera = Self::STANDARD);
 
 /// The picture plane at distance 1 from the eye: the ray through the pixel (x, y) has the direction `corner + x dx + y dy`, not
 /// normalised.

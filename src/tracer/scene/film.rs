@@ -2,7 +2,7 @@ use super::validate::SHARE;
 use crate::range_error::{Checked, RangeError};
 
 /// The tone curve, vignette and dither of a picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Film {
@@ -15,12 +15,6 @@ pub struct Film {
     /// The range of the rounding thresholds of neighbouring pixels in steps of 1/255, 0 to 1. With 1, the means of squares of 4x4 pixels
     /// have steps of 1/16: slow gradients show no bands. Antialiased pixels keep their dither.
     pub dither: f32,
-}
-
-impl Default for Film {
-    fn default() -> Self {
-        Self::PLAIN
-    }
 }
 
 impl Film {

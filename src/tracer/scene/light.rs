@@ -1,7 +1,7 @@
 use super::validate::{EXTENT, LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::PI;
-use glam::{Vec3, Vec3A};
+use glam::Vec3;
 
 /// A light whose brightness does not fall off with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,18 +76,6 @@ impl Light {
         if self.parallel { Self::FAR } else { 1.0 }
     }
 
-    pub(crate) fn shadow_position(&self) -> Vec3A {
-        Vec3A::from(self.position) * self.far()
-    }
-
-    pub(crate) fn shadow_diameter(&self) -> f32 {
-        self.diameter * self.far()
-    }
-
-    pub(crate) fn glow_radius(&self) -> f32 {
-        self.glow * self.far()
-    }
-
     /// Returns the upper limit of a penumbra's width at its occluder. Penumbrae of parallel rays, which grow without end, have the width
     /// at four times the distance of `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
@@ -147,11 +135,7 @@ impl Spot {
         of.field("spot.aim", self.aim, POINT)?;
         of.rule("spot.aim", self.aim, is_aimed, "longer than 0")?;
         of.field("spot.outer_angle", self.outer_angle, angle)?;
-        of.rule(
-            "spot.inner_angle",
-            self.inner_angle,
-            is_narrower,
-            "at least 0 and below outer_angle",
-        )
+        let narrower = "at least 0 and below outer_angle";
+        of.rule("spot.inner_angle", self.inner_angle, is_narrower, narrower)
     }
 }

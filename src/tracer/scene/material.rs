@@ -44,11 +44,7 @@ pub struct Material {
     pub pattern: Pattern,
 }
 
-impl Default for Material {
-    fn default() -> Self {
-        Self::BLACK
-    }
-}
+default!(Material = Self::BLACK);
 
 impl Material {
     /// Black, without highlights, reflection or transmission.

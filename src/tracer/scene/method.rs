@@ -20,11 +20,7 @@ pub struct Method {
     pub front: f32,
 }
 
-impl Default for Method {
-    fn default() -> Self {
-        Self::PLAIN
-    }
-}
+default!(Method = Self::PLAIN);
 
 impl Method {
     /// No overlay.

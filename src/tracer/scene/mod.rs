@@ -100,11 +100,7 @@ pub struct Scene {
     pub softboxes: List<Softbox, MAX_SOFTBOXES>,
 }
 
-impl Default for Scene {
-    fn default() -> Self {
-        Self::EMPTY
-    }
-}
+default!(Scene = Self::EMPTY);
 
 impl Scene {
     /// Unused memory of lists is zero.

@@ -20,11 +20,7 @@ pub struct Presentation {
     pub captions: List<Caption, MAX_CAPTIONS>,
 }
 
-impl Default for Presentation {
-    fn default() -> Self {
-        Self::PLAIN
-    }
-}
+default!(Presentation = Self::PLAIN);
 
 impl Presentation {
     /// The picture of the scene only.

@@ -39,7 +39,7 @@ pub(crate) use queue::{BATCH, PARTS};
 pub(crate) use sample::{STEP, Sample};
 pub(crate) use texture::{PatternOnScreen, surface_points};
 
-use crate::counts::{Counts, Probes};
+use crate::counts::Counts;
 use crate::lanes::*;
 use crate::prepare::{Film, GroupSet, VisibleGroups, World};
 use crate::quality::Quality;
@@ -60,11 +60,9 @@ pub(crate) struct Batch {
     surfaces: SurfaceRows,
 }
 
-zero! {
-    Batch { points, results, counts, stack, blocks, occluders, surfaces }
-    Counts { points, rays, shadow_rays, lanes, probes }
-    Probes { pixels, squares, fourths }
-}
+zero! { Batch { points, results, counts, stack, blocks, occluders, surfaces } }
+
+zero! { Counts = Self::NONE; }
 
 impl Batch {
     #[inline(never)]

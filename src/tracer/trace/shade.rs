@@ -1,14 +1,12 @@
 use super::accumulator::Contribution;
 use super::air::{self, AirLanes};
-use super::ambient;
 use super::intersect::Hit;
 use super::key::Keys;
-use super::light;
 use super::point::ShadingPoint;
 use super::rays::{INWARD, Rays};
 use super::stack::RayStack;
 use super::surface::SurfaceLanes;
-use super::{Batch, Tracer};
+use super::{Batch, Tracer, ambient, light};
 use crate::lanes::*;
 use crate::prepare::{Parameter, World};
 use glam::Vec3A;

@@ -39,26 +39,19 @@ impl RayStack {
         let count = self.len.min(lanes::<S>());
         self.len -= count;
         let start = self.len;
-        let [ox, oy, oz, dx, dy, dz, weight, slot_path] = &self.columns;
-        let d: Vec3x<S> =
-            Vec3x { x: load(simd, dx, start), y: load(simd, dy, start), z: load(simd, dz, start) };
+        let [x, y, z, dx, dy, dz, weight, slot_path] = self.columns.each_ref().map(
+            #[inline(always)]
+            |column| F::<S>::from_slice(simd, &column[start..start + lanes::<S>()]),
+        );
+        let d = Vec3x::<S> { x: dx, y: dy, z: dz };
         // One Newton step normalises the direction, whose error would exceed the hit error after four reflections.
         let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {
-            o: Vec3x {
-                x: load(simd, ox, start),
-                y: load(simd, oy, start),
-                z: load(simd, oz, start),
-            },
+            o: Vec3x { x, y, z },
             d: d.scaled(correction),
-            weight: load(simd, weight, start),
-            slot_path: load(simd, slot_path, start).bitcast(),
+            weight,
+            slot_path: slot_path.bitcast(),
         };
         (rays, count)
     }
-}
-
-#[inline(always)]
-fn load<S: Isa>(simd: S, column: &[f32; CAPACITY + MAX_LANES], start: usize) -> F<S> {
-    F::<S>::from_slice(simd, &column[start..start + lanes::<S>()])
 }

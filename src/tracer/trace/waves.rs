@@ -32,11 +32,8 @@ impl<S: Isa> ShadingPoint<S> {
 /// lengths.
 #[inline(never)]
 fn tilt(world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
-    tilt_by(baseline(), world, rows, count);
-}
-
-#[inline(always)]
-fn tilt_by<S: Isa>(simd: S, world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
+    type S = Baseline;
+    let simd = baseline();
     let one = splat(simd, 1.0);
     let waves = &world.scene.water;
     for first in (0..count.min(MAX_LANES)).step_by(lanes::<S>()) {

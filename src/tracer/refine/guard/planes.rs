@@ -64,7 +64,7 @@ impl Search<'_> {
     pub(super) fn settle(&mut self) {
         let rows = self.squares.rows;
         for (covered, open) in self.covered[..rows].iter_mut().zip(&mut self.open) {
-            *open |= covered.missed.without(covered.wholly);
+            *open = *open | covered.missed.without(covered.wholly);
             *covered = Covered::NONE;
         }
     }

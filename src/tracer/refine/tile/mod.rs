@@ -164,7 +164,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let pyramid = &self.worker.pyramid;
             let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
             let limits = limits(&plan.quality, self.growth(level));
-            kernels.judge(limits, &squares, above, below)
+            (kernels.judge)(kernels.level, limits, &squares, above, below)
         };
         let patterned = self.fill_patterned(level, y, &mut verdict);
         self.fill_squares(level, y, &verdict);
@@ -208,7 +208,8 @@ impl<O: Observer> Tile<'_, '_, O> {
             flat: verdict.flat,
             dither: &self.context.world.film.dither,
         };
-        self.context.kernels.fill(self.band, &run);
+        let kernels = &self.context.kernels;
+        (kernels.fill)(kernels.level, self.band, &run);
     }
 
     #[inline(never)]

@@ -40,7 +40,7 @@ fn share(random: &mut Random) -> DVec3 {
 
 /// `most` is the decimal logarithm of the largest coordinate; `None` for the origin.
 fn assert_spheres_are_left(by: &dyn Kernels, isa: &str, most: Option<f64>) {
-    let mut random = Random::new(2008);
+    let mut random = Random(2008);
     let (mut count, mut left, mut entered) = (0, 0, 0);
     while count < SHAPES {
         let radius = 10_f64.powf(random.between(-4.0, 4.0));
@@ -117,7 +117,7 @@ fn outside(block: &Block, p: Vec3) -> f64 {
 
 /// Tests compact blocks anywhere, hit from nearby, or any blocks at the origin, hit from any distance.
 fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
-    let mut random = Random::new(1998);
+    let mut random = Random(1998);
     // Aligned boxes, turned boxes, cylinders and capsules.
     let (mut left, mut crossed) = ([0; 4], 0);
     for i in 0..BLOCKS {

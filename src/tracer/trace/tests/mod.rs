@@ -61,11 +61,6 @@ fn on_every_instruction_set(property: impl Fn(&dyn Kernels, &str)) {
 struct Random(u64);
 
 impl Random {
-    fn new(seed: u64) -> Self {
-        let other = std::env::var("RAY_SEED").map_or(0, |seed| seed.parse().unwrap());
-        Self(seed ^ other << 32)
-    }
-
     fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut h = self.0;

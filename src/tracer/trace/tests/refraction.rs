@@ -16,7 +16,7 @@ fn assert_unit(d: Vec3, what: &str) {
 }
 
 fn assert_lengths_are_one(by: &dyn Kernels, isa: &str) {
-    let mut random = Random::new(1621);
+    let mut random = Random(1621);
     let mut batch = Box::new(Batch::ZERO);
     let mut count = 0;
     for _ in 0..20_000 {
