@@ -55,8 +55,8 @@ pub struct Probes {
     pub fourths: u64,
 }
 
-/// The addend to `fourths / squares` (5 to 10,000 in a show), for rare large errors that no probe met. 93 to 97 of 100 confidence
-/// intervals of 648 probes contain the truth with it, 65 without.
+/// The addend to `fourths / squares` (5 to 10,000 in a show), for rare large errors that no probe met: 93 to 97 of 100 confidence
+/// intervals of 648 probes contain the truth, 65 without it.
 const UNSEEN: f32 = 200.0;
 
 impl Probes {
@@ -85,7 +85,7 @@ impl Probes {
         self.squares as f64 / (3 * self.pixels) as f64
     }
 
-    /// Returns the peak signal-to-noise ratio against the exhaustive frame in dB, accurate to 0.01 dB; infinity without errors.
+    /// Returns the PSNR to the exhaustive frame in dB, accurate to 0.01 dB; infinity without errors.
     #[must_use]
     #[inline(never)]
     pub fn psnr(&self) -> f32 {

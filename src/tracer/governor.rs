@@ -14,19 +14,17 @@ const RUNGS: usize = PRESETS + 2;
 /// Late frames before a step down: 0.1 s at 60 frames per second. A frame that takes several periods counts several times.
 const TOO_LATE: u64 = 6;
 
-/// The most late frames that one frame counts as: a single outlier causes no step.
+/// The most late frames that one frame counts as: one outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
-/// The nanoseconds for which a finer preset must look possible. With the delay of `mean` a step up takes half a second at 30 frames per
-/// second.
+/// The nanoseconds for which a finer preset must look possible: with the delay of `mean`, half a second at 30 frames per second.
 const CALM: u64 = SECOND / 5;
 
-/// The factor on [`CALM`] before frames grow, unless half of the time is left: changes of size are more visible than changes of the
-/// preset.
+/// The factor on [`CALM`] before frames grow, unless half of the time is left: changes of size are more visible.
 const SIZE_CALM: u64 = 5;
 
-/// The fifths of the budget below which a finer rung looks possible while its time is unknown. The next preset takes a quarter longer,
-/// larger frames 1.7 to 3 times as long.
+/// The fifths of the budget below which a finer rung of unknown time looks possible. The next preset takes a quarter longer, larger
+/// frames 1.7 to 3 times as long.
 const GUESS: u64 = 3;
 
 /// Frames after a step down that are compared with the frames before it.
@@ -168,10 +166,9 @@ const RETRY_GAIN: f32 = 0.5;
 
 /// Selects presets of [`Preset::LADDER`] to hold an accuracy.
 ///
-/// It steps to a finer preset if the accuracy is certainly below the target, and to a faster one that would certainly reach the target,
-/// predicted by the gain of the last step. A difference of 6 dB causes a step within two seconds. While the accuracy is constant, the
-/// preset is stable. The accuracy is at most 4 dB above the target and, except at the finest preset, at most 1 dB below it (2 dB in two
-/// cases of a thousand).
+/// It steps to a finer preset if the accuracy is certainly below the target, and to a faster one that would certainly reach it, predicted
+/// by the gain of the last step. A difference of 6 dB causes a step within two seconds; a constant accuracy keeps the preset. The
+/// accuracy is at most 4 dB above the target and, except at the finest preset, at most 1 dB below it (2 dB in two cases of a thousand).
 #[derive(Debug)]
 pub struct AccuracyGovernor {
     target: f32,

@@ -34,9 +34,8 @@
 //!
 //! # How it works
 //!
-//! A square is split if its corners differ in colour, objects or light, or if conservative bounds show that an object, a shadow on a
-//! plane, a reflection in the first plane or a highlight may be between them. [`Method::squares`](scene::Method::squares) draws the
-//! outlines of the filled squares over a picture:
+//! A square is split if its corners differ in colour, objects or light, or if conservative bounds place an object, a shadow, a mirror
+//! image or a highlight between them. [`Method::squares`](scene::Method::squares) draws the outlines of the filled squares:
 //!
 #![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
 //!
@@ -44,21 +43,20 @@
 //!
 //! # Quality
 //!
-//! [`Preset::LADDER`] has seven presets, from one that looks almost like [`Quality::EXHAUSTIVE`] to one for slow machines. A [`Governor`]
-//! selects the preset, and optionally a smaller size, to hold a frame rate. An [`AccuracyGovernor`] holds an accuracy, measured by
+//! [`Preset::LADDER`] has seven presets, from almost [`Quality::EXHAUSTIVE`] to one for slow machines. A [`Governor`] selects the preset,
+//! and optionally a smaller size, that holds a frame rate; an [`AccuracyGovernor`] the preset that holds an accuracy, measured by
 //! [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
 //!
 //! # Memory and threads
 //!
-//! Rendering never allocates. A renderer needs one [`Memory`] of [`Memory::BYTES`] bytes, and one [`Worker`] of [`Worker::BYTES`] bytes
-//! per thread: under 8 MiB with sixteen threads, for pictures of any size. [`Renderer::detect`], [`ScopedThreads`] and
-//! [`Worker::several`] allocate them in place on the heap, so that a small stack suffices. Implement [`Threads`] for your own thread
-//! pool.
+//! Rendering never allocates. A renderer needs one [`Memory`], and one [`Worker`] per thread: under 8 MiB with sixteen threads, for
+//! pictures of any size. [`Renderer::detect`], [`ScopedThreads`] and [`Worker::several`] allocate them in place on the heap: a small
+//! stack suffices. Implement [`Threads`] for your own thread pool.
 //!
 //! # Without std
 //!
 //! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Pass the memory
-//! to [`Renderer::with_memory`]. New memory and workers are all zeros: a `static` takes no space in an executable file.
+//! to [`Renderer::with_memory`]: new memory and workers are all zeros, so a `static` takes no space in an executable file.
 //!
 //! # Scenes as data
 //!
@@ -78,9 +76,8 @@
 //!
 //! # Compatibility
 //!
-//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](scene::Presentation), the structs in them, and [`Quality`].
-//! Their defaults keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`,
-//! so that they still compile.
+//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](scene::Presentation), their structs, and [`Quality`], with
+//! defaults that keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`.
 //!
 //! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of each [`Preset`] may change. A
 //! breaking version of `glam` or `fearless_simd` ([`Level`]) makes a breaking version of this crate.

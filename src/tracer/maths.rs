@@ -1,5 +1,4 @@
-//! Scalar functions that `core` lacks, for animated scenes. Public ones use only correctly rounded operations: the same bits on every
-//! platform.
+//! Scalar functions that `core` lacks. Public ones use only correctly rounded operations: the same bits on every platform.
 
 pub use crate::lanes::ROUND_TO_INTEGER;
 

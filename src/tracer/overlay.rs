@@ -1,5 +1,4 @@
-//! Captions over a finished picture. A pixel's coverage is computed from its distance to the nearest stroke, so edges are antialiased at
-//! any size.
+//! Captions over a finished picture. A pixel's coverage depends on its distance to the nearest stroke: edges are antialiased at any size.
 
 use crate::font::strokes;
 use crate::maths::{round, sqrt, to_f32};

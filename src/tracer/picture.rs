@@ -40,8 +40,7 @@ pub struct Probing {
 }
 
 impl<'a> Frame<'a> {
-    /// The number of probes that take less than 1 % of a default frame of 1024x768: with AVX2, 0.8 % more instructions for the model
-    /// scene.
+    /// The number of probes that take less than 1 % of a default frame of 1024x768 (0.8 % of the model scene's instructions, AVX2).
     pub const PROBES: u16 = 80;
 
     /// Returns a frame without gaps between rows. [`Renderer::render`](crate::Renderer::render) checks the sizes.
@@ -71,14 +70,14 @@ impl<'a> Frame<'a> {
         Self { offset: vec2(x, y), ..self }
     }
 
-    /// Probes `count` pixels: traces them as [`Quality::reference`] does, and compares them with the frame. [`Counts::probes`] has the
-    /// results; the picture stays unchanged.
+    /// Traces `count` pixels as [`Quality::reference`] does, and compares them with the frame, which stays unchanged. The results are in
+    /// [`Counts::probes`].
     ///
     /// Pass the frame's number as the seed: consecutive seeds probe different pixels until each was probed once. Probes ignore captions,
     /// and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
     ///
-    /// The estimated mean squared error is unbiased. Since a few pixels have most of the error, add the probes of many frames: at 60
-    /// frames a second the estimate is accurate to 2 dB after a second, and to some tenths of a dB after a minute.
+    /// The estimated mean squared error is unbiased. A few pixels have most of it, so add the probes of many frames: at 60 frames a
+    /// second it is accurate to 2 dB after a second, and to some tenths of a dB after a minute.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self { probing: Probing { count, seed }, ..self }
@@ -123,8 +122,7 @@ pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
-/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. Neighbouring pixels in smooth cells, and across the
-/// border of two smooth cells, never form an edge.
+/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. Neighbouring pixels of smooth cells never form an edge.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
@@ -147,8 +145,7 @@ impl Band<'_> {
         self.top..self.top + self.height()
     }
 
-    /// Marks the band as drawn by the caller, with edges anywhere. The caller draws its rows next to the renderer's bands before these
-    /// are antialiased.
+    /// Marks the band as drawn by the caller, with edges anywhere. Draw it next to the renderer's bands before these are antialiased.
     #[doc(hidden)]
     pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);

@@ -6,8 +6,8 @@ use core::str::FromStr;
 ///
 /// A square is filled if its corners have one 8-bit colour, or if their colours differ by at most a tolerance; otherwise it is split.
 /// Corners with equal *keys* show the same objects in the same light and, in mirrors and glass, the same fields of patterns. A tolerance
-/// is a difference in a channel, in units of 1/255, for squares of 8 pixels. It doubles for squares of 4 pixels, where an error covers a
-/// quarter of the pixels, and so on.
+/// is in units of 1/255 of a channel, for squares of 8 pixels; it doubles for squares of 4 pixels, where an error covers a quarter of the
+/// pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
@@ -24,16 +24,16 @@ pub struct Quality {
     /// its corners, or if it is between two split squares. [`limits`](crate::limits) lists exceptions. All presets are guarded; the
     /// original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
-    /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: the guard has bounds only for
-    /// images in a flat first plane. Below infinity, a square is also split where a sphere or a block may be in shadow, and where its
-    /// corners show several objects in one colour, so that no thin thing is missed. Ignored unless `guarded`.
+    /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: most of it has no bound.
+    /// Below infinity, a square is also split where a sphere or a block may be in shadow, and where its corners show several objects in
+    /// one colour: no thin thing is missed. Ignored unless `guarded`.
     pub unguarded_weight: f32,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
     /// The least weight of rays whose objects are part of the key, 0 to infinity. It excludes weak reflections of a floor. A ray's weight
     /// is the exposure times `kr`, `kt` and the haze's factors along its path.
     ///
-    /// In dense clusters reflections are tiny. If `key_weight` is above 0 and a scene has twelve or more strong mirrors or glass solids,
+    /// In dense clusters reflections are tiny: if `key_weight` is above 0 and a scene has twelve or more strong mirrors or glass solids,
     /// all their points have different keys, except on large glass spheres, and squares have 4 pixels at most.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
@@ -85,8 +85,8 @@ impl Quality {
     /// The quality of [`Preset::Default`].
     pub const DEFAULT: Self = Self::within(8, 7.7).followed(5, 0.015).antialiased(20);
 
-    /// Returns a quality with a tolerance for equal keys only. Keys have the objects of the primary hit and of stronger secondary rays,
-    /// and whether each light is lit.
+    /// Keys have the objects of the primary hit and of stronger secondary rays, and whether each light is lit. Only equal keys have a
+    /// tolerance.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,
@@ -197,8 +197,7 @@ macro_rules! presets {
 presets! {
     /// [`Quality::EXHAUSTIVE`].
     Exhaustive, "exhaustive", Quality::EXHAUSTIVE;
-    /// The most accurate preset that fills squares. It and the next three are antialiased, which takes a third to a half more time at
-    /// `default`.
+    /// The most accurate preset that fills squares. It and the next three are antialiased: a third to a half more time at `default`.
     Finest, "finest", Quality { unguarded_weight: 0.1, ..Quality::within(8, 2.0).antialiased(8) };
     /// Between [`Preset::Finest`] and [`Preset::Fine`].
     Finer, "finer", Quality::within(8, 3.0).antialiased(12);

@@ -4,8 +4,9 @@
 //!
 //! # Shadows of spheres from point lights
 //!
-//! Each pixel of a sphere's shadow on a plane must lie in the shadow's outline. Each point that counts as certainly in the shadow must be
-//! dark. Let `h` be the sphere's hit error, and `e` its distance from the light times [`HIT`]. Each test changes the sphere's radius:
+//! Each pixel of a sphere's shadow on a plane must lie in the shadow's outline, and each point that counts as certainly in the shadow
+//! must be dark. Let `h` be the sphere's hit error, and `e` its distance from the light times [`HIT`]. Each test changes the sphere's
+//! radius:
 //!
 //! | radius | of |
 //! | --- | --- |
@@ -18,8 +19,7 @@
 //!
 //! - The vector from the light and the perpendicular have errors of some `u` of the light's distance, below `e / 2`.
 //! - The point on the plane has an error below `h / 3` by the sphere's coordinates, plus `e / 3` by its distance from the light: the
-//!   error shrinks along the ray to the light. (The plane's centre, where the point's coordinates start, must not be much farther from
-//!   the eye.)
+//!   error shrinks along the ray to the light. (The plane's centre, the origin of its points, must not be much farther from the eye.)
 //! - The point's distance from the eye has an error of some `u`. [`SIDE`] allows 1e-5, since a side's terms are scaled by a length above
 //!   the eye's height.
 //! - The cone's terms have errors below [`SIDE`]. [`CONE_RADIUS_FACTOR`] covers its cosine.
@@ -27,8 +27,8 @@
 //! # Lights and eyes far away
 //!
 //! A vector from a light at the distance `D` has an error of some `u D`, but its direction is exact to some `u`. Sides and bounds of
-//! shadows use only the direction, and start at the object's centre (see `coverage::view`). So margins grow with the eye's distance, not
-//! with `D` (`far_suns_and_telescopes_open_few_squares`).
+//! shadows use only the direction, from the object's centre: margins grow with the eye's distance, not with `D`
+//! (`far_suns_and_telescopes_open_few_squares`).
 //!
 //! - A cone's squared cosine, `1 - r^2 / D^2`, has an error of some `u`, which [`CONE_RADIUS_FACTOR`] covers.
 //! - The point of tangency, the sphere's chord and the squared chord of a shadow's cone are products with `r / D`: nothing cancels.
@@ -58,12 +58,11 @@ pub(crate) const UNREFINED: f32 = 4e-12;
 /// The largest distance of a hit from its sphere, in radii, that one Newton step reduces to rounding errors.
 pub(crate) const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
-/// The largest depth inside a sphere at which a point counts as on its surface, relative to the largest coordinate: nearly four times
-/// [`HIT`].
+/// The depth inside a sphere up to which a point counts as on its surface, relative to the largest coordinate: nearly four times [`HIT`].
 pub(crate) const DEEP: f32 = 2e-6;
 
 /// The offset of secondary rays from a block's surface, relative to the sum of its coordinates and half extents. Many times the rounding
-/// error: rays start beyond a coincident face of another block.
+/// error: rays start beyond a coincident face.
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
 /// The offset where a block's side is nearer to the eye than [`AT_EYE`] times the usual offset: twice the rounding error.
@@ -84,7 +83,7 @@ pub(crate) const COSINE2: f32 = 4e-6;
 /// The relative enlargement of bounding spheres: more than the rounding error of a ray from a thousand radii away.
 pub(crate) const BOUND: f32 = 1e-3;
 
-/// The enlargement of a sphere before its bounding cone is computed. It changes the cosine of any cone by more than its rounding error.
+/// The enlargement of a sphere before its bounding cone is computed: more than the rounding error of any cone's cosine.
 pub(crate) const CONE_RADIUS_FACTOR: f32 = 1.0 + 1e-6;
 
 /// The certain shadow's radius is smaller than the outline's by this multiple of `h + e`: 1 for the outline, 1 for the shadow rays, and

@@ -54,8 +54,7 @@ impl Highlight {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
-    /// Returns whether the highlight is even: any square of `side` pixels whose four corners show the object is nearly as bright at a
-    /// corner as anywhere inside.
+    /// Returns whether any square of `side` pixels whose corners all show the object is nearly as bright at a corner as anywhere inside.
     ///
     /// From its minimum in a square to the nearest corner, the decay grows at most by its value at half a side across and down.
     pub fn is_even(&self, side: usize) -> bool {
@@ -64,8 +63,8 @@ impl Highlight {
         self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.threshold(to_f32(side))
     }
 
-    /// Returns the allowed difference in brightness between a square and its corners. Like tolerances it grows as squares get smaller, up
-    /// to 0.3 of the highlight.
+    /// Returns the allowed difference between a square and its corners. Like tolerances it grows as squares get smaller, up to 0.3 of the
+    /// highlight.
     fn threshold(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
@@ -115,8 +114,7 @@ impl Highlight {
         self.strength * a.max(c) * SQUARE * SQUARE > visible
     }
 
-    /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light. Positions are relative
-    /// to the object's centre.
+    /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light.
     fn at(
         mirror: &Mirror,
         axes: &Axes,

@@ -1,44 +1,42 @@
 //! Conservative bounds of the features that a square may show between its corners: objects, shadows on planes, images in the first plane,
 //! and highlights. `docs/guard.md` has a picture of each.
 //!
-//! A guarded square (see `Quality::guarded`) is split while it meets the bound of a feature that no corner
-//! shows. An outline of one and a half sides or more covers a corner of each part that it crosses, so one corner clears the square and
-//! its parts. A thinner outline keeps the square open down to pixels, unless all four corners show it.
+//! A square is split while it meets the bound of a feature that no corner shows. An outline of one and a half sides or more covers a
+//! corner of each part that it crosses, so one corner clears the square. A thinner outline needs all four corners, down to pixels.
 //!
 //! | kind | bound | the square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | a corner shows it (all corners, if it is thin), or the corners show an occluder that hides it | `object` |
-//! | image | the cone of rays from the mirrored eye | no corner shows the plane; or a corner that shows the plane is inside (all corners, if the image is thin); or all corners show the plane, and one side of a wide bound cuts the square | `image` |
+//! | object | the cone of rays from the eye that meet it | a corner (all, if it is thin) shows it, or the corners show an occluder that hides it | `object` |
+//! | image | the cone of rays from the mirrored eye | no corner shows the plane; or a corner (all, if it is thin) shows the plane inside; or all corners show the plane, and one side of a wide bound cuts the square | `image` |
 //! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow covers the square | `shadow` |
-//! | highlight | the ellipse of a Gaussian | no corner shows the object, or a corner that shows it is nearly as bright as the square's brightest point | `highlight` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as the brightest point inside | `highlight` |
 //!
 //! # Guarantees
 //!
-//! - Each object has at least one pixel. A square that shows an object meets its outline, so it is filled only if a corner shows the
-//!   object or an occluder covers the square. An average of two points counts as showing the objects of both points.
-//! - A shadow of a sphere on a plane from a point light: a square that shows the plane and meets the shadow is filled only if a corner
-//!   that shows the plane is inside, or if all corners are inside another shadow from the same light (`rounding`
-//!   derives the margins). The corner may be as dark without the shadow.
-//! - A frame shows every image in the first plane of 2x2 pixels or more that no other image covers in part. A corner in an image's
-//!   outline shows the image or a nearer one.
-//! - Thin bars, their shadows on a plane from a point light, and their images in the first plane have no holes (`tests/image/thin.rs`).
-//!   An outline's width is a lower bound: the object's least extent at its farthest distance.
+//! - Each object has at least one pixel: a square that shows it meets its outline, and is filled only if a corner shows it or an occluder
+//!   covers the square. An average of two points counts as showing the objects of both points.
+//! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
+//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The corner may be as dark
+//!   without the shadow.
+//! - A frame shows every image in the first plane of 2x2 pixels or more that no other image covers in part. A corner inside its outline
+//!   shows the image or a nearer one.
+//! - Thin bars, their shadows from a point light on a plane and their images have no holes (`tests/image/thin.rs`): an outline's width is
+//!   a lower bound, the object's least extent at its farthest distance.
 //!
 //! # Best effort
 //!
-//! - Other shadows on planes: an area light counts as its centre, and a spotlight shines everywhere. The bound of a capsule is the
-//!   cylinder around it; from above, the bound of a cylinder is a hexagonal prism. A corner is certainly dark in the hexagonal prism
-//!   inside a cylinder, or inside a capsule without its round ends.
-//! - Slits of light between two shadows from one light: a square stays open if each shadow covers some of its corners, since slits would
-//!   flicker, or if a shadow covers some and an object hides all others.
-//! - Images of cylinders and capsules: they count as prisms.
-//! - Highlights: Phong's lobe is nearly a Gaussian, but a corner may be in shadow or on another face.
+//! - An area light counts as its centre, and a spotlight shines everywhere. The shadow of a capsule counts as its bounding cylinder's,
+//!   and a cylinder from above as a hexagonal prism. A corner is certainly dark in the hexagonal prism inside a cylinder, or inside a
+//!   capsule without its round ends.
+//! - A square stays open for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some and
+//!   an object hides all others.
+//! - Images of cylinders and capsules count as prisms.
+//! - Phong's lobe is nearly a Gaussian, but a corner may be in shadow or on another face.
 //!
 //! # Light without a bound
 //!
-//! At `finest` (`Quality::unguarded_weight`) a square is also split if a corner shows a reflection or
-//! a refraction without a bound, if a sphere or a block may be in shadow, or if the corners show several objects in one colour
-//! (`refine::guard::unguarded`). `limits` lists the rest in figures.
+//! `Quality::unguarded_weight` also splits squares with light that has no bound, see `refine::guard::unguarded`. `limits` has all
+//! exceptions in figures.
 
 mod highlight;
 mod image;

@@ -43,8 +43,8 @@ impl ObjectBounds {
         [self.min.y - height, self.max.y - height]
     }
 
-    /// Returns whether a plane across an axis separates the object from the eye and from `points` of the object `front`. Points are
-    /// vectors from the eye, and forward distances.
+    /// Returns whether a plane across an axis separates the object from the eye and from `points` of the object `front`: vectors from the
+    /// eye, and forward distances.
     pub fn is_beyond(
         &self,
         front: &Self,

@@ -20,7 +20,7 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// Cuts at each end of a row's range. The first tangent touches the cone at the end's own side, later tangents inside the rectangle.
+/// Cuts at each end of a row's range. The first tangent touches the cone at the end's side, later tangents inside the rectangle.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -259,8 +259,7 @@ fn silhouette_terms(
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Returns the two coordinates of a vector across each axis: a box's three axes, or a cylinder's own and three across it, 60 degrees
-/// apart.
+/// Returns the two coordinates of a vector across each axis: a box's axes, or a cylinder's and three across it, 60 degrees apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     match shape {

@@ -47,8 +47,8 @@ pub(crate) struct Tap {
     pub weight: f32,
 }
 
-/// The taps' heights as shares of the reach, and their weights, from the farthest, fitted to three taps. If a block is farther from the
-/// farthest tap than the tap's height, it is out of range of all taps.
+/// The taps' heights as shares of the reach, and their weights, fitted to three taps. The first is the farthest: a block farther from it
+/// than its height is out of range of all taps.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 
 /// Slightly below 1, so that a convex block is out of range of its own points.

@@ -73,7 +73,7 @@ pub(crate) struct ShadowCone {
     /// the light is inside.
     pub r2: f32,
     /// The block's shadow is between two planes through the light, at equal angles to the plane through the light and the block's longer
-    /// axis. This is the latter's normal, of any length.
+    /// axis. This is that plane's normal, of any length.
     pub side: Vec3,
     /// The squared sine of these angles, times the squared length of `side`.
     pub sine2: f32,

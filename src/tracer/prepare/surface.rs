@@ -96,8 +96,8 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
 
 /// Returns 0.8 to 1 times the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1.
 ///
-/// The bits of a float approximate its logarithm: `e + m` for `2^e (1 + m)` is up to 0.09 too small, and the inverse up to a factor of
-/// 1.07 too large.
+/// A float's bits approximate its logarithm: `e + m` for `2^e (1 + m)` is up to 0.09 too small, and the inverse up to a factor of 1.07
+/// too large.
 fn root_below(x: f32, h: f32) -> f32 {
     const ONE: f32 = (1 << 23) as f32;
     const BIAS: f32 = 127.0;

@@ -1,4 +1,4 @@
-//! The bounding volume hierarchy of spheres and blocks (solids): bounding spheres in depth-first order. A ray skips the descendants of
+//! The bounding volume hierarchy of solids (spheres and blocks): bounding spheres in depth-first order. A ray skips the descendants of
 //! missed nodes.
 
 use super::object::{self, Object, ObjectId};

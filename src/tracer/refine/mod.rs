@@ -27,16 +27,15 @@
 //! 6. *Follow* (`tile::edges`), after the last level: traces all pixels of filled squares of 8 at which an edge ends.
 //!
 //! Before the last step, no point of a tile is traced twice. Adjacent tiles both trace the points on their border, with the same bits: 8
-//! % of all points in the model scene at 1024x768. In return there is one parallel phase, without memory or order between bands. With 16
-//! threads a default frame at 1920x1080 is drawn 13.5 times as fast as with one.
+//! % of all points in the model scene at 1024x768. In return there is one parallel phase without memory or order between bands: 16
+//! threads draw a default frame at 1920x1080 13.5 times as fast as one.
 //!
 //! # Where the time goes
 //!
-//! A default frame of the model scene, jagged, 1024x768, is 6.0 times as fast as an exhaustive frame (AVX2, AMD EPYC Zen 5). Secondary
-//! rays take 38 % of the time, primary rays 20 %, finding points 15 %, filling 11 %, the guard 9 %. A ray takes 1.5 times the
-//! instructions of an exhaustive frame's ray: points cluster at edges, where a packet meets several objects. Sorting hits by object saves
-//! no time, since batches are short. Averaging the centre of a split square from two agreeing corners saves 4 %, but costs 1 dB and more
-//! pops; looser tolerances are the better trade.
+//! A default frame of the model scene, jagged, 1024x768, is 6.0 times as fast as an exhaustive one (AVX2, AMD EPYC Zen 5). Secondary rays
+//! take 38 % of its time, primary rays 20 %, finding points 15 %, filling 11 %, the guard 9 %. A ray takes 1.5 times the instructions of
+//! the exhaustive frame's, since packets at edges meet several objects. Sorting hits by object saves no time: batches are short.
+//! Averaging the centre of a split square from two agreeing corners saves 4 %, but costs 1 dB and more pops than looser tolerances.
 
 pub(crate) mod antialias;
 mod bisect;

@@ -1,7 +1,7 @@
 //! Probes compare pixels of a finished band with the same pixels of an exhaustive frame.
 //!
-//! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of
-//! `antialias`, so that probes of an exhaustive frame find no error.
+//! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of `antialias`: probes of an
+//! exhaustive frame find no error.
 
 use super::antialias::is_edge;
 use super::bisect::{add_middle, bisect, mix_pixel};

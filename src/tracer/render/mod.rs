@@ -118,7 +118,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(self.render_valid(scene, quality, frame, threads))
     }
 
-    /// Renders the same frame as [`Renderer::render`], and reports its points and squares, except points of antialiasing, to an observer.
+    /// Renders a frame like [`Renderer::render`], and reports its points and squares, except points of antialiasing, to an observer.
     ///
     /// # Errors
     /// Like [`Renderer::render`].

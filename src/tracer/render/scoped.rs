@@ -8,8 +8,8 @@ use std::vec::Vec;
 
 /// The caller's thread, and threads that [`std::thread::scope`] starts up to three times per frame, each with its own [`Worker`].
 ///
-/// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate forbids;
-/// pass a closure that uses such a pool as [`Threads`].
+/// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code; pass a closure that uses
+/// one as [`Threads`].
 #[derive(Debug)]
 pub struct ScopedThreads {
     workers: Vec<Worker>,

@@ -17,8 +17,8 @@ pub struct Camera {
     pub up: Vec3,
     /// The vertical field of view in radians, above 0 and below pi.
     pub field_of_view: f32,
-    /// The aspect (width divided by height) down to which the field of view is `field_of_view`, 0 to 4. Narrower pictures show the width
-    /// of a picture of this aspect, with a larger field of view. With 0 they are cut off at the sides.
+    /// The least aspect (width divided by height) with this field of view, 0 to 4. Narrower pictures show the width of a picture of this
+    /// aspect; with 0 they are cut off at the sides.
     pub min_aspect: f32,
 }
 

@@ -22,8 +22,8 @@ pub struct Light {
     /// The radius of the glow, 0 to 1e9. A ray through the position sees the light's colour, a ray at this distance half of it; far away
     /// the glow falls off with the squared distance. An object hides the glow behind it. The glow of a parallel light is the sun's disc.
     pub glow: f32,
-    /// The radius of a sphere from which the glow's distances count, 0 to 1e9: the rim of air around a planet, or a corona. The glow is
-    /// then as bright as the light where the ray is nearest to the position. The cone of a spotlight that aims at the sun restricts it to
+    /// The radius of a sphere from which the glow's distances count, 0 to 1e9, for the rim of air around a planet, or a corona. The glow
+    /// is as bright as the light where the ray is nearest to the position. The cone of a spotlight that aims at the sun restricts it to
     /// the sun's side.
     pub core: f32,
     /// The cone of a spotlight; `None` shines in all directions.
@@ -38,8 +38,8 @@ impl Default for Light {
 }
 
 impl Light {
-    /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, the directions of rays differ by
-    /// at most 0.001 radians.
+    /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, rays differ by at most 0.001
+    /// radians.
     pub const FAR: f32 = 1000.0;
 
     /// Black and invisible.
@@ -76,8 +76,8 @@ impl Light {
         if self.parallel { Self::FAR } else { 1.0 }
     }
 
-    /// Returns the upper limit of a penumbra's width at its occluder. Penumbrae of parallel rays, which grow without end, have the width
-    /// at four times the distance of `position`.
+    /// Returns the upper limit of a penumbra's width at its occluder: for parallel rays the width at four times the distance of
+    /// `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel { 4.0 * self.diameter } else { self.diameter }
     }

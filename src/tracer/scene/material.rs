@@ -29,8 +29,8 @@ pub struct Material {
     pub fresnel: f32,
     /// The weight of the transmitted ray, 0 to 1. Above 0 the surface is transparent.
     pub kt: f32,
-    /// The mean thickness of a thin film, such as a soap bubble's, in nm, 0 to 10,000; 0 for none. A film traces no reflected ray: it
-    /// reflects softboxes, and the brighter of background and ambient light.
+    /// The mean thickness of a thin film, such as a soap bubble's, in nm, 0 to 10,000; 0 for none. A film reflects only softboxes, and
+    /// the brighter of background and ambient light.
     ///
     /// At the cosine c, the factor on red, green and blue light of the wavelengths w = 610, 540 and 455 nm is `sin^2(2 pi n D t / w)`
     /// with n = 1.33 and `t = sqrt(1 - (1 - c^2) / n^2)`; parabolas replace the sine. On a sphere, at the height h above the centre in

@@ -10,9 +10,9 @@ pub struct Presentation {
     /// The number of sectors of a kaleidoscope, 1 to 8, rounded down to a power of two: 1 for none; 2 mirrors the picture left and right;
     /// 4 also up and down; 8 also along diagonals.
     ///
-    /// The centre is in the middle, at 46 % of the height, and closer to the middle where
-    /// [`Camera::min_aspect`](super::Camera::min_aspect) widens the view. The picture moves by up to 8 pixels so that the centre is the
-    /// corner of a square. Only one sector is traced (with 8 sectors to the lower right) and copied. Captions are not mirrored.
+    /// The centre is in the middle, at 46 % of the height, closer to the middle where [`Camera::min_aspect`](super::Camera::min_aspect)
+    /// widens the view. The picture moves by up to 8 pixels: the centre is the corner of a square. Only one sector is traced (of 8 the
+    /// one to the lower right). Captions are not mirrored.
     pub sectors: f32,
     /// The overlay that explains the rendering method.
     pub method: Method,

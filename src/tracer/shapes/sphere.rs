@@ -14,8 +14,8 @@ pub(crate) struct Chord<S: Isa> {
 }
 
 impl<S: Isa> Chord<S> {
-    /// The perpendicular from the centre to the ray loses no digits when the sphere is small and far away (Haines, Günther,
-    /// Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
+    /// The perpendicular loses no digits when the sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements
+    /// for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
     pub fn new(simd: S, centre: Vec3A, o: Vec3x<S>, d: Vec3x<S>) -> Self {
         let f = Vec3x::splat(simd, centre) - o;
@@ -27,9 +27,8 @@ impl<S: Isa> Chord<S> {
 
     /// Recomputes the perpendicular as accurately as with FMA.
     ///
-    /// Without FMA the product `d t_mid` is rounded before most of it cancels. Halves of 12 bits have exact products (Dekker: A
-    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last product, smaller by
-    /// 2^12, is rounded.
+    /// Without FMA, rounding `d t_mid` is magnified by cancellation. Halves of 12 bits have exact products (Dekker: A Floating-Point
+    /// Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last, smaller by 2^12, is rounded.
     #[inline(always)]
     pub fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -65,7 +64,7 @@ impl<S: Isa> Chord<S> {
     /// Returns the nearest end of the chord ahead and within `limit`.
     ///
     /// An origin within `hit_error` of the sphere counts as on it: outward the ray misses, inward it hits the far side. `r2` is the
-    /// squared radius, and `r2_error` its change if the radius changes by `hit_error`.
+    /// squared radius, `r2_error` its change by `hit_error`.
     #[inline(always)]
     pub fn entry(
         &self,
@@ -112,8 +111,8 @@ fn upper_half<S: Isa>(c: F<S>) -> F<S> {
     (c.bitcast::<U<S>>() & 0xffff_f000).bitcast()
 }
 
-/// Returns the distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`. `length2` is the squared length
-/// of `d`; `from` is relative to the centre.
+/// Returns the distances at which rays hit a sphere, or leave it from inside, in lengths of `d`. `length2` is the squared length of `d`;
+/// `from` is relative to the centre.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,

@@ -9,8 +9,7 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The light of a point on a patterned surface. Its colour is `rest + reflectance * untextured`; these layers vary slowly across the
-/// surface.
+/// The light of a point on a patterned surface, `rest + reflectance * untextured`. These layers vary slowly across the surface.
 ///
 /// The first four numbers are `rest`: highlights, reflection, transmission and haze. The last four are `untextured`: ambient and diffuse
 /// light. Each is blue, green, red and 0, in steps of 1/255.
@@ -150,8 +149,8 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution by [`Film::sum_unit`]: twice full brightness, so that the sum over the 255 nodes of the
-/// deepest ray tree does not overflow. The excess over 1 is invisible.
+/// The upper limit of a ray's contribution by [`Film::sum_unit`]: twice full brightness, so that the sum over the deepest ray tree's 255
+/// nodes does not overflow.
 const BRIGHTEST: f32 = 2.0;
 
 pub(super) struct Contribution<S: Isa> {

@@ -1,7 +1,7 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Rays of different points share packets, one per lane. Secondary rays go to a stack, which a packet leaves as soon as it fills the
-//! lanes. Colours are integer sums: a point's bits depend neither on the order of rays nor on other points.
+//! Packets have a ray per lane, of different points. Secondary rays go to a stack, which a packet leaves as soon as it fills the lanes.
+//! Colours are integer sums: a point's bits depend neither on the order of rays nor on other points.
 //!
 //! | step of a packet | module |
 //! | --- | --- |

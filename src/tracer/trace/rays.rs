@@ -10,9 +10,9 @@ pub(crate) struct Rays<S: Isa> {
     pub d: Vec3x<S>,
     /// See [`Quality::key_weight`].
     pub weight: F<S>,
-    /// The index of the point in the batch, and the node in its ray tree: `slot << PATH_BITS | path`. A primary ray has the path 1; the
-    /// ray with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the [`departure`] and the mark
-    /// of mirrored rays.
+    /// The point's index in the batch, and the node in its ray tree: `slot << PATH_BITS | path`. A primary ray has the path 1; the ray
+    /// with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the [`departure`] and the mark of
+    /// mirrored rays.
     pub slot_path: U<S>,
 }
 

@@ -234,7 +234,7 @@ fn refract<S: Isa>(
 }
 
 /// Returns the light of untraced rays: the brighter of background and ambient light in each channel. In crowds of glass at the fastest
-/// preset's limits, this has 30 dB against deeper rays, the background 29 dB, the ambient light 23 dB, and black 20 dB.
+/// preset's limits it has 30 dB against deeper rays, the background 29, the ambient light 23, and black 20 dB.
 #[inline(always)]
 fn untraced<S: Isa>(tracer: Tracer<'_, S>, d: &Vec3x<S>, lost: M<S>, weight: Vec3x<S>) -> Vec3x<S> {
     let (simd, world) = (tracer.isa, tracer.world);

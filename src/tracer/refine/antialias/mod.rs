@@ -14,12 +14,12 @@
 //!                    an edge
 //! ```
 //!
-//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, and a
-//! side without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: the axis that crosses the edge
-//! steeply measures coverage better than the mean of both axes.
+//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, a side
+//! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: crossing the edge steeply, it measures
+//! coverage better than a mean of both axes.
 //!
-//! Marks compare pixels before any pixel is blended, even across bands, so the bits do not depend on the number of threads. A filled
-//! square of 8 has no edges inside: only rough cells and their borders are searched.
+//! Marks compare pixels before any is blended, even across bands: the bits do not depend on the number of threads. Only rough cells and
+//! their borders are searched, since a filled square of 8 has no edges inside.
 
 mod marks;
 

@@ -1,8 +1,8 @@
 //! Finds the squares of a tile that may show a feature between their corners.
 //!
-//! A tile meets few outlines. For four rows of squares at once, tangents give the range of squares that an outline covers. Samples have
-//! the object at a corner, but not its shadows and images. If a corner shows the plane inside an outline, it shows the shadow or the
-//! image, or an occluder of it.
+//! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. Samples have the object
+//! at a corner, but not its shadows and images: a corner that shows the plane inside an outline shows the shadow or the image, or an
+//! occluder of it.
 
 mod highlights;
 mod objects;
@@ -44,7 +44,7 @@ impl Guard {
         }
     }
 
-    /// Sets `open` to the squares of a level that may show a feature that no corner shows. Outlines are tested in squares that were open,
+    /// Sets `open` to the squares of a level that may show a feature that no corner shows. Tests outlines in squares that were open,
     /// highlights in `all` squares.
     pub fn look(
         &mut self,

@@ -9,8 +9,8 @@ pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
 /// The corners in a row of squares that the shadows of one light, or the images, cover.
 ///
-/// If two outlines each cover some corners, a slit may run between them, and the square stays open. A convex outline around all corners
-/// covers the square.
+/// Two outlines that each cover some corners may leave a slit: the square stays open. A convex outline around all corners covers the
+/// square.
 #[derive(Clone, Copy)]
 pub(super) struct Covered {
     /// One outline covers all corners.
@@ -30,8 +30,7 @@ impl Search<'_> {
     ///
     /// An image opens the square unless a corner that shows the plane is inside the region (all four corners, if the image is thin). If
     /// only one side of the region cuts the square, a corner is certainly inside: a half-plane that meets a square contains a corner. If
-    /// an object hides some corners, another corner must show the plane outside the region, since the plane may show between the object
-    /// and the region.
+    /// an object hides some corners, a corner that shows the plane must be outside, too.
     ///
     /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {

@@ -1,7 +1,7 @@
 //! Opens filled squares at which an edge ends: a feature crosses them between their corners.
 //!
-//! Each pair of pixels across the border of a smooth and a rough cell has a bit, set if they differ by an edge. The first pair is at a
-//! traced corner. If its bit is clear and another bit is set, an edge of the rough cell does not continue in the smooth cell.
+//! A bit per pair of pixels across the border of a smooth and a rough cell is set if they differ by an edge. The first pair is at a
+//! traced corner. If its bit is clear and another is set, the rough cell's edge does not continue in the smooth cell.
 
 use super::Tile;
 use crate::grid::{Bits, each};

@@ -183,8 +183,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         squares.without(filled)
     }
 
-    /// Marks the rough cells of a row. The largest squares are smooth if interpolated: adjacent pixels differ by at most an eighth of the
-    /// tolerance, plus 2 for rounding and dither.
+    /// Marks the rough cells of a row. Interpolated squares of the largest size are smooth: adjacent pixels differ by at most an eighth
+    /// of the tolerance, plus 2 for rounding and dither.
     fn note_rough(&mut self, level: usize, y: usize, filled: Bits) {
         let plan = self.context.plan;
         let quality = &plan.quality;
@@ -218,8 +218,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.band.put(x, y, sample.pixel(threshold));
     }
 
-    /// Splits a row's filled squares that are between two squares split by the verdict: a thin line between equal corners would pop. This
-    /// halves the pops of letters on water. `above`, `here` and `below` are the squares that the verdict split in three rows.
+    /// Splits filled squares between two squares split by the verdict: a thin line between equal corners would pop. This halves the pops
+    /// of letters on water. `above`, `here` and `below` are the squares that the verdict split in three rows.
     fn open_gaps(&mut self, level: usize, y: usize, [above, here, below]: &[Bits; 3]) {
         let mut gaps = Bits::NONE;
         if self.context.plan.quality.guarded {
