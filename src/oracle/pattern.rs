@@ -63,7 +63,7 @@ fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
 }
 
 fn noise(p: [f64; 2]) -> f64 {
-    let cell = p.map(|v| v.floor());
+    let cell = p.map(f64::floor);
     let s = [0, 1].map(|i| {
         let f = p[i] - cell[i];
         f * f * (3.0 - 2.0 * f)

@@ -1,6 +1,7 @@
 //! Checks a moving scene at all times. A field's extremes are at keys and at the extremes of splines. Rules for several fields, or for
 //! a vector's length, can be broken between them: a search there finds the closest approaches.
 
+use super::motion::Motion;
 use super::moving::Moving;
 use super::node::{Kind, Mistake, Node, steps};
 use eightfold_tracer::glam::Vec3;
@@ -107,7 +108,7 @@ impl Moving {
 
     /// Returns the times of keys and extremes, then times between them.
     fn times(&self, length: f32) -> impl Iterator<Item = f32> {
-        let ends = self.motions.iter().map(|motion| motion.end());
+        let ends = self.motions.iter().map(Motion::end);
         let until = ends.fold(length + AFTER, f32::max);
         // A single motion repeats itself.
         let until = if self.motions.len() == 1 { 0.0 } else { until };

@@ -257,7 +257,7 @@ impl de::Error for Mistake {
     }
 }
 
-impl<'de> IntoDeserializer<'de, Mistake> for &Node {
+impl IntoDeserializer<'_, Mistake> for &Node {
     type Deserializer = Self;
 
     fn into_deserializer(self) -> Self {

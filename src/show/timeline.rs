@@ -1,6 +1,7 @@
 use super::captions;
 use super::environment::Now;
 use super::path::move_camera;
+use super::scene::ShowScene;
 use super::scenes::ALL;
 use crate::grid::{BAR, BEATS_PER_BAR};
 use eightfold_tracer::scene::{Method, Moment, Presentation};
@@ -14,7 +15,7 @@ pub fn at(time: f32, moment: &mut Moment) {
 
 /// Sets a scene like [`at`], without a transition's coarse squares. Returns the transition's halvings.
 pub fn without_transition(time: f32, Moment { scene, presentation }: &mut Moment) -> f32 {
-    let (shown, bar) = playing(&ALL, |scene| scene.bars(), time / BAR);
+    let (shown, bar) = playing(&ALL, ShowScene::bars, time / BAR);
     let since = bar + shown.environment_since as f32;
     // Rounded, since the difference may be slightly less than a whole number.
     let first = (time / BAR - since + 0.5) as u32;

@@ -1,5 +1,6 @@
 /// Returns the bytes that follow an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; plus 4 if ModRM comes
 /// first.
+#[expect(clippy::match_same_arms, reason = "each map has its own rows")]
 const fn operands(map: u32, opcode: u32) -> u32 {
     match (map, opcode) {
         (0, 0..0x40) => match opcode & 7 {

@@ -221,7 +221,7 @@ fn certain_points_are_in_shadow() {
             };
             let rect = axes.rect(rectangle(x, y, x + 1, y + 1));
             if region.corners(rect) & 1 != 0 {
-                let [right, down, ahead] = axes.rows.map(|row| row.as_dvec3());
+                let [right, down, ahead] = axes.rows.map(Vec3A::as_dvec3);
                 let d = right * f64::from(rect.x) + down * f64::from(rect.y) + ahead;
                 let off = nearest(block, eye - d * (eye.y / d.y), light);
                 let max = [1.087, 1.0][usize::from(block.shape == Shape::Box)];

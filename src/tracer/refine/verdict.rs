@@ -100,7 +100,7 @@ fn judge_by<S: Simd>(
                 let rows = (&above.samples[samples.clone()], &below.samples[samples]);
                 let samples: [S::u64s; 4] = corners(simd, rows);
                 // Channels are below 2^15; SSE2 cannot compare unsigned words.
-                let [a, b, c, d] = samples.map(|corner| corner.bitcast::<S::i16s>());
+                let [a, b, c, d] = samples.map(Bytes::bitcast::<S::i16s>);
                 let (max, min) = (a.max(b).max(c.max(d)), a.min(b).min(c.min(d)));
                 let first = first + half;
                 for (near, limit) in near.iter_mut().zip(limits) {

@@ -79,7 +79,7 @@ pub(crate) fn nearest<S: Isa>(
 #[inline(always)]
 fn power<S: Isa>(rays: &Rays<S>, node: &BvhNode) -> F<S> {
     let simd = rays.weight.token();
-    let [x, y, z] = [&rays.o.x, &rays.o.y, &rays.o.z].map(|c| c.as_slice());
+    let [x, y, z] = [&rays.o.x, &rays.o.y, &rays.o.z].map(SimdBase::as_slice);
     let mut powers = [0.0; MAX_LANES];
     node.powers([x, y, z], &mut powers);
     let power = F::<S>::from_slice(simd, &powers[..lanes::<S>()]);

@@ -96,7 +96,7 @@ impl<'a> Squares<'a> {
             square.min(splat(simd, to_f32(self.columns - 1))).to_int::<I<Baseline>>()
         });
         let last = from.simd_le(to).select(last, I::<Baseline>::splat(simd, -1));
-        [first, last].map(|squares| squares.into())
+        [first, last].map(Into::into)
     }
 
     #[inline(always)]
