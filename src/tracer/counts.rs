@@ -95,8 +95,8 @@ impl Probes {
         10.0 * LOG10_2 * log2((255.0 * 255.0 / self.mean_squared_error()) as f32)
     }
 
-    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for probes of different frames; infinity or NaN
-    /// without errors, or with one probe. Four times the probes halve it.
+    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for probes of different frames. Four times the
+    /// probes halve it. It is infinite or NaN without errors, or with one probe.
     #[must_use]
     pub fn margin(&self) -> f32 {
         self.margin_with(UNSEEN)

@@ -49,8 +49,8 @@ impl Fold {
         (left + cut).saturating_sub(margin)
     }
 
-    /// Copies the drawn part to the rest of a picture. From the last pixel backwards, each half mirrors a finished one; only the diagonal
-    /// reads along columns.
+    /// Copies the drawn part to the rest, from the last pixel backwards: each half mirrors a finished one. Only the diagonal reads along
+    /// columns.
     pub fn copy(&self, picture: &mut Band<'_>) {
         let [left, top] = self.centre.map(|cells| cells * CELL);
         if left == 0 && !self.has_diagonal {

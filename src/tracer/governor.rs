@@ -11,7 +11,7 @@ const PRESETS: usize = Preset::LADDER.len();
 /// The presets at full size, then the fastest one at a half and at a third of each side.
 const RUNGS: usize = PRESETS + 2;
 
-/// Late frames before a step down: 0.1 s at 60 frames per second. A frame that takes several periods counts several times.
+/// Late frames before a step down: 0.1 s at 60 frames per second. A frame of several periods counts several times.
 const TOO_LATE: u64 = 6;
 
 /// The most late frames that one frame counts as: one outlier causes no step.
@@ -32,12 +32,11 @@ const COMPARED: u64 = 8;
 
 /// Selects presets of [`Preset::LADDER`] to hold a frame rate.
 ///
-/// It steps down when frames are late. It steps up if the next finer preset would leave a sixth of the time unused, predicted by the
-/// ratio of the times before and after the last step down.
+/// It steps down when frames are late, and up if the next finer preset would leave a sixth of the time unused, predicted by the ratio of
+/// the times before and after the last step down.
 ///
-/// The preset is stable under a constant load, even if times vary. After a change of the load, the first step follows within half a
-/// second or two frames, whichever is longer. If the load falls within eight frames of a step down, the preset may stay too fast until
-/// the next change.
+/// A constant load keeps the preset, even if times vary. After a change of the load, the first step follows within half a second, or two
+/// frames if these are longer. If the load falls within eight frames of a step down, the preset may stay too fast until the next change.
 ///
 /// ```
 /// use core::time::Duration;
@@ -93,7 +92,7 @@ impl Governor {
         Self { last: RUNGS - 1, ..self }
     }
 
-    /// Selects the fastest frames, for a start or a change that makes finer frames very late: steps down would take a second.
+    /// Selects the fastest frames, for a start or a sudden load: steps down would take a second.
     pub fn select_fastest(&mut self) {
         self.rung = self.last;
         (self.late, self.calm, self.age, self.before) = (0, 0, 0, 0);

@@ -45,7 +45,7 @@
 //!
 //! [`Preset::LADDER`] has seven presets, from almost [`Quality::EXHAUSTIVE`] to one for slow machines. A [`Governor`] selects the preset,
 //! and optionally a smaller size, that holds a frame rate; an [`AccuracyGovernor`] the preset that holds an accuracy, measured by
-//! [`Frame::with_probes`]. [`limits`] has the accuracy in figures.
+//! [`Frame::with_probes`], in figures in [`limits`].
 //!
 //! # Memory and threads
 //!

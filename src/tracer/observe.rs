@@ -2,7 +2,7 @@
 
 use crate::counts::Counts;
 
-/// Receives the points and squares of a frame, from all threads concurrently and in any order. For `()` the compiler removes all calls.
+/// Receives a frame's points and squares, from all threads concurrently and in any order. For `()` the compiler removes all calls.
 ///
 /// Coordinates are in pixels. Points may be up to one square's side beyond the right and the lower edge of the picture.
 pub trait Observer: Copy + Sync {

@@ -6,12 +6,12 @@ use crate::picture::{Band, Frame};
 use crate::scene::Caption;
 use glam::{Vec2, vec2};
 
-/// The distance between neighbouring letters, in grid units: their shadows just touch.
+/// In grid units: the letters' shadows just touch.
 const ADVANCE: f32 = 2.0 + 2.0 * (HALF_WIDTH + SHADOW);
 
 const HALF_WIDTH: f32 = 0.3;
 
-/// The width of the shadow around a stroke in grid units. It makes text readable on white.
+/// In grid units: makes text readable on white.
 const SHADOW: f32 = 0.35;
 
 const DARKNESS: f32 = 0.7;

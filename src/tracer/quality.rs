@@ -15,14 +15,14 @@ pub struct Quality {
     pub square: usize,
     /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The tolerance for different keys, 0 to infinity. If both tolerances are equal, keys are not computed.
+    /// The tolerance for different keys, 0 to infinity. If both are equal, keys are not computed.
     pub tolerance_differing: f32,
     /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within it, the
     /// midpoint is their mean.
     pub tolerance_side: f32,
     /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first plane, or a highlight may be between
-    /// its corners, or if it is between two split squares. [`limits`](crate::limits) lists exceptions. All presets are guarded; the
-    /// original rules of 2008 are `Quality { guarded: false, ..Quality::THESIS }`.
+    /// its corners, or if it is between two split squares. [`limits`](crate::limits) lists exceptions. The rules of 2008 are
+    /// `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: most of it has no bound.
     /// Below infinity, a square is also split where a sphere or a block may be in shadow, and where its corners show several objects in
@@ -41,9 +41,9 @@ pub struct Quality {
     /// The strength `ks (r.v)^h` above which a light's state is "lit with a highlight" instead of "lit", 0 to infinity.
     pub highlight: f32,
     /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`]. A deeper ray returns the background in its direction or the ambient light,
-    /// the brighter in each channel, unless the scene is [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
+    /// the brighter in each channel; black if the scene is [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
     pub depth: u32,
-    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the same light as rays beyond `depth`.
+    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the light of rays beyond `depth`.
     pub least_contribution: f32,
     /// Whether edges are antialiased. The midpoint between two pixels at an edge is traced and mixed into both pixels; up to three more
     /// points on each side find the edge by bisection.
@@ -165,10 +165,9 @@ macro_rules! presets {
     ($($(#[$doc:meta])* $preset:ident, $name:literal, $quality:expr;)*) => {
         /// A named quality.
         ///
-        /// `docs/accuracy.md` has the speed and errors of each. [`Preset::LADDER`] lies on the Pareto front of time, FLIP and pops
-        /// (pixels that jump between frames while the exhaustive frame's stay), as `cargo lab trade` prints. By PSNR only, a tolerance of
-        /// 9 and a least contribution of 0.02 would be the best default: a tenth less time, but three times the pops. Squares of 16 are
-        /// no faster than squares of 8 at equal error.
+        /// `docs/accuracy.md` has the speed and errors of each. [`Preset::LADDER`] is on the Pareto front of time, FLIP and pops (pixels
+        /// that jump while the exhaustive frame's stay), see `cargo lab trade`. By PSNR only, a tolerance of 9 and a least contribution
+        /// of 0.02 would be the best default: a tenth less time, but three times the pops. Squares of 16 are no faster at equal error.
         ///
         /// ```
         /// use eightfold_tracer::{Preset, Quality};

@@ -3,7 +3,7 @@
 use core::fmt;
 use glam::Vec3;
 
-/// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of range, such as
+/// The first number of a scene or a [`Quality`](crate::Quality) that is out of range, such as
 /// `spheres[3].material.kd is 1.5; must be 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]

@@ -1,8 +1,8 @@
 //! The highlights of lights on objects in direct view, as ellipses in the picture.
 //!
-//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference between the mirrored ray r and the direction l
-//! to the light. The surface mirrors the light where d = 0. Around this point d is nearly linear in the pixels x and y, so the lobe is
-//! `ks e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
+//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the mirrored ray r minus the direction l to the light. Around
+//! the point where d = 0, d is nearly linear in the pixels x and y, so the lobe is `ks e^-u` with the decay
+//! `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
 
 use super::Coverage;
 use super::mirror::Mirror;
@@ -156,7 +156,7 @@ impl Highlight {
 }
 
 impl Coverage {
-    /// Computes the highlights, after the objects. Waves and solids around the eye get none.
+    /// Waves and solids around the eye get no highlights.
     pub(super) fn set_highlights(&mut self, world: World<'_>) {
         self.highlights.clear();
         for i in 0..world.background() {

@@ -6,7 +6,7 @@ use super::{Coverage, Outline};
 use crate::prepare::{MAX_GROUPS, World};
 
 impl Coverage {
-    /// Computes the bounds of all images, after the objects, if the first plane is a mirror without waves.
+    /// Computes the images' bounds, after the objects.
     pub(super) fn set_images(&mut self, world: World<'_>) {
         let Some(plane) = world.scene.planes.first() else {
             return;

@@ -67,7 +67,6 @@ pub(crate) const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS
 /// A feature with a convex outline in the picture.
 #[derive(Clone, Copy)]
 pub(crate) enum Outline {
-    /// An object in direct view.
     Object(ObjectId),
     Image(ObjectId),
     /// The shadow of a solid. Plane and light are indices.
@@ -105,7 +104,7 @@ zero! {
 }
 
 impl Coverage {
-    /// Computes the bounds for a picture of `width` by `height` pixels, whose samples are `offset` pixels off the pixels' centres.
+    /// Computes the bounds for samples that are `offset` pixels off the pixels' centres.
     pub fn set(&mut self, world: World<'_>, [width, height]: [usize; 2], offset: Vec2) {
         let raster = world.scene.camera.raster(width, height);
         self.axes = Axes::new(&raster, [width, height], offset);
@@ -118,7 +117,7 @@ impl Coverage {
         self.set_highlights(world);
     }
 
-    /// Adds an outline whose least width is `width` at distance 1.
+    /// `width` is the outline's least width at distance 1.
     fn list(&mut self, outline: Outline, screen: ScreenBounds, width: f32) {
         self.outlines[self.outlined] = outline;
         self.screen[self.outlined] = screen;

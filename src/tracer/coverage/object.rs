@@ -38,7 +38,6 @@ impl ObjectBounds {
         self.max.is_finite()
     }
 
-    /// Returns the object's least and greatest height above `height`.
     pub fn above(&self, height: f32) -> [f32; 2] {
         [self.min.y - height, self.max.y - height]
     }
@@ -69,14 +68,13 @@ impl ObjectBounds {
         })
     }
 
-    /// Returns whether a point is certainly outside.
     pub fn excludes(&self, point: Vec4) -> bool {
         let is_outside = self.min.cmpgt(point) | self.max.cmplt(point);
         is_outside.bitmask() & 0b111 != 0
     }
 }
 
-/// Returns the [`ObjectBounds::power`] of a sphere whose centre is at `to` from the eye.
+/// `to` is the vector from the eye to the sphere's centre.
 fn power(to: Vec3A, node: &BvhNode) -> Option<[f32; 2]> {
     let radius = node.radius;
     let distance2 = to.length_squared();
@@ -146,7 +144,7 @@ impl Coverage {
         }
     }
 
-    /// Returns whether the sphere `front` is in front of the sphere `back` on all rays that meet both, see [`ObjectBounds::power`].
+    /// Returns whether the sphere `front` is before the sphere `back` on all rays that meet both, see [`ObjectBounds::power`].
     pub fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
         let power = |id: ObjectId| self.objects[id.index()].power;
         match (power(front), power(back)) {

@@ -28,13 +28,13 @@ pub(crate) struct Rects<S: Isa> {
     pub bottom: F<S>,
 }
 
-/// Builds the vector in a register: to load it right after its parts are stored would stall.
+/// Builds the vector in a register: loading it right after storing its parts would stall.
 #[inline(always)]
 pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) -> Vec4 {
     Vec4::new(to_f32(left), to_f32(top), to_f32(right), to_f32(bottom))
 }
 
-/// Returns the x and y of a rectangle's corners: upper left, upper right, lower left, lower right.
+/// Upper left, upper right, lower left, lower right: x, then y.
 #[inline(always)]
 pub(crate) fn corners(rect: Vec4) -> [F<Baseline>; 2] {
     [rect.xzxz(), rect.yyww()].map(|ends| F::<Baseline>::simd_from(baseline(), ends.to_array()))
@@ -49,7 +49,7 @@ zero! { ScreenBounds = Self(Vec4::ZERO); }
 zero! { Axes { rows, pixel, reach, middle } }
 
 impl Axes {
-    /// Returns the axes of a picture whose samples are `offset` pixels off the centres; `raster` has no offset.
+    /// Samples are `offset` pixels off the pixels' centres; `raster` has no offset.
     pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {
         let pixel = raster.dx.length();
         let [x, y] = [width, height].map(|side| 0.5 * (to_f32(side) - 1.0));
@@ -86,7 +86,7 @@ impl Axes {
         self.middle.xy() + Vec2::new(u, v) / self.pixel
     }
 
-    /// Converts u to a column of pixels, with its fraction.
+    /// With its fraction.
     #[inline(always)]
     pub fn column<S: Isa>(&self, u: F<S>) -> F<S> {
         u / self.pixel + self.middle.x

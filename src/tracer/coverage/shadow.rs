@@ -1,4 +1,4 @@
-//! The shadows of solids on planes, as cones in the picture. An area light counts as its centre, whose shadow lies in the penumbra.
+//! The shadows of solids on planes. An area light counts as its centre, whose shadow is inside the penumbra.
 
 use super::view::View;
 use super::{Coverage, Outline};

@@ -125,7 +125,7 @@ impl Sides {
         }
     }
 
-    /// Returns the number of sides that may cut a rectangle: 2 for a cone.
+    /// A cone counts as two.
     #[inline(always)]
     pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
         let Self::Flat { inner, .. } = self else {
@@ -143,7 +143,7 @@ impl Sides {
         cuts[0] + cuts[1]
     }
 
-    /// Returns a lower bound of the depth of rays; negative if they may be outside.
+    /// Lower bounds; negative if rays may be outside.
     #[inline(always)]
     fn depth(&self, u: F<Baseline>, v: F<Baseline>) -> F<Baseline> {
         let at = |terms: &Terms| -> [F<Baseline>; 4] {
@@ -192,7 +192,7 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// Returns the region inside `sides`. `rounding` is the applicable share of [`SIDE`].
+    /// `rounding` is the applicable share of [`SIDE`].
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
         let rounding = within_pixel(SIDE * axes.reach * rounding, axes.pixel);
         Self { bounds, sides, rounding, margin: rounding }
@@ -207,7 +207,7 @@ impl Region {
         [rects.left, rects.right]
     }
 
-    /// Returns a bit for each corner of a rectangle that is certainly inside.
+    /// A bit is set if the corner is certainly inside.
     #[inline(always)]
     pub fn corners(&self, rect: Rect) -> u64 {
         let [u, v] = corners(rect);

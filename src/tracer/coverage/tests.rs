@@ -15,12 +15,10 @@ use std::prelude::v1::*;
 
 const SIZE: [usize; 2] = [320, 240];
 
-/// Draws vectors with coordinates in -across..across, and heights in their own range.
 fn vector(across: f32, height: core::ops::Range<f32>) -> impl Strategy<Value = Vec3> {
     (-across..across, height, -across..across).prop_map(|(x, y, z)| Vec3::new(x, y, z))
 }
 
-/// Draws boxes, cylinders and capsules of any orientation.
 fn block() -> impl Strategy<Value = Block> {
     (
         vector(4.0, 1.0..3.0),
@@ -44,8 +42,8 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// Draws scenes of a sphere and a block between a floor and a light, seen from above the floor. The light and the camera are up to 10 to
-/// the power `light` and `telescope` times as far away.
+/// A sphere and a block between a floor and a light, seen from above the floor. The light and the camera are up to 10 to the power
+/// `light` and `telescope` times as far away.
 fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
@@ -124,7 +122,7 @@ fn is_shadow_of(solid: usize) -> impl Fn(Outline) -> bool {
     move |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid)
 }
 
-/// Returns the least distance of the segment between two points from a block's centre, relative to the surface's distance.
+/// Returns the segment's least distance from a block's centre, relative to the surface's.
 fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
     let inward = block.axes.as_dmat3().transpose();
     let half = block.half.as_dvec3();
@@ -151,7 +149,6 @@ fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
     distance(low)
 }
 
-/// Returns the pixel that shows a point, if it is in the picture.
 fn pixel_of(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
     let d = point - eye.as_dvec3();
     let [x, y, z] = axes.rows.map(|axis| axis.as_dvec3().dot(d));

@@ -21,7 +21,7 @@ pub(super) struct View {
     pub from: Vec3A,
     pub eye: Vec3A,
     pub axes: [Vec3A; 3],
-    /// The vector from the eye to the light, and the light's height above the plane, divided by a common length. For the eye 0 and 1.
+    /// The vector from the eye to the light, and the light's height above the plane, divided by a common length; for the eye 0 and 1.
     pub to_light: Vec3A,
     pub above: f32,
     /// The plane's height, the eye's distance from it, and the sign of the eye's side (0 for the eye's own view).

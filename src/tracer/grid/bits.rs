@@ -4,7 +4,6 @@ use crate::picture::TILE_WIDTH;
 use core::array;
 use core::ops::{BitAnd, BitOr};
 
-/// Words with a bit per pixel of a tile's width.
 pub(crate) const WORDS: usize = TILE_WIDTH / 64;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +50,7 @@ impl Bits {
         Self(array::from_fn(|i| self.0[i] & !others.0[i]))
     }
 
-    /// Returns each bit and the next one: the left and right corners of squares.
+    /// The left and right corners of squares.
     pub fn ends(self) -> Self {
         let mut bits = self;
         let mut carry = 0;
@@ -62,7 +61,7 @@ impl Bits {
         bits
     }
 
-    /// Returns each bit twice: the halves of squares, at the level below.
+    /// The halves of squares, at the level below.
     pub fn halves(self) -> Self {
         let mut bits = Self::NONE;
         for (to, &word) in bits.0.as_chunks_mut::<2>().0.iter_mut().zip(&self.0) {

@@ -39,7 +39,6 @@ const STARTS: [usize; LEVELS + 1] = {
     starts
 };
 
-/// Vector code may read after the last point.
 const POINTS: usize = STARTS[LEVELS] + 2 * MAX_LANES;
 
 /// Two words for each pixel of an eighth of a tile.
@@ -76,7 +75,6 @@ impl Pyramid {
         GridRow { samples: &self.samples[range.clone()], keys: &self.keys[range] }
     }
 
-    /// Returns the corners of the square (x, y): upper left, upper right, lower left, lower right.
     pub fn corner_indices(level: usize, x: usize, y: usize) -> [usize; 4] {
         let (upper, lower) = (Self::index(level, x, y), Self::index(level, x, y + 1));
         [upper, upper + 1, lower, lower + 1]

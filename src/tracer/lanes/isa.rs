@@ -4,7 +4,7 @@ use super::*;
 use fearless_simd::Level;
 
 pub(crate) trait Isa: Simd {
-    /// Whether [`SimdFloat::mul_add`] rounds once, as a fused operation, or twice.
+    /// Whether [`SimdFloat::mul_add`] rounds once.
     const FUSES_MUL_ADD: bool;
     /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand if the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
@@ -115,7 +115,7 @@ mod x86_64 {
     }
 
     kernel!(
-        /// Returns the indices of the lanes in a mask, in order, without a table. (Slow microcode on AMD before Zen 3.)
+        /// Returns the indices of a mask's lanes, in order, without a table. (Slow microcode on AMD before Zen 3.)
         #[inline(always)]
         fn order(simd: Avx2, mask: u64) -> __m256i {
             let bytes = _pdep_u64(mask, 0x0101_0101_0101_0101) * 0xff;

@@ -53,19 +53,19 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
-/// Returns the maximum, or `min` where `v` is NaN. (The result of `max` depends on the CPU.)
+/// Replaces NaN. (The result of `max` depends on the CPU.)
 #[inline(always)]
 pub(crate) fn at_least<S: Isa>(v: F<S>, min: F<S>) -> F<S> {
     if S::LIMITS_REPLACE_NAN { v.max(min) } else { v.simd_gt(min).select(v, min) }
 }
 
-/// Returns the minimum, or `max` where `v` is NaN.
+/// Replaces NaN.
 #[inline(always)]
 pub(crate) fn at_most<S: Isa>(v: F<S>, max: F<S>) -> F<S> {
     if S::LIMITS_REPLACE_NAN { v.min(max) } else { v.simd_lt(max).select(v, max) }
 }
 
-/// Clamps to `min` to `max`; `min` where `v` is NaN.
+/// NaN becomes `min`.
 #[inline(always)]
 pub(crate) fn clamp<S: Isa>(v: F<S>, min: F<S>, max: F<S>) -> F<S> {
     at_most::<S>(at_least::<S>(v, min), max)
@@ -75,7 +75,7 @@ pub(crate) fn clamp<S: Isa>(v: F<S>, min: F<S>, max: F<S>) -> F<S> {
 /// again gives a float.
 pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
-/// Returns the difference from the nearest integer, for numbers between -2^22 and 2^22.
+/// For numbers between -2^22 and 2^22.
 #[inline(always)]
 pub(crate) fn off_integer<S: Simd>(v: F<S>) -> F<S> {
     v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)

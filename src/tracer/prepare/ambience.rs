@@ -23,7 +23,6 @@ pub(crate) struct Ambience {
     pub count: usize,
 }
 
-/// A solid that covers ambient light.
 #[derive(Clone, Copy)]
 pub(crate) struct Neighbour {
     pub object: ObjectId,
@@ -60,7 +59,7 @@ const FARTHEST: f32 = 5.0;
 /// A block's reach, as a factor of its middle extent.
 const BLOCK_REACH: f32 = 2.5;
 
-/// The share of ambient light that a near side of a solid reflects; the rest is occluded there, too.
+/// The share of ambient light that a near side of a solid reflects: the rest is occluded there, too.
 const AMBIENT_SHARE: f32 = 0.6;
 
 /// Boxes of the points that solids darken, a lane per solid.
@@ -68,7 +67,7 @@ const AMBIENT_SHARE: f32 = 0.6;
 pub(crate) struct Bounds {
     pub low: [[f32; CAPACITY]; 3],
     pub high: [[f32; CAPACITY]; 3],
-    /// The distance along the normals by which points are moved before the comparison.
+    /// The distance by which points are moved along their normals before the comparison.
     pub ahead: [f32; CAPACITY],
 }
 
@@ -110,7 +109,7 @@ impl Ambience {
         neighbour.centre = node.centre;
         neighbour.per_radius = 1.0 / node.radius;
         neighbour.per_reach2 = 1.0 / (farthest * farthest);
-        // Infinity or NaN would spoil the lanes of a packet that the solid does not cover.
+        // Infinity or NaN would spoil lanes that the solid does not cover.
         neighbour.opacity = bounded((1.0 - material.kt).max(0.0) * occlusion);
         let (mut half, mut ahead, mut turn) = (Vec3A::splat(farthest), 0.0, Mat3A::IDENTITY);
         if let Object::Block(block) = object {

@@ -1,5 +1,3 @@
-//! Lights, prepared for shading and shadow rays.
-
 use super::object::ObjectId;
 use super::surface::bounded;
 use super::tree::{BvhNode, MAX_NODES};
@@ -20,7 +18,7 @@ pub(crate) struct PreparedLight {
     pub core: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
-    /// The first object that shadow rays list as an occluder. Spheres before it cast hard shadows, found by a faster test.
+    /// The first object that shadow rays list as an occluder. Spheres before it cast hard shadows: a faster test.
     pub listed_from: ObjectId,
     /// In the order of the tree's solid nodes.
     pub shadow_cones: [ShadowCone; MAX_NODES],
@@ -46,15 +44,15 @@ impl SpotCone {
         }
     }
 
-    /// Returns the share of the light in a direction of length 1.
+    /// `d` has the length 1.
     pub fn share(&self, d: Vec3A) -> f32 {
         let off2 = d.distance_squared(self.aim.into());
         smooth_step((self.outer2 - off2) / (self.outer2 - self.inner2))
     }
 }
 
-/// The shadow of a node's sphere: a cone from the light around the sphere, which begins at the sphere's near side. A cone of unaligned
-/// vectors fits a cache line of 64 bytes; a frame has up to 2,316.
+/// The shadow of a node's sphere: a cone from the light, from the sphere's near side on. Unaligned vectors make it fit a cache line of 64
+/// bytes; a frame has up to 2,316 cones.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
     /// The direction from the centre to the light, of length 1.
@@ -66,7 +64,7 @@ pub(crate) struct ShadowCone {
     pub solids: u8,
     pub skip: u16,
     pub object: ObjectId,
-    /// Whether the light is inside the sphere, which then shadows its outside.
+    /// Whether the light is inside: the sphere shadows its outside.
     pub around_light: bool,
     pub to_light: Vec3,
     /// The squared radius minus the discriminant's rounding error: a ray that leaves the sphere is not in its shadow. Plus the error if
@@ -127,7 +125,7 @@ impl ShadowCone {
     fn set(&mut self, light: Vec3A, diameter: f32, penumbra: f32, node: &BvhNode) {
         let (to_light, radius) = (light - node.centre, node.radius + penumbra);
         let distance2 = to_light.length_squared();
-        // The rounding error of the sphere's centre and of the vector to the light.
+        // Rounding of the sphere's centre and of the vector to the light.
         let error = hit_error(to_light, 0.0);
         let r2_error = 2.0 * node.radius * (node.hit_error + error);
         let wide = radius * (1.0 + BOUND) + error;

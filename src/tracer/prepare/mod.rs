@@ -109,7 +109,7 @@ impl Prepared {
         self.first_plane() + self.plane_count
     }
 
-    /// Prepares a scene for a picture whose samples are moved by `offset` pixels.
+    /// Samples are `offset` pixels off the pixels' centres.
     pub fn prepare<'a>(
         &'a mut self,
         scene: &'a Scene,

@@ -87,7 +87,7 @@ pub(crate) fn is_crowd(scene: &Scene) -> bool {
     strong.count() >= CROWD
 }
 
-/// Returns whether the images in a crowd's object are too small to interpolate.
+/// Returns whether the object's images in a crowd are too small to interpolate.
 pub(super) fn glitters(scene: &Scene, object: &Object<'_>, material: &Material) -> bool {
     let is_small = match object {
         Object::Sphere(sphere) => {

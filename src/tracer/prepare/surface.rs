@@ -38,12 +38,11 @@ pub(crate) const SURFACE_NUMBERS: usize = Parameter::Index as usize + 1;
 
 pub(crate) type SurfaceNumbers = [f32; SURFACE_NUMBERS];
 
-/// A number per lane of the widest instruction set.
 pub(crate) type PerLane = [f32; MAX_LANES];
 
 pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 
-/// Above any parameter of a valid scene; products of a few such numbers are finite.
+/// Above any valid parameter; products of a few such numbers are finite.
 const LARGEST: f32 = 2e9;
 
 /// Replaces NaN and numbers above [`LARGEST`] with 0: they spoil a point's sum even with the weight 0.
@@ -72,7 +71,7 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
             set(Parameter::InverseRadius, &[1.0 / sphere.radius]);
         }
         Object::Plane(plane) => set(Parameter::Centre, &plane.centre.to_array()),
-        // The tracer computes the points of a block.
+        // The points of blocks are computed elsewhere.
         Object::Block(_) | Object::Light(_) | Object::Background => {}
     }
     let highlight = Vec3::ONE.lerp(material.colour, material.metallic);

@@ -8,7 +8,7 @@ use crate::shapes::block;
 use crate::zero::Zero;
 use glam::{Vec3, Vec3A};
 
-/// The number of groups of solids. Each tile has the set of groups that may be visible in it.
+/// Each tile has the set of groups that may be visible in it.
 const SOLID_GROUPS: usize = 32;
 
 /// The solids' groups, in the tree's order, then one per light.
@@ -16,7 +16,7 @@ pub(crate) const MAX_GROUPS: usize = SOLID_GROUPS + MAX_LIGHTS;
 
 pub(crate) type GroupSet = u64;
 
-/// The groups that primary rays, and their reflections in the first plane, can meet in a part of the picture.
+/// The groups that primary rays, and their reflections in the first plane, can meet in a tile.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct VisibleGroups {
     pub directly: GroupSet,
@@ -35,7 +35,7 @@ const MAX_BOUNDS: usize = 2 * MAX_SOLIDS.div_ceil(LEAF).next_power_of_two() - 1;
 
 pub(super) const MAX_NODES: usize = MAX_BOUNDS + MAX_SOLIDS + MAX_LIGHTS;
 
-/// A sphere, or the bounding sphere of a block, of a light or of several nodes.
+/// A sphere, or the bounding sphere of a block, a light or several nodes.
 #[derive(Clone, Copy)]
 pub(crate) struct BvhNode {
     pub centre: Vec3A,
@@ -96,7 +96,7 @@ impl Tree {
         &self.nodes[..self.len]
     }
 
-    /// Returns the first node for rays that only meet `groups`. Skips the root, which such rays probably meet.
+    /// Returns the first node for rays that only meet `groups`, without the root, which they probably meet.
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 { 1 } else { self.solid_node_end }
     }
@@ -273,7 +273,7 @@ impl BvhNode {
         (from.length_squared() - radius * radius) as f32
     }
 
-    /// Sets the powers of points. Not inlined, since it is rarely called.
+    /// Not inlined: rarely called.
     #[inline(never)]
     pub fn powers(&self, [x, y, z]: [&[f32]; 3], powers: &mut [f32]) {
         for (power, ((&x, &y), &z)) in powers.iter_mut().zip(x.iter().zip(y).zip(z)) {

@@ -1,4 +1,4 @@
-//! Bisects the halves of a pixel's axes at edges, and blends the pixel with their points.
+//! Bisects the halves of a pixel's axes at edges, and blends the pixel with the points.
 
 use super::Context;
 use super::worker::{Interval, Worker};
@@ -25,7 +25,7 @@ const SIGN: u64 = 1 << (FIELD - 1);
 /// next one.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
-/// Adds a traced midpoint on one side of a pixel to the pixel's changes, and queues the interval if it has an edge.
+/// Adds a midpoint on one side of a pixel to the pixel's changes, and queues the interval if it has an edge.
 #[inline(never)]
 pub(super) fn add_middle(
     plan: &FramePlan,

@@ -21,7 +21,7 @@ pub(crate) struct Kernels {
 }
 
 impl Kernels {
-    /// Returns the fastest kernels. AVX-512 is only for rays: eight pixels, the row of a square, fit an AVX2 register.
+    /// AVX-512 is only for rays: eight pixels, the row of a square, fit an AVX2 register.
     pub fn widest(level: Level) -> Self {
         #[cfg(target_arch = "x86_64")]
         if level.as_avx512().is_some() {
@@ -30,7 +30,6 @@ impl Kernels {
         Self::narrow(level)
     }
 
-    /// Returns the fastest kernels up to AVX2.
     pub fn narrow(level: Level) -> Self {
         #[cfg(target_arch = "x86_64")]
         if let Some(simd) = level.as_avx2() {
@@ -46,7 +45,7 @@ impl Kernels {
         Self::of::<Avx2, Avx2>(Level::Avx2(simd))
     }
 
-    /// Returns kernels for rays by `R` and for squares by `S`; `level` has both.
+    /// Rays use `R`, squares use `S`; `level` has both.
     fn of<R: Isa, S: Isa>(level: Level) -> Self {
         Self {
             level,

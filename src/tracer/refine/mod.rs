@@ -1,8 +1,8 @@
 //! Adaptive refinement: selects the points to trace, and fills the other pixels.
 //!
-//! Each thread refines bands of rows (see `Band`), divided into *tiles* of at most 512 columns. A tile is refined by
-//! *levels*: squares of 8, 4 and 2 pixels, and single pixels. A level is a grid of points, the corners of its squares, with a bit per
-//! square and per point. Each step is a pass over rows:
+//! A thread refines a band of rows (see `Band`) in *tiles* of at most 512 columns, and a tile by *levels*: squares of 8, 4 and 2 pixels,
+//! and single pixels. A level is a grid of points, the corners of its squares, with a bit per square and per point. Each step is a pass
+//! over rows:
 //!
 //! ```text
 //!   squares of 8         find points         verdict                 parts of 4           find points
@@ -26,9 +26,9 @@
 //!    right neighbour, or both its upper and lower one.
 //! 6. *Follow* (`tile::edges`), after the last level: traces all pixels of filled squares of 8 at which an edge ends.
 //!
-//! Before the last step, no point of a tile is traced twice. Adjacent tiles both trace the points on their border, with the same bits: 8
-//! % of all points in the model scene at 1024x768. In return there is one parallel phase without memory or order between bands: 16
-//! threads draw a default frame at 1920x1080 13.5 times as fast as one.
+//! Before the last step, no point of a tile is traced twice. Adjacent tiles both trace their border, with the same bits: 8 % of all
+//! points in the model scene at 1024x768. In return there is one parallel phase without memory or order between bands: 16 threads draw a
+//! default frame at 1920x1080 13.5 times as fast as one.
 //!
 //! # Where the time goes
 //!

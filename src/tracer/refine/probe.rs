@@ -52,7 +52,7 @@ fn shuffled(mut index: u32, count: u32) -> u32 {
     }
 }
 
-/// Compares a finished band with an exhaustive one at its probes, without counting the work.
+/// Does not count its work.
 pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut Band<'_>) {
     let Context { plan, world, .. } = context;
     let size = [plan.finished, plan.size[1]];

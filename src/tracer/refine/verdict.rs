@@ -1,4 +1,4 @@
-//! The verdict on squares: whether their corners' keys agree, and how far their colours differ.
+//! The verdict on squares: do their corners' keys agree, and how far do their colours differ?
 
 use crate::grid::{Bits, GridRow};
 use crate::lanes::*;
@@ -29,14 +29,13 @@ impl Limit {
     }
 }
 
-/// Returns the factor on tolerances for squares of a side in pixels, see [`Quality`]. In crowded tiles (`crowding`, 0 to 1) errors in
-/// small squares add up, so it is closer to 1.
+/// Returns the factor on tolerances for squares of `side` pixels, see [`Quality`]. In crowded tiles (`crowding`, 0 to 1) errors in small
+/// squares add up.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     let growth = 8.0 / side as f32;
     growth + crowding * (1.0 - growth)
 }
 
-/// Returns the limits for equal and for different keys, scaled by [`growth`].
 pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
     let tolerances = [quality.tolerance_agreeing, quality.tolerance_differing];
     tolerances.map(|tolerance| Limit::new(tolerance * growth))
@@ -61,7 +60,6 @@ impl Verdict {
     }
 }
 
-/// Judges the squares whose bits are set by the points above and below.
 #[inline(always)]
 pub(super) fn judge<S: Simd>(
     simd: S,

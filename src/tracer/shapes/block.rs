@@ -96,7 +96,7 @@ pub(crate) fn hit_error(block: &Block, eye: Vec3A) -> f32 {
     }
 }
 
-/// Returns the distance of a point from the nearest side, negative inside, at most as far as from an edge.
+/// Returns the distance from the nearest side, negative inside, at most as far as from an edge.
 fn above(block: &Block, point: Vec3A) -> f32 {
     let own = Mat3A::from(block.axes).transpose() * (point - Vec3A::from(block.centre));
     let half = Vec3A::from(block.half);

@@ -47,7 +47,7 @@ impl<S: Isa> Chord<S> {
         Self { l, l2, ..self }
     }
 
-    /// Returns a conservative mask of the rays that hit the sphere. `cull2` is the squared radius, enlarged by at least a thousandth.
+    /// Conservative. `cull2` is the squared radius, enlarged by at least a thousandth.
     #[inline(always)]
     pub fn may_be_ahead(&self, cull2: f32) -> M<S> {
         let simd = self.t_mid.token();
@@ -130,8 +130,7 @@ pub(crate) fn distance<S: Isa>(
     near.simd_gt(zero).select(near, far)
 }
 
-/// Returns the distance, at most `length`, at which each ray is nearest to a sphere's centre, and its depth there, negative
-/// outside.
+/// Returns the distance, at most `length`, at which a ray is nearest to the centre, and its depth there, negative outside.
 #[inline(always)]
 pub(crate) fn deepest<S: Isa>(
     simd: S,

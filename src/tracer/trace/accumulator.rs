@@ -81,7 +81,7 @@ impl Accumulator {
         }
     }
 
-    /// Adds a packet's contribution to the sums of its points. Primary rays are those of the points from `first` on.
+    /// Adds a packet's contribution to its points; primary rays are the points' from `first` on.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,

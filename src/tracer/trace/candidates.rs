@@ -9,7 +9,7 @@ pub(crate) struct Candidate {
     lanes: u16,
 }
 
-/// Lists each solid at most once.
+/// Each solid at most once.
 pub(crate) type Candidates = List<Candidate, MAX_SOLIDS>;
 
 impl Candidate {

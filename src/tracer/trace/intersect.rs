@@ -24,7 +24,7 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// Returns the nearest hits among all planes and the spheres of `groups`, and lists the blocks that may be hit.
+/// Returns the nearest hits among planes and the spheres of `groups`, and lists the blocks that may be hit.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,

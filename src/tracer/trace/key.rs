@@ -11,7 +11,7 @@ use crate::quality::Quality;
 const OBJECT_BITS: u32 = 12;
 const STATE_BITS: u32 = 2;
 
-/// The nodes of a packet, and the states of the lights there: 0 dark (in shadow or facing away), 1 lit, 2 lit with a highlight.
+/// The nodes of a packet, and the lights' states there: 0 dark (in shadow or facing away), 1 lit, 2 lit with a highlight.
 #[derive(Clone, Copy)]
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,

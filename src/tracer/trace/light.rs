@@ -15,7 +15,7 @@ pub(super) struct Reflected<S: Isa> {
     pub specular: Vec3x<S>,
 }
 
-/// Returns the reflected light of all sources and the `ambient` light, and adds the lights' states to the keys.
+/// Returns the reflected light, and adds the lights' states to the keys.
 #[inline(always)]
 pub(super) fn gather<S: Isa>(
     tracer: Tracer<'_, S>,

@@ -94,7 +94,7 @@ impl<S: Isa> ShadingPoint<S> {
         }
     }
 
-    /// Computes the points on blocks, and the textures, object by object.
+    /// Computes points on blocks, and textures, object by object.
     #[inline(always)]
     fn add_detail(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;

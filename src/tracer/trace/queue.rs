@@ -59,7 +59,7 @@ impl Queue {
             .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
-    /// Returns the positions of a packet in pixels. Lanes after the last point have stale positions, which are ignored.
+    /// In pixels. Lanes after the last point have stale positions, which are ignored.
     #[inline(always)]
     pub(super) fn packet<S: Isa>(&self, simd: S, start: usize) -> [F<S>; 2] {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);

@@ -44,7 +44,6 @@ pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> 
 pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
 
 impl<S: Isa> Rays<S> {
-    /// Returns the primary rays of a packet of points.
     #[inline(always)]
     pub fn primary(simd: S, world: World<'_>, points: &Queue, start: usize) -> Self {
         let [x, y] = points.packet(simd, start);
@@ -77,7 +76,7 @@ impl<S: Isa> Rays<S> {
         (self.slot_path + self.paths()) & ((1 << DEPARTURE) - 1)
     }
 
-    /// Returns the marks of rays that the first plane, object number `plane`, reflects.
+    /// Returns [`MIRRORED`] for rays that the first plane, object number `plane`, reflects.
     #[inline(always)]
     pub fn mirror_marks(&self, simd: S, objects: U<S>, plane: usize) -> U<S> {
         let plane = objects.simd_eq(U::<S>::splat(simd, plane as u32));

@@ -66,7 +66,7 @@ pub(super) fn shade<S: Isa>(
     }
 }
 
-/// Returns the points' colours, and the light in them that the patterns' reflectance scales.
+/// Returns the points' colours, and the light in them that the pattern scales.
 #[inline(always)]
 fn textured<S: Isa>(
     world: World<'_>,
@@ -105,7 +105,7 @@ fn untraced_light<S: Isa>(
 
 struct Scattered<S: Isa> {
     untraced: Vec3x<S>,
-    /// The directions and the weights of the untraced reflected rays.
+    /// Of the untraced reflected rays.
     d: Vec3x<S>,
     mirrored: Vec3x<S>,
     unguarded: M<S>,
@@ -182,7 +182,7 @@ struct Refraction<S: Isa> {
     refracted: M<S>,
     /// The rays within the quality's limits.
     through: M<S>,
-    /// The share of the parents' weight that reflected rays have.
+    /// The reflected rays' share of the parents' weight.
     kr: F<S>,
 }
 

@@ -89,7 +89,7 @@ impl<S: Isa> ShadowRays<S> {
     #[inline(always)]
     fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let zero = splat(simd, 0.0);
-        // The distance from the light to the ray's point nearest to the sphere's centre.
+        // From the light to the ray's point nearest to the sphere's centre.
         let f = Vec3x::splat(simd, cone.to_light);
         let along = f.dot(self.d);
         let across = f.add_scaled(self.d, -along);
@@ -99,7 +99,7 @@ impl<S: Isa> ShadowRays<S> {
             let left = at_least::<S>(self.distance - along, zero);
             return half2.simd_lt(left * left);
         }
-        // A part of the chord lies between the light and the origin.
+        // A part of the chord is between the light and the origin.
         let short = at_least::<S>(at_least::<S>(along - self.distance, -along), zero);
         half2.simd_gt(short * short)
     }

@@ -1,14 +1,12 @@
 use super::rays::Rays;
 use crate::lanes::*;
 
-/// The capacity, a power of two.
-///
 /// A packet of depth d is replaced by at most two of depth d + 1, so at most two of each depth, 1 to 7, wait at once.
 const CAPACITY: usize = 256;
 
 /// Secondary rays, in columns longer than the capacity: a whole packet can be written at the top.
 pub(crate) struct RayStack {
-    /// Origin, direction, weight, and the bits of `slot_path`.
+    /// Origin, direction, weight, and bits of `slot_path`.
     columns: [[f32; CAPACITY + MAX_LANES]; 8],
     len: usize,
 }

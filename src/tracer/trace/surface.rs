@@ -106,7 +106,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 }
 
-/// Returns the object of the first lane in `rest` and all lanes that hit it, and removes these from `rest`.
+/// Returns the object of the first lane in `rest` and all lanes that hit it. Removes these from `rest`.
 #[inline(always)]
 pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (ObjectId, M<S>) {
     let lane = rest.trailing_zeros() as usize % lanes::<S>();

@@ -17,7 +17,7 @@ pub(super) struct ArrivingLight<S: Isa> {
 }
 
 impl<S: Isa> ShadingPoint<S> {
-    /// Returns the light that arrives at the points that show it; `None` if all points face away or are outside its cone.
+    /// Returns `None` if all points face away or are outside the light's cone.
     #[inline(always)]
     pub fn light_of(
         &self,
@@ -54,7 +54,7 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// Returns the factor on the light from its cone and the listed occluders; 0 in lanes whose distance is 0.
+/// The cone and the listed occluders; 0 in lanes whose distance is 0.
 #[inline(always)]
 fn transmittance<S: Isa>(
     simd: S,
@@ -99,7 +99,7 @@ fn transmittance<S: Isa>(
             None => zero,
         };
         let covered = outward.select(zero, certain.select(splat(simd, 1.0), covered));
-        // A NaN tint counts as black: it must not spoil the lanes that are not in shadow.
+        // A NaN tint counts as black: it must not spoil lanes that are not in shadow.
         let mut absorbed = Vec3A::ONE;
         if light.diameter > 0.0 {
             absorbed -= Vec3A::from(material.tint).max(Vec3A::ZERO).min(Vec3A::ONE);
@@ -113,7 +113,7 @@ fn transmittance<S: Isa>(
     passing
 }
 
-/// Returns the share of a light that an occluder covers, 0 to 1, if rays pass it at the depth `depth` (after Parker, Shirley and Smits:
+/// Returns the share of a light that an occluder covers, 0 to 1, if rays pass at the depth `depth` (after Parker, Shirley and Smits:
 /// Single Sample Soft Shadows, 1998).
 ///
 /// The cone from the point to the light has the width `b = a diameter / distance` at the distance `a` of the occluder. While the

@@ -68,7 +68,7 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, footprint: F<S>) -> 
         let u = (x * along_x + z * along_z) * per_unit - phase;
         let u = off_integer::<S>(u);
         let rise = u * (u.abs() * -2.0 + 1.0) * share * (8.0 * waves.slope);
-        // NaN from an invalid scene must not reach lanes that do not see this wave.
+        // NaN of an invalid scene must not reach other lanes.
         let rise = is_seen.select(rise, zero);
         slope_x += rise * along_x;
         slope_z += rise * along_z;

@@ -26,13 +26,12 @@ pub(super) fn stretch(word: usize, width: usize) -> Range<usize> {
     width.min(word * STRETCH)..width.min((word + 1) * STRETCH)
 }
 
-/// Returns a bit for each rough cell of a stretch.
 pub(super) fn rough_cells(row: &RoughRow, word: usize) -> u64 {
     let tile = row[word / (TILE_WIDTH / STRETCH)];
     tile >> (CELLS * word % (TILE_WIDTH / CELL)) & ((1 << CELLS) - 1)
 }
 
-/// Marks the edges between two lines of pixels in the cells whose bits are set.
+/// Marks edges between two lines of pixels, in the cells whose bits are set.
 #[inline(never)]
 pub(super) fn mark(plan: &FramePlan, line: &[u32], other: &[u32], cells: u64) -> u64 {
     let edge = plan.quality.edge;

@@ -1,8 +1,8 @@
 //! Antialiasing, the second phase of a frame: blends pixels at edges with points between them.
 //!
 //! If two neighbouring pixels differ by an edge, the midpoint between them is traced, once for both. Then each pixel bisects the interval
-//! from its centre to the midpoint. If the ends differ by `HALF`, the point between them is traced. If that point
-//! differs from an end by `QUARTER`, a point between these two is traced, and from twice that difference on a third.
+//! from its centre to the midpoint. If its ends differ by `HALF`, the point between them is traced. If that point differs from an end by
+//! `QUARTER`, a point between these two is traced, and from twice that difference on a third.
 //!
 //! ```text
 //!     a          midpoint         b

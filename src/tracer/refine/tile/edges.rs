@@ -61,7 +61,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.band.rough[y][self.area.left / TILE_WIDTH]
     }
 
-    /// Traces the pixels of a smooth cell, which becomes rough.
     #[inline(never)]
     fn open(&mut self, x: usize, y: usize) {
         if self.rough(y) >> (x % 64) & 1 == 0 {

@@ -14,7 +14,6 @@ const POINT: u8 = 2;
 const FRONT: usize = 3;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Draws a finished tile's marks with the brightnesses of `Method`.
     pub(super) fn show_method(&mut self) {
         let plan = self.context.plan;
         let start = plan.finished.max(self.area.left);

@@ -64,7 +64,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.trace(level);
     }
 
-    /// Adds a cluster's points to the batch, and traces a full batch first.
     #[inline(never)]
     pub(super) fn add_cluster(&mut self, level: usize, [left, top]: [usize; 2], mut cluster: u64) {
         if self.worker.batch.points.len() + CLUSTER_WIDTH * CLUSTER_HEIGHT > BATCH {

@@ -9,13 +9,11 @@ const SHAPES: usize = 4000;
 const BLOCKS: usize = 2000;
 const RAYS: usize = 1000;
 
-/// Returns the hit of a scene's only object.
 fn met(by: &dyn Kernels, world: World<'_>, o: Vec3, d: Vec3) -> Option<Met> {
     let [met, ..] = by.meets(world, &packet(o, &[d]));
     (met.object == 0).then_some(met)
 }
 
-/// Calls `check` with each ray's direction and the distance of its hit.
 fn each_ray(
     by: &dyn Kernels,
     world: World<'_>,
@@ -98,7 +96,7 @@ fn fitting(shape: Shape, half: DVec3) -> Vec3 {
     }
 }
 
-/// Returns the distance of a point from the nearest side, negative inside.
+/// Negative inside.
 fn outside(block: &Block, p: Vec3) -> f64 {
     let axes = block.axes.as_dmat3();
     let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());

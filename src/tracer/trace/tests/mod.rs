@@ -30,12 +30,12 @@ trait Kernels {
 
     fn fuses_mul_add(&self) -> bool;
 
-    /// Returns distances and objects of rays that leave a surface.
+    /// Of rays that leave a surface.
     fn hits(&self, world: World<'_>, packet: &Packet, departure: u32) -> [(f32, u32); MAX_LANES];
 
     fn meets(&self, world: World<'_>, packet: &Packet) -> [Met; MAX_LANES];
 
-    /// Returns the reflected and the transmitted ray of each.
+    /// The reflected and the transmitted ray of each.
     fn secondary(
         &self,
         world: World<'_>,
@@ -44,7 +44,6 @@ trait Kernels {
     ) -> [[Option<Ray>; 2]; MAX_LANES];
 }
 
-/// Calls a property with each instruction set and its name.
 fn on_every_instruction_set(property: impl Fn(&dyn Kernels, &str)) {
     property(&By(baseline()), "baseline");
     #[cfg(target_arch = "x86_64")]
@@ -57,7 +56,7 @@ fn on_every_instruction_set(property: impl Fn(&dyn Kernels, &str)) {
     }
 }
 
-/// A generator of pseudorandom numbers: SplitMix (Steele, Lea and Flood).
+/// SplitMix (Steele, Lea and Flood).
 struct Random(u64);
 
 impl Random {
@@ -73,7 +72,7 @@ impl Random {
         low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Returns a number of random sign whose decimal logarithm is uniform between `low` and `high`.
+    /// Of random sign. The decimal logarithm is uniform between `low` and `high`.
     fn of_magnitude(&mut self, low: f64, high: f64) -> f64 {
         let number = 10_f64.powf(self.between(low, high));
         [number, -number][(self.bits() & 1) as usize]

@@ -18,10 +18,10 @@ const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e6, [1400.0, 1650.0, 9700.0]),
 ];
 
-/// The largest error of a hit's distance, relative to distance and radius, without the sphere's outermost tenth.
+/// The largest error of a hit's distance, relative to distance and radius, except in the sphere's outermost tenth.
 const OFF: [f64; 2] = [4e-7, 1e-7];
 
-/// Returns the count that Poisson's distribution with a mean exceeds with a probability below [`EXCEEDED`].
+/// Poisson's distribution exceeds this with a probability below [`EXCEEDED`].
 fn poisson_bound(mean: f64) -> usize {
     // Logarithms do not underflow.
     let (mut count, mut log_p, mut at_most) = (0, -mean, (-mean).exp());
@@ -33,7 +33,7 @@ fn poisson_bound(mean: f64) -> usize {
     count
 }
 
-/// Returns the number of wrong rays to spheres at a distance in radii, and the largest error of a hit's distance, in radii.
+/// Returns the number of wrong rays, and the largest error of a hit's distance, in radii.
 fn outcome(by: &dyn Kernels, distance: f64, is_in_origin: bool) -> (usize, f64) {
     let mut random = Random(distance as u64);
     let (mut wrong, mut off) = (0, 0.0_f64);

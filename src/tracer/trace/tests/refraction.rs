@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// The largest error of a direction's squared length: two roundings for each of its three components.
+/// The largest error of a squared length: two roundings per component.
 const LENGTH2: f64 = 4.0 * f32::EPSILON as f64;
 
 const fn glass(index: f32) -> Material {
