@@ -2,6 +2,7 @@
 
 use crate::counts::Probes;
 use crate::quality::{Preset, Quality};
+use crate::zero::Zero;
 use core::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
@@ -67,23 +68,16 @@ pub struct Governor {
     threshold: [u64; RUNGS],
 }
 
+zero! { Governor { budget, rung, last, late, calm, age, mean, before, threshold } }
+
 impl Governor {
     /// Returns a governor at the finest preset, for a time of `budget` per frame, at most one second.
     #[must_use]
     #[inline]
     pub fn new(budget: Duration) -> Self {
         let budget = (budget.as_nanos() as u64).clamp(1, SECOND);
-        Self {
-            budget,
-            rung: 0,
-            last: PRESETS - 1,
-            late: 0,
-            calm: 0,
-            age: 0,
-            mean: 0,
-            before: 0,
-            threshold: [budget / 5 * GUESS; RUNGS],
-        }
+        let threshold = [budget / 5 * GUESS; RUNGS];
+        Self { budget, last: PRESETS - 1, threshold, ..Self::ZERO }
     }
 
     /// Also selects a [divisor](Governor::divisor) if the fastest preset is too slow.

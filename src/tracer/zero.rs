@@ -20,7 +20,8 @@ macro_rules! zero {
 
 /// Implements [`Default`] for a type by its value.
 macro_rules! default {
-    ($type:ident = $value:expr) => {
+    ($(#[$doc:meta])* $type:ident = $value:expr) => {
+        $(#[$doc])*
         impl Default for $type {
             fn default() -> Self {
                 $value

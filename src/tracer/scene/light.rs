@@ -30,12 +30,10 @@ pub struct Light {
     pub spot: Option<Spot>,
 }
 
-/// A white light above and to the left of the default camera.
-impl Default for Light {
-    fn default() -> Self {
-        Self::new(Vec3::new(-2.0, 3.0, 2.0), Vec3::ONE)
-    }
-}
+default!(
+    /// A white light above and to the left of the default camera.
+    Light = Self::new(Vec3::new(-2.0, 3.0, 2.0), Vec3::ONE)
+);
 
 impl Light {
     /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, rays differ by at most 0.001
@@ -114,12 +112,10 @@ pub struct Spot {
     pub outer_angle: f32,
 }
 
-/// Points down, with an outer angle of 30 degrees.
-impl Default for Spot {
-    fn default() -> Self {
-        Self::new(Vec3::NEG_Y, PI / 6.0)
-    }
-}
+default!(
+    /// Points down, with an outer angle of 30 degrees.
+    Spot = Self::new(Vec3::NEG_Y, PI / 6.0)
+);
 
 impl Spot {
     /// Returns a cone whose inner angle is three quarters of the outer one.

@@ -30,11 +30,7 @@ pub struct Caption {
     pub brightness: f32,
 }
 
-impl Default for Caption {
-    fn default() -> Self {
-        Self { letters: List::default(), middle: 0.9, size: 0.05, brightness: 1.0 }
-    }
-}
+default!(Caption = Self { letters: List::default(), middle: 0.9, size: 0.05, brightness: 1.0 });
 
 impl Caption {
     pub(super) const ZERO: Self =

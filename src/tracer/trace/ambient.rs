@@ -44,7 +44,17 @@ fn arriving<S: Isa>(tracer: Tracer<'_, S>, rays: &Rays<S>, point: &ShadingPoint<
     if !near.any_true() {
         return open;
     }
-    let around = Surroundings::new(simd, point, near);
+    let (p, n) = (&point.p, &point.n);
+    let around = Surroundings {
+        p: [p.x, p.y, p.z].map(
+            #[inline(always)]
+            |c| extent(simd, c, near),
+        ),
+        n: [n.x, n.y, n.z].map(
+            #[inline(always)]
+            |c| extent(simd, c, near),
+        ),
+    };
     let (share, bounced) = around.gather(tracer, point, near);
     Vec3x::select(near, open.scaled(share) + bounced, open)
 }
@@ -62,21 +72,6 @@ struct Surroundings {
 }
 
 impl Surroundings {
-    #[inline(always)]
-    fn new<S: Isa>(simd: S, point: &ShadingPoint<S>, near: M<S>) -> Self {
-        let (p, n) = (&point.p, &point.n);
-        Self {
-            p: [p.x, p.y, p.z].map(
-                #[inline(always)]
-                |c| extent(simd, c, near),
-            ),
-            n: [n.x, n.y, n.z].map(
-                #[inline(always)]
-                |c| extent(simd, c, near),
-            ),
-        }
-    }
-
     /// Returns the uncovered share and the light that solids reflect.
     #[inline(always)]
     fn gather<S: Isa>(
