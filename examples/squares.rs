@@ -27,7 +27,7 @@ impl Observer for Squares<'_> {
     }
 }
 
-/// Draws the upper and left sides, so that none is drawn twice.
+/// Draws the upper and left sides; neighbours draw the others.
 fn outline(pixels: &mut [u32], [x, y, w, h]: Square) {
     let blend = |pixel: &mut u32| *pixel = (*pixel >> 1 & 0x007f_7f7f) + 0x0060_6060;
     for x in x..x + w {

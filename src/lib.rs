@@ -2,11 +2,11 @@
 //!
 //! | part | module |
 //! | --- | --- |
-//! | from time to a scene: the show, and the model scene of all measurements | [`show`] |
+//! | the show, and the model scene of measurements | [`show`] |
 //! | the soundtrack | [`sound`] |
 //! | the beats of picture and sound | [`grid`] |
 //!
-//! The crate allocates nothing, and needs no std. `ARCHITECTURE.md` in the repository lists where to make a change.
+//! The crate allocates nothing, and needs no std.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

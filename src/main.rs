@@ -1,4 +1,4 @@
-//! The intro: plays the show in a window, in a terminal or without a screen, or writes one frame of it.
+//! The intro: plays the show in a window, in a terminal or without a screen, or writes a frame.
 
 #![no_main]
 #![deny(unsafe_code)]

@@ -1,4 +1,4 @@
-//! The base of the lab and of the tests: draws frames on a pool of threads, compares and encodes them, and builds programs.
+//! For the lab and the tests: draws frames on a pool of threads, compares and encodes them, and builds programs.
 
 pub mod cargo;
 pub mod error;

@@ -1,4 +1,4 @@
-//! Patches of lost pixels: no drawn pixel nearby is similar.
+//! Patches of lost pixels.
 
 use crate::error::worst_channel;
 use std::collections::BTreeSet;
@@ -17,7 +17,7 @@ pub fn lost(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
     (0..exact.len()).filter(is_lost).collect()
 }
 
-/// Returns the number of pixels of the largest patch of lost ones.
+/// Returns the number of pixels of the largest lost patch.
 pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> usize {
     let patches = patches(&lost(exact, drawn, width), width);
     patches.iter().map(Vec::len).max().unwrap_or(0)

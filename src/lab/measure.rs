@@ -37,7 +37,7 @@ pub struct Measurement {
 
 pub struct Shot {
     pub scene: SceneName,
-    /// Seconds from the scene's start; equally many in each shot.
+    /// Seconds from the scene's start; each shot has the same number.
     pub times: Vec<f32>,
     pub views: Vec<Vec<f32>>,
 }
@@ -82,7 +82,7 @@ pub struct Setting {
 
 #[derive(Clone, Default)]
 pub struct Run {
-    /// Milliseconds per frame: for one thread processor time, which other programs do not lengthen; else real time.
+    /// Milliseconds per frame: processor time if there is one thread, else real time.
     pub times: Vec<f64>,
     pub counts: Counts,
     pub differences: Vec<Difference>,
@@ -90,8 +90,8 @@ pub struct Run {
 }
 
 impl Measurement {
-    /// Settings and techniques take turns, so a drift of the machine's speed affects all of them. After Ctrl-C only the first frame
-    /// of each shot is drawn.
+    /// Settings and techniques take turns, so a drift of the machine's speed affects all. After Ctrl-C only the first frame of each shot is
+    /// drawn.
     pub fn run(&self) -> Vec<Setting> {
         let mut settings = self.settings();
         let renderers = self.threads.iter().map(|&count| ThreadedRenderer::new(count));

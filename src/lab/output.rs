@@ -1,4 +1,4 @@
-//! Writes files, which appear whole or not at all.
+//! Writes files atomically.
 
 use anyhow::{Context, Result, anyhow, ensure};
 use serde::Serialize;

@@ -45,7 +45,7 @@ pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
     }
 }
 
-/// Returns a colour of the perceptually uniform "magma", 0 dark to 1 bright.
+/// Returns a colour of the perceptually uniform "magma", from 0 to 1.
 pub fn heat(share: f32) -> u32 {
     static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
         let bytes = nv_flip::magma_lut().to_vec();

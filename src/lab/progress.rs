@@ -2,10 +2,10 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
-/// Between lines: few in a log, and no doubt whether the program hangs.
+/// Between lines: few in a log, but proof of progress.
 const LINE_EVERY: Duration = Duration::from_secs(10);
 
-/// Prints a line now and then. It has no thread, which would disturb measurements.
+/// Prints lines, without a thread, which would disturb measurements.
 pub struct Progress {
     steps: usize,
     done: AtomicUsize,

@@ -1,4 +1,4 @@
-//! One line and an exit code where the system refuses memory or a stack, or the lab panics.
+//! One line and an exit code for panics and refused memory.
 
 use eightfold_scene_file::one_line;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -9,12 +9,12 @@ use std::{fs, panic};
 /// The minimum stack in kB; 384 kB overflowed.
 const STACK: u64 = 1024;
 
-/// Prints a message. Ignores errors: a closed terminal shows none.
+/// Prints a message. Ignores errors, such as a closed terminal.
 pub fn complain(message: &str) {
     let _ = writeln!(stderr(), "{}", one_line(message));
 }
 
-/// Ends the process with a message at a panic, or if the stack is too small.
+/// Ends the process at a panic, or if the stack is too small.
 pub fn start() {
     panic::set_hook(Box::new(|panic| {
         let why = panic.payload_as_str().unwrap_or("the lab failed");

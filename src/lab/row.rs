@@ -24,7 +24,7 @@ pub struct Row {
     pub fps_worst_second: f64,
     pub ms_median: f64,
     pub ms_p99: f64,
-    /// First quartile of the reference's times, divided by this row's: other programs lengthen slower frames.
+    /// The reference's first quartile of times, divided by this row's: other programs lengthen slower frames.
     pub speedup: f64,
     pub traced_fraction: f64,
     /// Primary and secondary rays.
@@ -161,7 +161,7 @@ const RACES: [Column<Race>; 8] = [
     }),
 ];
 
-/// Compares qualities with the checkerboard and with enlarged frames of equal time, interpolated between measured sizes.
+/// Compares qualities with the checkerboard and with enlarged frames of equal time, by interpolation.
 pub fn races(rows: &[Row]) -> String {
     let setting = |row: &Row| (row.scene.clone(), row.width, row.height, row.threads);
     let settings = rows.chunk_by(|a, b| setting(a) == setting(b));
@@ -201,7 +201,7 @@ fn percent(fraction: f64) -> String {
     format!("{:.1} %", 100.0 * fraction)
 }
 
-/// Formats `digits` decimals, or a dash for unknown or infinite numbers, such as the PSNR of equal pictures.
+/// Formats `digits` decimals, or a dash for unknown or infinite numbers.
 fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
     match number.into().filter(|number| number.is_finite()) {
         Some(number) => format!("{number:.digits$}"),

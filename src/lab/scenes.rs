@@ -61,7 +61,7 @@ impl SceneName {
         }
     }
 
-    /// Omits overlays that would count as errors: the method's, and captions that count points.
+    /// Omits overlays that would count as errors: the method's, and captions with counts.
     pub fn without_overlay(self, time: f32) -> Moment {
         let mut moment = self.at(time);
         let Presentation { method, captions, .. } = &mut moment.presentation;

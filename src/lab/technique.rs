@@ -18,7 +18,7 @@ pub enum Sampling {
     Full,
     /// The relative side of a smaller frame, enlarged by a Catmull-Rom filter.
     Enlarged(f64),
-    /// Every second pixel is traced; the others are means of the more similar horizontal or vertical neighbours.
+    /// Every second pixel is traced; the others are means of their more similar pair of neighbours.
     Checkerboard,
 }
 
@@ -82,7 +82,7 @@ impl Technique {
                 counts
             }
             Sampling::Checkerboard => {
-                // Draw the upper left, then the lower right pixels of each 2x2 as frames of half the side.
+                // Draw each 2x2's upper left, then lower right pixels as frames of half the side.
                 let part = Size::new(size.width.div_ceil(2), size.height.div_ceil(2));
                 small.resize(part.area(), 0);
                 let mut counts = Counts::NONE;

@@ -43,8 +43,7 @@ impl Frame {
         })
     }
 
-    /// Returns which pixels are on silhouettes: ray trees differ within 3x3 pixels, so rounding can change the object that a ray
-    /// hits.
+    /// Returns the pixels on silhouettes: ray trees differ within 3x3 pixels, so rounding can change the object hit.
     pub fn silhouettes(&self) -> Vec<bool> {
         self.map_pixels(|x, y| {
             let tree = self.at(x, y).tree;

@@ -12,8 +12,8 @@ pub struct Ray {
     pub o: DVec3,
     /// The direction, of length 1.
     pub d: DVec3,
-    /// The rounding error of the origin, in scene units. Surfaces within it contain the origin: outward rays do not hit them,
-    /// inward rays hit their far sides. So hits need no minimal distance, at any scale.
+    /// The origin's rounding error, in scene units. Surfaces within it contain the origin: outward rays do not hit them, inward rays hit
+    /// their far sides. So hits need no minimal distance.
     slack: f64,
 }
 
@@ -74,8 +74,8 @@ impl PicturePlane {
     }
 }
 
-/// Returns the two distances at which a ray crosses a sphere, or an infinite cylinder if `oc` and `d` are perpendicular to its
-/// axis. `oc` is the origin relative to the centre.
+/// Returns the two distances at which a ray crosses a sphere, or an infinite cylinder if `d` and `oc`, the origin relative to the centre,
+/// are perpendicular to its axis.
 fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
     let b = oc.dot(d);

@@ -1,6 +1,5 @@
-//! A second ray tracer: the reference for the library's pictures, and for the objects that the lab counts.
-//!
-//! It is scalar and recursive, in f64, with textbook formulas, and shares only the scene description with the library.
+//! The reference for the library's pictures: a scalar, recursive ray tracer in f64, with textbook formulas, which shares only the scene
+//! description with the library.
 
 mod ambient;
 pub mod frame;
@@ -155,13 +154,12 @@ fn bodies(scene: &Scene) -> Vec<Body> {
     all.map(|(object, shape)| Body { object, shape }).collect()
 }
 
-/// The ranks of 4x4 pixels: as a colour gets brighter, dithering rounds up the pixel of the highest rank first.
+/// The ranks of 4x4 pixels: dithering rounds up the highest rank first.
 const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
 /// The distance between numbers, in output steps, below which rounding can change their order.
 ///
-/// The sum of a ray tree is off by up to 1/100 of a step, a square's corner by 1/128, and the last pixel of a filled square by
-/// 8/256.
+/// A ray tree's sum is off by up to 1/100 of a step, a square's corner by 1/128, a filled square's last pixel by 8/256.
 const TIE: f64 = 1.0 / 16.0;
 
 pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
@@ -169,8 +167,8 @@ pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     red << 16 | green << 8 | blue
 }
 
-/// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, either is right, and the nearer to `drawn`
-/// is returned.
+/// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, both are right; the nearer to `drawn` is
+/// returned.
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let steps = steps(colour, dither, x, y);
     let channels = [16, 8, 0].into_iter().zip(steps);

@@ -68,8 +68,8 @@ impl Oracle<'_> {
     }
 }
 
-/// Returns the share of an area light that a sphere does not block, by the formula of the library's `sphere_covers`. A sphere that
-/// contains `p` and the whole light blocks nothing: domes are lit from within.
+/// Returns the share of an area light that a sphere does not block, by the library's `sphere_covers`. A sphere around `p` and the whole
+/// light blocks nothing: domes are lit from within.
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);
@@ -105,7 +105,7 @@ fn contains(block: &Block, p: DVec3) -> bool {
     own.abs().cmple(block.half.as_dvec3()).all()
 }
 
-/// Returns the share of an area light that a block does not block, by the formula of the library's `approach`.
+/// Returns the share of an area light that a block does not block, by the library's `approach`.
 fn block_penumbra(block: &Block, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let axes = block.axes.as_dmat3().transpose();
     let (o, d) = (axes * (p - block.centre.as_dvec3()), axes * to_light.l);
@@ -134,7 +134,7 @@ fn block_penumbra(block: &Block, p: DVec3, to_light: &ToLight, light: &Light) ->
     soft_edge(off + error, a, to_light, light)
 }
 
-/// Returns the vector to a point, along a block's axes, from the block's nearest point, and its signed length.
+/// Returns the vector along a block's axes from its nearest point to `p`, and its signed length.
 pub(super) fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
     let core = match block.shape {
         Shape::Box => DVec3::ZERO,

@@ -3,7 +3,7 @@
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
-/// Returns the factors of a pattern at `p` in the object's own axes, where a pixel covers `footprint` scene units.
+/// Returns a pattern's factors at `p` in the object's own axes; a pixel covers `footprint` scene units.
 pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> DVec3 {
     if pattern.depth == 0.0 {
         return DVec3::ONE;

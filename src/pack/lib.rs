@@ -1,15 +1,15 @@
 //! Packs the intro when it is linked, and unpacks it when it starts. [`build`] is the intro's build script and linker, `model`
 //! predicts the next bit of x86 code, and `stub` starts a packed executable.
 //!
-//! The model computes with integers, in one function for packing and unpacking. Unpacking takes 1.1 microseconds a byte, see `time
-//! target/release/eightfold --version`. Why a custom packer: sizes of an intro of 116,673 bytes are
+//! The model computes with integers, in one function for packing and unpacking. Unpacking takes 1.1 microseconds a byte (`time
+//! target/release/eightfold --version`). Sizes of an intro of 116,673 bytes by packer:
 //!
 //! | packer | packed | unpacker | time to unpack |
 //! | --- | ---: | ---: | ---: |
 //! | upkr -9 | 59,318 | 494 | 8 ms |
 //! | xz (LZMA1, filter for x86) | 58,108 | 1,478 | 8 ms |
-//! | zpaq -m5 | 52,543 | (no small one) | |
-//! | this one, at that time | 41,640 | 3,600 with its loader | 0.12 s |
+//! | zpaq -m5 | 52,543 | (large) | |
+//! | this one, then | 41,640 | 3,600 with its loader | 0.12 s |
 #![cfg(target_arch = "x86_64")]
 #![deny(unsafe_code)]
 
@@ -41,7 +41,7 @@ fn encode(bytes: &[u8]) -> Vec<u8> {
     encoder.end()
 }
 
-/// Returns the cost of each byte in bits. The packed code also has a few bits at its end.
+/// Returns the cost of each byte in bits, without the code's few bits at its end.
 #[must_use]
 pub fn costs(bytes: &[u8]) -> Vec<f32> {
     let mut model = new_model();

@@ -1,8 +1,8 @@
 //! Blanks panic locations, records of 24 bytes in `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column.
 //! This saves 1,091 of 66,047 bytes.
 //!
-//! Only panic messages read them, and `build::redirect` has replaced their code. A record is recognised by all its fields: an
-//! address in `.rodata`, a name there that ends in `.rs`, a line and a column of 1 or more.
+//! Only panic messages read them, and `build::redirect` has replaced their code. A record has an address in `.rodata`, a name there that
+//! ends in `.rs`, a line and a column of 1 or more.
 
 use std::ops::Range;
 

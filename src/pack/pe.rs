@@ -37,7 +37,7 @@ pub struct Executable {
 
 const SUBSYSTEM: pe::Subsystem = pe::IMAGE_SUBSYSTEM_WINDOWS_GUI;
 
-/// The stack's size, and the committed part, which is larger than any function's frame.
+/// The stack's size, and the committed part, larger than any function's frame.
 const STACK: u64 = 1 << 20;
 const STACK_AT_ONCE: u64 = 1 << 17;
 

@@ -1,7 +1,7 @@
 //! A small context-mixing model, for the stub's second stage. Its decoder is `stub/small.s`, which computes the same floats.
 //!
-//! Six contexts count the zeros and ones that followed them; a bit halves the other's count. The odds of a 1 are the fourth root of the
-//! product of all contexts' odds.
+//! Six contexts count the zeros and ones after them; a bit halves the other's count. The odds of a 1 are the fourth root of the product of
+//! all odds.
 
 /// Sets of the three bytes before, in the decoder's order: 1 for the last byte, 2 and 4 for those before it.
 const CONTEXTS: [u32; 6] = [5, 4, 3, 2, 1, 0];
@@ -58,7 +58,7 @@ impl Encoder {
     }
 
     fn end(mut self) -> Vec<u8> {
-        // Two bits are exact enough. The first bit only receives carries, and the code is below 1.
+        // Two bits suffice. The first bit only receives carries, and the code is below 1.
         self.widen();
         self.add((1 << 30) - 1);
         self.shift();
@@ -67,7 +67,7 @@ impl Encoder {
         for (i, bit) in self.bits.iter().skip(1).enumerate() {
             words[i / 32] ^= u32::from(!bit) << (i % 32);
         }
-        // The decoder reads words. The last bit is 1, so that every cut changes the file's memory.
+        // The decoder reads words. The last bit is 1, so every cut changes the file's memory.
         words.into_iter().flat_map(u32::to_le_bytes).collect()
     }
 }

@@ -53,7 +53,7 @@ impl<'a> Stub<'a> {
         self.sections.get(1).map_or(self.size, |&(_, start)| start)
     }
 
-    /// Returns the place of a function in the first section, or its start.
+    /// Returns a function's place in the first section, or its start.
     pub fn place(&self, name: &str) -> u64 {
         self.file.symbol_by_name(name).map_or(0, |symbol| symbol.address())
     }
@@ -124,7 +124,7 @@ impl<'a> Stub<'a> {
             return Ok(address + start as u64 + symbol.address());
         }
         let name = symbol.name()?;
-        // A possible panic in the stub ends up here: its panic handler calls an undefined function.
+        // If the stub can panic, its panic handler's undefined function is missing here.
         names.get(name).copied().ok_or_else(|| format!("stub symbol {name} is undefined").into())
     }
 }

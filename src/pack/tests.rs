@@ -67,14 +67,13 @@ fn costs_sum_to_packed_size() {
     assert!((size - expected).abs() < 1.0, "{size} and {expected}");
 }
 
-/// A third of the unpacking time is cache misses in this memory. With the file, the alignment to huge pages and the program's 33
-/// MB, the total is the 105 MB of the stub's message.
+/// With the file, the alignment to huge pages and the program's 33 MB, the total is the 105 MB of the stub's message.
 #[test]
 fn model_size_is_bounded() {
     assert!(size_of::<Model>() <= 66 << 20, "{}", size_of::<Model>());
 }
 
-/// Guards against differences between machines and compilers. A changed model needs new values.
+/// Finds differences between machines and compilers. A changed model needs new values.
 #[test]
 fn packing_is_reproducible() {
     let mut state = 1_u32;

@@ -1,5 +1,5 @@
-//! Checks a moving scene at all times. A field's extremes are at keys and at the extremes of splines. Rules for several fields, or for
-//! a vector's length, can be broken between them: a search there finds the closest approaches.
+//! Checks a moving scene at all times. A field's extremes are at keys and at the extremes of splines. Rules for several fields, or for a
+//! vector's length, can be broken between them: a search finds the closest approaches.
 
 use super::motion::Motion;
 use super::moving::Moving;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 /// Samples between two keys or extremes. Between them, a distance of two splines has few minima.
 const STEPS: u8 = 8;
-/// Seconds after a scene's length that commands draw, at most.
+/// The maximum of seconds that commands draw after a scene's length.
 const AFTER: f32 = 1.0;
 
 /// Returns the end and the start of each direction, which must not vanish.
@@ -23,7 +23,7 @@ fn directions(scene: &mut Scene) -> Vec<(&mut Vec3, Vec3)> {
     ends
 }
 
-/// Returns numbers near 0 where a rule for several fields is nearly broken. The lengths of directions are the first.
+/// Returns numbers near 0 where a rule for several fields is nearly broken, lengths of directions first.
 fn distances(scene: &mut Scene) -> Vec<f32> {
     let ends = directions(scene).into_iter();
     let mut distances: Vec<f32> = ends.map(|(end, start)| end.distance(start)).collect();
@@ -45,7 +45,7 @@ impl Moving {
         self.parts().values().try_for_each(|part| part.check_alone(length))
     }
 
-    /// Returns each moving object or material with its motions, and one part for all other fields.
+    /// Returns each moving object or material with its motions, and a part for all other fields.
     fn parts(&self) -> BTreeMap<[String; 2], Self> {
         let mut parts = BTreeMap::new();
         for motion in &self.motions {
@@ -144,7 +144,7 @@ impl Moving {
         }
     }
 
-    /// Refuses a direction that turns back within a hundred thousandth of a window in seconds: up to rounding it passes 0.
+    /// Refuses a direction that turns back within 1e-5 of a window in seconds: up to rounding it passes 0.
     fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
         let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
         let direction = |time| {

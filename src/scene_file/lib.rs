@@ -1,5 +1,4 @@
-//! Scene files in RON: the fields of [`Scene`] and [`Presentation`], named materials, and motions. `examples/scenes` has a file for each
-//! feature. An error is one line: file, line, column, value, range.
+//! Scene files in RON, see docs/lab.md: the fields of [`Scene`] and [`Presentation`], named materials, and motions.
 
 mod check;
 mod message;
@@ -21,7 +20,7 @@ use std::collections::BTreeMap;
 
 const LENGTH: f32 = 8.0 * std::f32::consts::PI;
 
-/// Some editors begin a text with it. It has no column.
+/// Some editors begin a text with it, without a column.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
 #[derive(Clone, Debug, PartialEq)]
@@ -89,7 +88,7 @@ impl SceneFile {
         moment.expect("a file that was read is a scene at all times")
     }
 
-    /// Checks the scene at a time that may be before the start or after the end.
+    /// Checks the scene at any time.
     pub fn check(&self, time: f32) -> Result<(), String> {
         let scene = self.moving.valid(time);
         scene.map_or_else(|mistake| Err(place(&self.name, &self.text, &mistake)), |_| Ok(()))

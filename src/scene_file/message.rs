@@ -11,7 +11,7 @@ const MAX_WORD: usize = 60;
 /// The nesting that `ron` reads; each level takes two of its 128.
 const MAX_NESTING: usize = 64;
 
-/// Returns one line of printable letters, at most 200. Cuts long words and quotations first, then the end.
+/// Returns a line of at most 200 printable letters. Cuts long words and quotations first, then the end.
 #[must_use]
 pub fn one_line(message: &str) -> String {
     shortened(message, MAX_MESSAGE)
@@ -30,7 +30,7 @@ pub fn located(name: &str, text: &str, at: usize, message: &str) -> String {
     place + &shortened(message, most)
 }
 
-/// Replaces white space by spaces, and escapes control characters and invisible marks, which could rearrange a terminal's text.
+/// Replaces white space by spaces, and escapes control characters and marks that could rearrange a terminal's text.
 fn visible(text: &str) -> String {
     let letter = |letter: char| match letter {
         _ if letter.is_whitespace() => " ".to_owned(),

@@ -12,7 +12,7 @@ pub struct Moving {
     /// The contents of a file without the length and the motions.
     pub tree: Node,
     pub motions: Vec<Motion>,
-    /// A path in the scene, and the file's path of this value, if the tree is a part of a file.
+    /// A path in the scene, and its path in the file, if the tree is a part of a file.
     pub alias: [String; 2],
 }
 

@@ -79,7 +79,7 @@ impl Node {
         Some(self.parts.remove(i))
     }
 
-    /// Returns the value at a path such as `materials["gold"].colour[0]`, with a new place in the text. Adds missing fields.
+    /// Returns the value at a path such as `materials["gold"].colour[0]`, with a new place. Adds missing fields.
     pub fn place(&mut self, path: &str, at: usize) -> Option<&mut Self> {
         let place = steps(path).try_fold(self, |node, name| {
             let is_struct = node.kind == Kind::Struct && node.name != "materials";
@@ -161,7 +161,7 @@ impl<'de> Visitor<'de> for Reader<'_> {
 #[derive(Debug)]
 pub struct Mistake {
     pub at: Option<usize>,
-    /// Begins with a dot, bracket or space until its path is complete.
+    /// Begins with a dot, bracket or space until the path is complete.
     pub message: String,
 }
 

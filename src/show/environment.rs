@@ -4,7 +4,7 @@ use eightfold_tracer::scene::{
 };
 use glam::Vec3;
 
-/// The environment of one scene or of two consecutive ones. The first fields are as in [`Scene`]; colours are linear.
+/// The environment of one or two consecutive scenes. The first fields are as in [`Scene`]; colours are linear.
 pub(super) struct Environment {
     pub background: Vec3,
     pub sky: Vec3,

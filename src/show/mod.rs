@@ -1,4 +1,4 @@
-//! The show, a function from time to a scene, and two scenes for measurements: the model scene and the field.
+//! The show, a function from time to a scene, and the model scene and the field for measurements.
 
 mod captions;
 mod environment;

@@ -1,4 +1,4 @@
-//! The model scene, the default of all measurements: four spheres, a plane and two lights, after the test scene of the 2008 thesis.
+//! The model scene, the default of measurements: four spheres, a plane and two lights, after the 2008 thesis.
 
 use crate::grid::BEAT;
 use eightfold_tracer::maths::{cos, sin};

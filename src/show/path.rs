@@ -12,7 +12,7 @@ pub(super) struct View {
     tilt: [f32; 2],
 }
 
-/// The height of the disc's middle above the picture's, in half heights. All scenes begin and end with a disc at this place.
+/// The height of the disc's middle above the picture's, in half heights. All scenes begin and end with a disc here.
 pub(super) const DISC: f32 = 0.08;
 
 pub(super) const fn view(eye: [f32; 3], target: [f32; 3]) -> View {
@@ -27,8 +27,8 @@ impl View {
 
 /// Sets the camera to a shot at `time`, 0 to 1 from its start to its end.
 ///
-/// Views are evenly spaced in time, on a Catmull-Rom spline. The first and last view count twice, so at a cut the camera keeps
-/// about half of its speed.
+/// Views are evenly spaced in time, on a Catmull-Rom spline. The first and last count twice, so at a cut the camera keeps about half of its
+/// speed.
 pub(super) fn move_camera(views: &[View], time: f32, field_of_view: f32, scene: &mut Scene) {
     let last = views.len() - 1;
     let time = time * last as f32;
@@ -49,11 +49,11 @@ pub(super) fn move_camera(views: &[View], time: f32, field_of_view: f32, scene: 
     let half_height = sin(0.5 * field_of_view) / cos(0.5 * field_of_view);
     let down = ahead.cross(right) * (DISC * half_height / right.length());
     scene.camera = Camera { up, ..Camera::new(eye, target + down, field_of_view) };
-    // Everything that 4:3 shows is in narrower pictures, too.
+    // Narrower pictures show everything of 4:3.
     scene.camera.min_aspect = 4.0 / 3.0;
 }
 
-/// Returns the weights of four consecutive views of the uniform Catmull-Rom spline at `u`, 0 to 1 between the second and the third.
+/// Returns the weights of four consecutive views at `u`, 0 to 1 between the second and the third.
 fn catmull_rom(u: f32) -> [f32; 4] {
     [
         ((2.0 - u) * u - 1.0) * u * 0.5,

@@ -6,7 +6,7 @@ use super::path::View;
 #[derive(Clone, Copy)]
 pub(super) struct ShowScene {
     pub environment: &'static Environment,
-    /// Bars since the first scene in this environment began, to continue its motion; 0 if it is the first.
+    /// Bars since the environment's first scene began, to continue its motion.
     pub environment_since: u32,
     pub shots: &'static [Shot],
     pub captions: &'static [Cue],

@@ -40,10 +40,10 @@ pub(super) struct Size {
     pub half_depth: f32,
 }
 
-/// A stroke's depth relative to the previous one: with equal depths, rounding would select one of two coincident surfaces.
+/// A stroke's depth relative to the previous one: coincident surfaces would flicker.
 const THINNER: f32 = 0.985;
 
-/// Adds a letter of boxes. `axes` are to its right, up, and towards its reader; `foot` is the lower left end of its strokes.
+/// Adds a letter of boxes. `axes` are to its right, up, and towards its reader; `foot` is its lower left end.
 pub(super) fn add_letter(
     letter: u8,
     foot: Vec3,

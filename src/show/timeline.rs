@@ -43,7 +43,7 @@ fn transition(halvings: f32, presentation: &mut Presentation) {
     method.squares = method.squares.max(side / 128.0);
 }
 
-/// Returns the scene or shot at a bar counted from the start of the first, and the bars since its own start. The last one has no end.
+/// Returns the scene or shot at a bar from the start of the first, and the bars since its own start. The last has no end.
 fn playing<T>(all: &[T], bars: impl Fn(&T) -> u32, mut bar: f32) -> (&T, f32) {
     let mut playing = &all[0];
     for next in &all[1..] {

@@ -2,8 +2,8 @@ use eightfold_tracer::scene::Presentation;
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
 
-/// Returns the rows in which a worker's bands begin. Kaleidoscopes of four sectors or more copy pixels between rows: the first worker
-/// draws them.
+/// Returns the rows in which a worker's bands begin. Kaleidoscopes of four or more sectors copy pixels between rows: the first worker draws
+/// them.
 pub fn rows_of(presentation: &Presentation, rows: Range<usize>, height: usize) -> Range<usize> {
     match (presentation.sectors >= 4.0, rows.start) {
         (false, _) => rows,

@@ -74,7 +74,7 @@ fn pulseaudio_plays_at_normal_speed() {
     command.env_remove("DISPLAY");
     let (output, said) = run(command.env("ALSA_CONFIG_PATH", &configuration));
     assert_eq!(texts(&output).1, NO_SCREEN);
-    // With the plugin's buffer it took 5 s and more. A busy machine is late by less.
+    // With the plugin's buffer it took at least 5 s. A busy machine is late by less.
     let seconds = said.split(" in ").nth(1).and_then(|rest| rest.split(' ').next());
     let seconds: f32 = seconds.expect("the report").parse().expect("seconds");
     assert!((3.9..4.9).contains(&seconds), "{said}");
@@ -175,7 +175,7 @@ fn address_space_of_118000_kib_is_enough() {
     let configuration = folder.path().join("asound.conf");
     fs::write(&configuration, "pcm.default { type null }").unwrap();
     let configuration = configuration.display();
-    // In KiB, mostly memory for the largest frames and all threads. A null sound device adds a thread and libraries.
+    // In KiB, mostly for the largest frames and all threads. A null sound device adds a thread and libraries.
     for (limit, sound) in [(118_000, "--silent"), (140_000, "")] {
         let play = format!("INTRO {sound} --seconds 0.2 --threads 2 > /dev/null");
         let limited = format!("ulimit -v {limit}; ALSA_CONFIG_PATH={configuration} {play}");
@@ -210,7 +210,7 @@ fn report_has_the_time_of_each_preset() {
         assert_eq!(name, expected, "{options}");
         assert!(time > 0.0, "{options}: {time}");
     }
-    // No machine reaches this frame rate, so the governor steps down to the fastest preset.
+    // No machine reaches this frame rate, so the governor selects the fastest preset.
     let hurried = used("--seconds 3 --size 1920x1080 --threads 1 --fps 1000");
     let sum: f64 = hurried.iter().map(|(_, time)| time).sum();
     let (last, time) = hurried[hurried.len() - 1];

@@ -18,7 +18,7 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// Starts the intro, and waits for a picture. At the end the terminal shows the exit code and whether its mode was restored.
+    /// Starts the intro, and waits for a picture. In the end the terminal shows the exit code and whether its mode was restored.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         Terminal::run(columns, rows, &format!("{} {options}", intro().display()))
     }
@@ -140,8 +140,8 @@ fn terminal_of_any_size_shows_moving_pictures() {
     terminal.wait_for_end(0);
 }
 
-/// Variables, the bits of a colour, and whether there are half blocks. GNU Screen misreads 24-bit colours. Programs in it inherit
-/// `COLORTERM` from the outer terminal; ssh and sudo drop `STY`.
+/// Variables, the bits of a colour, and whether there are half blocks. GNU Screen misreads 24-bit colours. Its programs inherit `COLORTERM`
+/// from the outer terminal; ssh and sudo drop `STY`.
 const TERMINALS: &str = include_str!("terminals.txt");
 
 #[test]

@@ -89,7 +89,7 @@ fn dependent_without_optimisation_draws() {
     assert!(crates.into_iter().eq(expected.split(' ')), "{tree}");
 }
 
-/// Tests of products may depend on `tests`. No package depends on the lab, so tests of pictures compile without its dependencies.
+/// Only tests depend on `tests`. No package depends on the lab, so tests of pictures compile without its dependencies.
 #[test]
 fn products_depend_on_neither_tests_nor_the_lab() {
     let metadata = cargo(ROOT, &["metadata", "--no-deps", "--offline", "--format-version", "1"]);

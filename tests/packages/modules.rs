@@ -17,7 +17,7 @@ fn code(path: &Path) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Returns the Rust files of a folder and of its folders, except tests.
+/// Returns the Rust files of a folder and its folders, except tests.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder");
     let paths = entries.map(|entry| entry.expect("an entry").path());
@@ -37,7 +37,7 @@ fn imports(code: &str, root: &str) -> BTreeSet<String> {
     names.filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
-/// A file imports only from modules that ARCHITECTURE.md lists before its own, which lists each module once.
+/// A file imports only from modules that ARCHITECTURE.md lists before its own. Each is listed once.
 #[test]
 fn tracer_modules_import_only_from_lower_floors() {
     let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/ARCHITECTURE.md"));

@@ -69,7 +69,7 @@ fn environment_variables_do_not_block_the_window() {
     }
 }
 
-/// Compares a small window with the frames from the first second to the present. `tolerance` limits the mean difference, of 255.
+/// Compares a small window with the frames since the first second. `tolerance` limits the mean difference, of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let start = Instant::now();
     let intro = server.play("--size 200x150 --seconds 60");
@@ -91,7 +91,7 @@ fn default_window_fits_a_small_display() {
             let [x, y, w, h] = server.window().expect("a window");
             let is_inside = x >= 0 && y >= 0 && x + w <= width && y + h <= height;
             assert!(is_inside, "{width}x{height}: {x},{y} {w}x{h}");
-            // openbox takes the borders of its frame off a window as wide as the screen.
+            // openbox subtracts its borders from a window as wide as the screen.
             assert!((w * 3 - h * 4).abs() <= 8, "4:3: {w}x{h}");
             let is_large = w == 1024 || w > width - 4 || h > height - 40;
             assert!(is_large, "{width}x{height}: {w}x{h}");

@@ -62,8 +62,8 @@ impl<'a> Recorder<'a> {
         let (arguments, n) = (self.arguments, self.supersample);
         let mut mean = Mean::default();
         for i in 0..n * n {
-            // A low-discrepancy sequence, independent of the place in the pixel (Roberts, "The unreasonable effectiveness of
-            // quasirandom sequences", 2018).
+            // A low-discrepancy sequence, independent of the pixel (Roberts, "The unreasonable effectiveness of quasirandom sequences",
+            // 2018).
             let spread = |step: f32| (0.5 + i as f32 * step).fract();
             let delay = arguments.shutter * spread(0.618_034);
             let time = (frame as f64 + f64::from(delay)) / f64::from(arguments.fps);
@@ -82,7 +82,7 @@ impl<'a> Recorder<'a> {
         &self.pixels
     }
 
-    /// Moves the camera on its lens. Returns the offset in pixels that keeps the point in focus in place.
+    /// Moves the camera on its lens. Returns the offset in pixels that keeps the focus in place.
     fn move_camera(&self, camera: &mut Camera, lens: Vec2) -> Vec2 {
         let sight = camera.look_at - camera.eye;
         let forward = sight.normalize();
@@ -91,7 +91,7 @@ impl<'a> Recorder<'a> {
         camera.eye += by;
         camera.look_at += by;
         let pixel = camera.pixel(self.size.width, self.size.height);
-        // Rows count downwards; the lens' second axis is up.
+        // Rows count down; the lens' second axis is up.
         vec2(-lens.x, lens.y) / (sight.length() * pixel)
     }
 

@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 
 /// Without `-xerror` ffmpeg reports success if a full disk truncates the end of a file.
 const INPUT: &str = "-v error -xerror -nostdin -y -f rawvideo -pixel_format 0rgb";
-/// All players support 4:2:0; without a colour space they would guess one. Rate factor 16 has no visible loss.
+/// All players support 4:2:0, but guess a missing colour space. Rate factor 16 has no visible loss.
 const H264: &str = "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -crf 16 -pix_fmt yuv420p -colorspace bt709 \
                     -color_primaries bt709 -color_trc bt709 -color_range tv -movflags +faststart";
 /// 192 kbit/s has no audible loss.

@@ -12,8 +12,8 @@ use std::path::Path;
 
 /// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown tables
 ///
-/// `bytes` is the linked size, `packed` the sum of the packer's costs. All instances of a generic function share a row, and count for the
-/// crate that instantiates them if its name is recorded. Inlined code counts for its caller.
+/// `bytes` is the linked size, `packed` the sum of the packer's costs. Instances of a generic function share a row, and count for the crate
+/// that instantiates them, if recorded. Inlined code counts for its caller.
 #[derive(Args)]
 pub struct Arguments {
     /// Measures the intro for Windows

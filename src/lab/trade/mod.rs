@@ -19,8 +19,8 @@ use std::path::{Path, PathBuf};
 /// Measures the gain in speed and the cost in accuracy of each field of `Quality`
 ///
 /// Writes trade.json and SVG plots. Prints a Markdown table of the Pareto front in speed, FLIP and pops, of the settings that compare
-/// colours, objects and lights. Figures are relative to exhaustive frames on one thread. Also measures frames enlarged from 0.3 to 0.9
-/// of the width, and a checkerboard of traced pixels. Ctrl-C writes the figures so far.
+/// colours, objects and lights, relative to exhaustive frames on one thread. Also measures frames enlarged from 0.3 to 0.9 of the width,
+/// and a checkerboard of traced pixels. Ctrl-C writes the figures so far.
 ///
 /// `tolerance` is for the colours of squares and of midpoints of sides; `keys` are the depths of compared objects and lights' states;
 /// `contribution` is the smallest weight of a ray.

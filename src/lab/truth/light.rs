@@ -1,5 +1,5 @@
-//! Lights have no falloff: at any distance, colour c gives a surface that faces the light the irradiance pi c. So a sphere of
-//! radius R at path length D, via mirrors and glass, has the radiance c (D / R)^2.
+//! Lights have no falloff: at any distance, colour c gives a facing surface the irradiance pi c. So a sphere of radius R at path length D,
+//! via mirrors and glass, has the radiance c (D / R)^2.
 
 use eightfold_oracle::geometry::{Ray, sphere};
 use eightfold_oracle::light::{cone, reach};

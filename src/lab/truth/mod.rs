@@ -86,7 +86,7 @@ impl Estimate {
     }
 }
 
-/// The result is independent of the number of threads.
+/// The result is the same for any number of threads.
 pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate> {
     let tracer = PathTracer::new(scene, size);
     let bar = Progress::new(size.height);

@@ -19,7 +19,7 @@ use subject::Subject;
 
 /// Plays the show or a scene in a window, with controls for time, quality and camera
 ///
-/// Reloads a scene file whenever it changes, and shows mistakes over the last valid picture.
+/// Reloads a scene file when it changes, and shows mistakes over the last valid picture.
 #[derive(Args)]
 #[command(after_help = format!("Keys and mouse:\n{}", controls::help()))]
 pub struct Arguments {

@@ -98,7 +98,7 @@ struct Watched {
     scene: SceneFile,
     /// The last text, or a read error; `None` before the first look.
     text: Option<Result<String, String>>,
-    /// A mistake that was read once: the file may be half written.
+    /// A mistake read once: the file may be half written.
     suspect: Option<String>,
     mistake: Option<String>,
 }
@@ -108,7 +108,7 @@ impl Watched {
         Self { scene, text: None, suspect: None, mistake: None }
     }
 
-    /// Returns whether the scene has changed. Modification times are too coarse for two quick writes.
+    /// Returns whether the scene has changed. Modification times are too coarse for quick writes.
     fn look(&mut self) -> bool {
         let name = &self.scene.name;
         let text = scenes::text(Path::new(name));
@@ -150,7 +150,7 @@ fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     camera.eye = camera.look_at + if is_too_steep { around } else { over };
 }
 
-/// Moves the camera sideways by pixels of a picture of this size, so that the target follows the pointer.
+/// Moves the camera sideways by pixels, so the target follows the pointer.
 fn pan(camera: &mut Camera, by: Vec2, (width, height): (usize, usize)) {
     let picture = camera.raster(width, height);
     let distance = (camera.look_at - camera.eye).length();

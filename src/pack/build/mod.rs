@@ -1,9 +1,8 @@
 //! The intro's build script.
 //!
-//! It compiles the stub, and makes rustc's C compiler call a copy of the script's executable in `OUT_DIR/linker` as the linker. Called
-//! by this name, the executable runs the real linker, and packs the output in place. A file `*.unpacked` next to it keeps the symbols
-//! for debuggers and [`costs`](crate::costs). A program that cannot be packed is linked as usual, with a warning; for Windows this is
-//! an error.
+//! It compiles the stub, and makes rustc's C compiler call a copy of the script in `OUT_DIR/linker` as the linker. Under this name, the
+//! script runs the real linker, and packs the output in place. A file `*.unpacked` next to it keeps the symbols for debuggers and
+//! [`costs`](crate::costs). A program that cannot be packed is left as linked, with a warning; for Windows this is an error.
 
 mod linker;
 mod order;
@@ -32,7 +31,7 @@ pub fn main(program: &str) {
         std::process::exit(linker::run(rest));
     }
     println!("cargo::rerun-if-changed={SOURCE}");
-    // Only release builds with a window of their own are packed: minifb's window exceeds the limit.
+    // Only release builds without minifb, which exceeds the limit, are packed.
     let is_portable = env::var_os("CARGO_FEATURE_PORTABLE").is_some()
         || ["TARGET_OS", "TARGET_ARCH"].map(|part| env::var(format!("CARGO_CFG_{part}")).ok())
             != ["linux", "x86_64"].map(|name| Some(name.to_owned()));
@@ -67,7 +66,7 @@ fn prepare(program: &str) -> Result<(), Error> {
     let for_system: &[&str] = if is_for_windows {
         &[
             "-Wl,--no-dynamic-linker",
-            // Leaves space for the packed file, which by convention begins at 0x400000.
+            // Leaves space for the packed file, which begins at 0x400000.
             &format!("-Wl,{}=0x420000", toolchain.base()),
         ]
     } else {
@@ -77,7 +76,7 @@ fn prepare(program: &str) -> Result<(), Error> {
     let for_all = [
         "-nostartfiles",
         "-Wl,--entry=eightfold_start",
-        // Fixed addresses need no relocations, and leave room for the packed file.
+        // Fixed addresses need no relocations.
         "-no-pie",
         // Pages of 4 KB keep the gaps between segments short.
         "-Wl,-z,max-page-size=4096",
@@ -102,7 +101,7 @@ fn compile_stub(toolchain: &Toolchain, system: &str, object: &Path) -> Result<()
         )
         // `s` inlines loops over iterators, which `z` does not.
         .arg("-Copt-level=s")
-        // Windows may overwrite memory below the stack pointer at any time.
+        // Windows may overwrite memory below the stack pointer.
         .args((system == "windows").then_some("-Cno-redzone=yes"))
         .arg("-o")
         .args([object, &source])

@@ -1,5 +1,5 @@
-//! Orders functions by similarity, because the packer's model adapts: a random order costs 600 bytes more. Similarity is the cosine of
-//! tf-idf vectors of three-byte sequences, in correctly rounded arithmetic, for the same order on every machine.
+//! Orders functions by similarity: the packer's model adapts, so a random order costs 600 bytes more. Similarity is the cosine of tf-idf
+//! vectors of three-byte sequences, in correctly rounded arithmetic, for the same order on every machine.
 
 use std::{cmp::Reverse, collections::BTreeMap};
 
@@ -39,7 +39,7 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
     Ok(starts.into_iter().map(|start| names(chain(&likeness, start))).collect())
 }
 
-/// The divisor of a function's weight for each function after it: 2 costs 40 bytes more, 1.02 costs 90.
+/// The divisor of a function's weight per later function: 2 costs 40 bytes more, 1.02 costs 90.
 const DECAY: f64 = 1.4;
 
 /// Returns the order from `start` that continues with the function most similar to the previous ones.
@@ -62,7 +62,7 @@ fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     order
 }
 
-/// Returns the similarity of each two functions, from the sequences that several of them have.
+/// Returns the similarity of each two functions, by their common sequences.
 fn likeness(codes: &[&[u8]]) -> Vec<Vec<f64>> {
     let mut counts: BTreeMap<&[u8], BTreeMap<usize, u32>> = BTreeMap::new();
     for (i, code) in codes.iter().enumerate() {

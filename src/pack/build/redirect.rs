@@ -1,9 +1,7 @@
 //! Replaces the functions of std that explain a panic, which are most of a program's bytes.
 //!
-//! They are found by name in the linker's archives. Options redefine them as `src/window/abort.rs`; the linker drops code that only the
-//! first definition needs.
-//!
-//! Packed bytes that each measure saves, of 53,456:
+//! Linker options redefine them, by their names in the archives, as `src/window/abort.rs`; the linker drops unused code. Packed bytes
+//! that each measure saves, of 53,456:
 //!
 //! | measure | bytes |
 //! | --- | ---: |
@@ -20,7 +18,7 @@ use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
 use super::at;
 use crate::{Error, panics::ABORT};
 
-/// Parts of the paths of the functions that [`ABORT`] replaces. The linker warns of missing ones.
+/// Parts of the paths of the functions that [`ABORT`] replaces; a warning names missing ones.
 const REPLACED: [&str; 8] = [
     "__rustc::rust_begin_unwind",
     "alloc::alloc::handle_alloc_error",

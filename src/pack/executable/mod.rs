@@ -23,7 +23,7 @@ pub enum System {
     Windows,
 }
 
-/// The addresses of a program's segments, from the beginning of a page to the last byte's end.
+/// The addresses of a program's segments, from a page's beginning to the last byte's end.
 struct Memory {
     start: u64,
     end: u64,
@@ -43,7 +43,7 @@ impl Memory {
         Ok(Memory { start, end })
     }
 
-    /// Returns the address of the second stage, behind the program and the first stage's counts at its start.
+    /// Returns the address of the second stage, behind the program and the first stage's counts.
     fn stage(&self) -> u64 {
         self.end.max(self.start + small::MEMORY).next_multiple_of(elf::PAGE)
     }

@@ -6,7 +6,7 @@ use crate::{
     panics,
 };
 
-/// The dynamic section's entry with flags, and the flag that binds all functions at the start.
+/// The dynamic section's flags, and the flag that binds all functions at the start.
 const FLAGS: u64 = 30;
 const BIND_NOW: u64 = 8;
 

@@ -66,7 +66,7 @@ fn executable_unpacks_to_stripped_program() {
     }
 }
 
-/// Changes bytes behind the stub's first section, except padding, and cuts the file at any length.
+/// Changes bytes behind the stub's first section, except padding, and cuts the file anywhere.
 #[test]
 fn damaged_files_are_refused() {
     for (system, checked) in [(System::Linux, 178), (System::Windows, 512 + 80 + 2)] {

@@ -11,7 +11,7 @@
 //! | 57,000 | the packed program |
 //! | 2,600 | the packed second stage |
 //!
-//! A section `.bss` reserves the program's and the second stage's fixed addresses. No memory is ever writable and executable.
+//! A section `.bss` reserves the program's and the second stage's fixed addresses.
 
 use object::pe::{IMAGE_DIRECTORY_ENTRY_IAT, IMAGE_DIRECTORY_ENTRY_IMPORT};
 

@@ -1,16 +1,13 @@
-//! Parses x86-64 machine code byte by byte, to find the next byte's field. It only follows the length of instructions; data is parsed
-//! like code.
+//! Parses x86-64 machine code byte by byte, only for the lengths and fields of instructions; data is parsed like code.
 
 use super::operands::operands_by_runs;
 
-/// The number of features, a power of two; some are unused. Contexts are sets of features. Features 0 to 3 are the last bytes,
-/// newest first.
+/// The number of features, a power of two; some are unused. Features 0 to 3 are the last bytes, newest first.
 pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
-/// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2
-/// and AVX2. The opcodes of the three previous instructions follow at distances of [`STEP`], the first two with their next
-/// three features.
+/// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2 and AVX2.
+/// The three previous instructions' opcodes follow at distances of [`STEP`], the first two with their next three features.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
@@ -46,7 +43,7 @@ const START: u32 = 0;
 const AFTER_PREFIX: u32 = 1;
 const IS_MODRM: u32 = 2;
 const IS_SIB: u32 = 3;
-/// One or two bytes after the first one of a VEX prefix. The intro has no EVEX prefixes.
+/// One or two bytes after the first of a VEX prefix. The intro has no EVEX prefixes.
 const VEX: u32 = 4;
 const DISPLACEMENT: u32 = 8;
 const RELATIVE_DISPLACEMENT: u32 = 12;
@@ -61,7 +58,7 @@ const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
 const FAR: u32 = 7;
-/// The maximum distance of remembered jumps. (Offsets of four bytes are addresses here.)
+/// The maximum distance of remembered jumps.
 const TARGETS: usize = 1 << 16;
 
 /// The size of the byte history; the intro has 200 kB. Longer programs wrap around.
@@ -69,7 +66,7 @@ const BYTES: usize = 1 << 18;
 const PLACES: u32 = 16;
 const LONGEST_MATCH: u32 = 15;
 
-/// The parser's state, initially zero. Small fields come first: instructions reach them by 8-bit offsets.
+/// The parser's state, initially zero. Small fields are first, for 8-bit offsets.
 #[repr(C)]
 pub struct Reader {
     place: u32,
@@ -96,7 +93,7 @@ impl Reader {
         self.features[number % FEATURES]
     }
 
-    /// Returns the position of a finished instruction's four-byte relative offset, once.
+    /// Returns once the position of a finished instruction's four-byte relative offset.
     #[inline(always)]
     pub fn ended_offset(&mut self) -> Option<usize> {
         if self.feature(KIND) != START {
@@ -152,7 +149,7 @@ impl Reader {
         }
     }
 
-    /// Parses a prefix or an opcode. Returns the next byte's kind, as the functions below do.
+    /// Parses a prefix or an opcode. Returns the next byte's kind, like the functions below.
     #[inline(always)]
     fn read_opcode(&mut self, byte: u32) -> u32 {
         let features = &mut self.features;

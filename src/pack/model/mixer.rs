@@ -10,13 +10,13 @@ pub const ROWS: usize = 3;
 /// A weight for each input, in 16,384ths.
 type Weights = [Lanes; ROWS];
 
-/// The initial sum of an input's seven weights: all 24 inputs together have a weight of nearly 1.5.
+/// The initial sum of an input's seven weights: all 24 inputs together have nearly 1.5.
 const FIRST_WEIGHT: i16 = 1000;
 
 /// The number of weight sets, see [`sets`]. Some have the numbers of unused kinds.
 const SETS: usize = (2 * KINDS) << 8;
 
-/// The limit of a pair's logit in 256ths: a probability of 94 %. Without it the intro is 120 bytes larger. Contexts have no limit.
+/// The limit of a pair's logit in 256ths: a probability of 94 %. It saves 120 bytes.
 const PAIR_LIMIT: i16 = 700;
 
 const RATE: i32 = 12;
@@ -30,7 +30,7 @@ pub struct Mixer {
     inputs: [[i16; 8]; ROWS],
     probability: i32,
     probabilities: [i32; STEPS],
-    /// The logit of each probability in steps of 16, from one half on, in the format of slots.
+    /// The logits of probabilities in steps of 16, from one half on, in the format of slots.
     logits: [i16; STEPS],
     /// Without [`FIRST_WEIGHT`].
     weights: [Weights; SETS],
@@ -39,7 +39,7 @@ pub struct Mixer {
 impl Mixer {
     #[inline(always)]
     pub fn fill(&mut self) {
-        // Integrate p' = p (1 - p), the equation of the logistic function, from p(-8) on, in 2^-32nds, in steps of 1/256.
+        // Integrate the logistic function's p' = p (1 - p) from p(-8) on, in 2^-32nds, in steps of 1/256.
         let mut p = 1_440_000_u64;
         let mut next = 0;
         for (x, probability) in self.probabilities.iter_mut().enumerate() {

@@ -1,9 +1,8 @@
 //! A model of x86-64 programs that predicts the next bit, by context mixing as in PAQ.
 //!
-//! A context is a set of features: the last bytes, parts of the [instruction](machine_code). It has a [slot](slot) for every
-//! beginning of the next byte, with a probability and the last bits. Pairs of contexts predict from the last bits of their slots. A
-//! context may expect a byte, such as the one after the last match; its slots then predict differences from it. A [mixer] weighs
-//! all predictions.
+//! A context is a set of features: the last bytes, parts of the [instruction](machine_code). It has a [slot](slot) for every beginning of
+//! the next byte, with a probability and the last bits, from which pairs of contexts predict. A context may expect a byte, such as the one
+//! after the last match; its slots then predict differences from it. A [mixer] weighs all predictions.
 
 mod coder;
 mod lanes;
@@ -22,7 +21,7 @@ use machine_code::{
 use mixer::Mixer;
 use slot::{HISTORIES, OPPOSITE, Rates, Slot, Slots};
 
-/// Bit sets of features, found by random changes that improve the packed intro. Two neighbours at an even index form a pair.
+/// Bit sets of features, found by random changes. Two neighbours at an even index form a pair.
 static CONTEXTS: [u32; COUNT] = [
     context(&[KIND, OPCODE, before(OPCODE, 1), before(OPCODE, 2), before(OPCODE, 3)]),
     expecting(SAME_OPCODE, &[KIND, OPCODE]),
@@ -67,7 +66,7 @@ const PAIRS: usize = 6;
 const INPUTS: usize = COUNT + PAIRS;
 const ROWS: usize = COUNT.div_ceil(4);
 
-/// The lowest bit of the expected feature's number in a context. The number counts from [`MATCH`], whose lowest byte is 0.
+/// The lowest bit of the expected feature's number, counted from [`MATCH`], whose lowest byte is 0.
 const EXPECTED: u32 = 30;
 
 const fn context(mut features: &[usize]) -> u32 {
@@ -79,24 +78,24 @@ const fn context(mut features: &[usize]) -> u32 {
     set
 }
 
-/// Returns a context that learns differences from the byte in `feature`, which shares the experience of all expected bytes.
+/// Returns a context that learns differences from the byte in `feature`, to share experience between expected bytes.
 const fn expecting(feature: usize, features: &[usize]) -> u32 {
     context(features) | ((feature - MATCH) as u32) << EXPECTED
 }
 
-/// Slots in a bucket, a cache line. Slot 0 holds the owner's hash; the others are for the beginnings of four bits.
+/// Slots in a bucket, a cache line. Slot 0 is the owner's hash; the others are for the beginnings of four bits.
 const BUCKET: u32 = 16;
 
 /// The number of slots: 64 MB. Of two buckets the less visited one is replaced. Half the slots cost 220 bytes.
 const SLOTS: usize = 1 << 24;
 
-/// The first slots are for pairs, by the two histories and whether both contexts expect the same bit.
+/// The first slots are for pairs, by the two histories and whether both expect the same bit.
 const PAIR_SLOTS: usize = 2 * HISTORIES * HISTORIES;
 
 #[repr(align(64))]
 struct Table([Slot; SLOTS]);
 
-/// The model's memory, initially zero. Small fields come first: instructions reach them by 8-bit offsets.
+/// The model's memory, initially zero. Small fields are first, for 8-bit offsets.
 #[repr(C)]
 pub struct Model {
     buckets: [[u32; 4]; ROWS],
@@ -152,7 +151,7 @@ impl Model {
             }
             self.buckets.as_flattened_mut()[i] = hash.wrapping_mul(0x9e37_79b1);
         }
-        // Computing all hashes first lets a processor overlap the cache misses.
+        // Computing all hashes first overlaps the cache misses.
         for i in 0..COUNT {
             let hash = self.buckets.as_flattened()[i];
             self.buckets.as_flattened_mut()[i] = self.find_bucket(hash);
@@ -254,8 +253,8 @@ pub fn decode(model: &mut Model, packed: &[u8], bytes: &mut [u8]) -> bool {
     decoder.is_at_end()
 }
 
-/// Converts the relative offset in an instruction that ends with `bytes` to an address, so that references to one place are equal bytes.
-/// Addresses count from the program's first byte.
+/// Converts the relative offset of an instruction that ends with `bytes` to an address from the program's first byte: references to one
+/// place are equal bytes.
 pub fn to_address(bytes: &mut [u8], offset: usize) {
     add(bytes, offset, bytes.len() as u32);
 }

@@ -7,8 +7,8 @@ pub struct Slot(u32);
 
 pub const HISTORIES: usize = 32;
 
-/// The mask that turns a slot into the opposite bit's, after it has learned. Before it has learned, the mask is shifted right by
-/// one: the older bits of a history remain.
+/// The mask that turns a slot into the opposite bit's after learning. Before, it is shifted right by one: the older bits of a history
+/// remain.
 pub const OPPOSITE: u32 = 0x1_ffff;
 
 impl Slot {
@@ -81,9 +81,9 @@ impl Slots {
 
     #[inline(always)]
     pub fn learn(&mut self, bit: u32) {
-        // Maps a probability to its distance from the unseen value, 0 or 65,535, and restores the history's encoding.
+        // Map a probability to its distance from the unseen value, 0 or 65,535, and restore the history's encoding.
         let flip = 0x1_8000 - bit;
-        // Reverts this, and appends the bit to the history.
+        // Revert this, and append the bit to the history.
         let flip_back = Lanes::splat_pair(flip ^ bit << 16);
         let flip = Lanes::splat_pair(flip);
         for (slots, rates) in self.slots.iter_mut().zip(&self.rates) {

@@ -17,7 +17,7 @@ pub struct ProgramHeader {
     pub offset: usize,
     pub address: usize,
     unused: usize,
-    /// Bytes in the file, and in memory, where zeros follow them.
+    /// Bytes in the file; zeros follow in memory.
     pub file_size: usize,
     pub size: usize,
     alignment: usize,

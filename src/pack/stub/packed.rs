@@ -24,7 +24,7 @@ pub fn program_length() -> usize {
     (&raw const PROGRAM_LENGTH).addr()
 }
 
-/// Unpacks to the memory behind the model. Returns the address of the unpacked bytes.
+/// Unpacks behind the model. Returns the address of the unpacked bytes.
 ///
 /// # Safety
 /// `memory` has to have zeroed space for the model, and [`length`] bytes more.

@@ -20,7 +20,7 @@ fn read(motions: &str) -> Result<SceneFile, String> {
     SceneFile::parse("a.ron", &SCENE.replace("MOTIONS", motions))
 }
 
-/// The motions | the column of the key before the mistake, and the message.
+/// Motions | the column of the key before the mistake, and the message.
 const REFUSED: &str = include_str!("refused_motions.txt");
 
 #[test]

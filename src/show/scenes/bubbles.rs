@@ -1,4 +1,4 @@
-//! The bubbles: one divides into two, four and eight, a division a bar, until they burst.
+//! Bubbles that divide and burst.
 
 use super::planet::GIANT;
 use crate::show::environment::{Environment, Now, point, softbox};
@@ -78,7 +78,7 @@ fn add(now: Now, scene: &mut Scene) {
     // A world grows in the first bubble.
     let world = smooth_step((now.beat - 14.0) / 7.0);
     if world > 0.0 {
-        // Off its centre, the guard would not know that the bubble hides it, and all of it would be traced.
+        // Off its centre, the guard would miss that the bubble hides it.
         add_sphere(float(0.0, now), 0.75 * world, &GIANT, scene);
     }
     let pop = now.cue(Track::Pop);

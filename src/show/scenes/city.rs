@@ -1,4 +1,4 @@
-//! The city: five letters as towers over water, and the sun between them.
+//! Five letters as towers over water, and the sun between them.
 
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;

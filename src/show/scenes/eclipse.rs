@@ -1,4 +1,4 @@
-//! The eclipse: a moon covers the sun, and the name rises as a skyline on the limb of a dark world.
+//! A moon covers the sun, and the name rises on the limb of a dark world.
 
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;

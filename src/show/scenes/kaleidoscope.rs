@@ -74,7 +74,7 @@ static OPAL: Material =
 
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
-    // A sixteenth of a turn per kick: balls and pipes stand next to a mirror, or on it.
+    // A sixteenth of a turn per kick: balls and pipes stop next to a mirror, or on it.
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
     // The marble of the floor moves along.
     scene.planes[0].centre = around(turns) * 9.0;

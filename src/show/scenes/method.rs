@@ -1,4 +1,4 @@
-//! The method on the still life: traced points, filled squares, and the picture that they make.
+//! Traced points, filled squares and the picture of the still life.
 
 use super::still_life::{self, PEARL_BALL};
 use crate::show::captions::Cue;

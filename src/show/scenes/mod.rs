@@ -1,4 +1,4 @@
-//! The show's scenes, a file for each.
+//! The show's scenes, see `docs/storyboard.md`.
 
 mod bubbles;
 mod chimes;
@@ -48,7 +48,7 @@ pub(super) static ALL: [ShowScene; SCENES.len()] = {
     all
 };
 
-/// The bars at which the scenes begin, counted from 0. The last one ends with the show.
+/// The bars at which the scenes begin, counted from 0.
 pub const CUTS: [u32; ALL.len()] = {
     let mut cuts = [0; ALL.len()];
     let mut i = 1;

@@ -1,4 +1,4 @@
-//! The planet: a banded giant and its moons; the drums move the sun.
+//! A banded giant and its moons; the drums move the sun.
 
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;

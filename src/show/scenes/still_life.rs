@@ -1,4 +1,4 @@
-//! The still life: the four balls of the 2008 thesis as a photographer would light them, on paper without a horizon.
+//! The four balls of the 2008 thesis, on paper without a horizon.
 
 use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;

@@ -53,7 +53,7 @@ fn render(out: &Path, more: &str) -> Output {
     lab(&format!("render --size 40x30 --out {} {more}", out.display()))
 }
 
-/// Asserts an exit code and one line with these words, which names no temporary file.
+/// Asserts an exit code and one line with these words, without a temporary name.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = stderr(output);

@@ -88,7 +88,7 @@ fn light_of_any_size_gives_same_irradiance() {
 
 #[test]
 fn surface_reflects_share_of_sky() {
-    // From above, the highlight's integral over the hemisphere is 2 ks / (exponent + 1).
+    // From above, the highlight's integral is 2 ks / (exponent + 1).
     let mut scene = floor(light(Vec3::NEG_Y, 0.0));
     scene.camera.eye = vec3(0.0, 4.0, 0.01);
     scene.background = COLOUR;

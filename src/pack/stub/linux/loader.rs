@@ -1,4 +1,4 @@
-//! Does the work of `execve`: loads the program and its dynamic linker, and gives the linker the program's addresses.
+//! Loads the program and its dynamic linker as `execve` does, and passes the program's addresses to the linker.
 
 use crate::{
     elf::{FileHeader, LOAD, PAGE, ProgramHeader},
@@ -27,8 +27,8 @@ fn protection(header: &ProgramHeader) -> usize {
 
 pub type Load = unsafe extern "C" fn(&FileHeader, usize, *mut usize) -> usize;
 
-/// Loads a program. `memory` is a page for temporary use, `stack` the process' initial stack. Returns the dynamic linker's entry
-/// point, or 0 after an error.
+/// Loads a program. `memory` is a temporary page, `stack` the process' initial stack. Returns the dynamic linker's entry point, or 0 after
+/// an error.
 ///
 /// # Safety
 /// `file` has to be an executable whose addresses are zeroed, writable memory.

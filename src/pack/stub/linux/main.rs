@@ -1,4 +1,4 @@
-//! The Linux stub: unpacks the program, and replaces itself with it. The packer links its object, see `src/pack/build`.
+//! The Linux stub: unpacks the program, and replaces itself with it.
 
 #![no_std]
 #![no_main]
@@ -41,8 +41,8 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = packed::length();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
-    // Readable and writable, private, anonymous; the program's memory is fixed, and loses the first stage's counts. With a program
-    // header for it, Linux would end the process without a message if memory is limited.
+    // The program's memory is fixed, and loses the first stage's counts. With a program header for it, Linux would end the process without
+    // a message if memory is limited.
     // SAFETY: this memory is unused.
     let [mapped, program] = unsafe {
         let (program, size_of_it) = ((&raw const PROGRAM).addr(), (&raw const PROGRAM_SIZE).addr());

@@ -13,7 +13,7 @@ pub const CLOSE: usize = 3;
 pub const MEMFD_CREATE: usize = 319;
 pub const EXECVEAT: usize = 322;
 
-/// Calls Linux with arguments in registers. The call changes only `rax`, `rcx` and `r11`.
+/// Calls Linux, which changes only `rax`, `rcx` and `r11`.
 macro_rules! with_registers {
     ($number:expr $(, $register:tt $argument:expr)*) => {{
         let result;

@@ -1,4 +1,4 @@
-//! Does the work of Windows' loader: copies the program to its addresses and protects them.
+//! Copies the program to its addresses and protects them, as Windows' loader does.
 
 use crate::{
     elf::{FileHeader, LOAD, ProgramHeader},

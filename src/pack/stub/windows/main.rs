@@ -1,5 +1,5 @@
-//! The Windows stub: unpacks the program and loads it at its addresses. The packer links its object, an ELF file, because the build
-//! machine has only Linux's core library.
+//! The Windows stub: unpacks the program and loads it at its addresses. It is compiled for Linux, whose core library each build machine
+//! has.
 
 #![no_std]
 #![no_main]
