@@ -6,6 +6,8 @@ use fearless_simd::Level;
 pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::mul_add`] rounds once.
     const FUSES_MUL_ADD: bool;
+    /// Whether 32-bit integers are multiplied by one instruction.
+    const MULTIPLIES_INTEGERS: bool = true;
     /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand if the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
@@ -84,6 +86,8 @@ pub(crate) fn isas() -> impl Iterator<Item = Level> {
 
 impl Isa for Baseline {
     const FUSES_MUL_ADD: bool = cfg!(target_arch = "aarch64");
+    // SSE2 has only full products.
+    const MULTIPLIES_INTEGERS: bool = !Self::LIMITS_REPLACE_NAN;
 
     #[inline(always)]
     fn of(level: Level) -> Option<Self> {

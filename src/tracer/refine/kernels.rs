@@ -17,7 +17,7 @@ pub(crate) struct Kernels {
     pub trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
     pub(super) judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
     pub(super) fill: fn(Level, &mut Band<'_>, &Run<'_>),
-    pattern: fn(Level, &PatternOnScreen<'_>, [usize; 2], usize, usize) -> [f32; 64],
+    pattern: fn(Level, &PatternOnScreen<'_>, [usize; 2], usize, &mut [f32; 64]),
 }
 
 impl Kernels {
@@ -58,21 +58,21 @@ impl Kernels {
                 verdict::judge(in_level::<S>(level), limits, squares, above, below)
             },
             fill: |level, band, run| fill::fill(in_level::<S>(level), band, run),
-            pattern: |level, pattern, start, width, count| {
-                pattern.at(in_level::<S>(level), start, width, count)
+            pattern: |level, pattern, start, side, shares| {
+                pattern.set_shares(in_level::<S>(level), start, side, shares);
             },
         }
     }
 
-    /// See [`PatternOnScreen::at`].
+    /// See [`PatternOnScreen::set_shares`].
     pub fn pattern(
         &self,
         pattern: &PatternOnScreen<'_>,
         start: [usize; 2],
-        width: usize,
-        count: usize,
-    ) -> [f32; 64] {
-        (self.pattern)(self.level, pattern, start, width, count)
+        side: usize,
+        shares: &mut [f32; 64],
+    ) {
+        (self.pattern)(self.level, pattern, start, side, shares);
     }
 }
 

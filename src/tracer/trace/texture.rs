@@ -44,9 +44,17 @@ impl<S: Isa> TexturePoint<S> {
         d: &Vec3x<S>,
         t: F<S>,
     ) -> (F<S>, U<S>) {
+        let mut pair = [(self.own, self.pixels(world, d, t)); 2];
+        swirl(simd, pattern, &mut pair);
+        let [(own, pixels), _] = &pair;
+        reflectance(simd, pattern, own, *pixels)
+    }
+
+    /// Returns the length of a scene unit in pixels, seen along `d` from the distance `t`.
+    #[inline(always)]
+    fn pixels(&self, world: World<'_>, d: &Vec3x<S>, t: F<S>) -> F<S> {
         // At distance 1, seen perpendicularly, a pixel is `pixel` wide.
-        let pixels = d.dot(self.n).abs() / (t * world.pixel);
-        reflectance(simd, pattern, &self.own, pixels)
+        d.dot(self.n).abs() / (t * world.pixel)
     }
 }
 
@@ -62,34 +70,46 @@ impl<'a> PatternOnScreen<'a> {
         Self { world, object, pattern: &material.pattern }
     }
 
-    /// Returns the factors on the colour, 0 to 1, at the first `count` pixels in rows of `width` from (x, y) on; undefined at
-    /// pixels that show other objects.
+    /// Sets the factors on the colour, 0 to 1, of the pixels of a square from (x, y) on, row by row; undefined at pixels that show
+    /// other objects. The side is a power of two up to 8.
     #[inline(always)]
-    pub fn at<S: Isa>(&self, isa: S, start: [usize; 2], width: usize, count: usize) -> [f32; 64] {
-        let mut shares = [0.0; 64];
-        by_isa!(isa: self.evaluate(isa, start.map(to_f32), width, &mut shares, count));
-        shares
+    pub fn set_shares<S: Isa>(
+        &self,
+        isa: S,
+        start: [usize; 2],
+        side: usize,
+        shares: &mut [f32; 64],
+    ) {
+        by_isa!(isa: self.set_shares_by(isa, start.map(to_f32), side, shares));
     }
 
     #[inline(always)]
-    fn evaluate<S: Isa>(
+    fn set_shares_by<S: Isa>(
         &self,
         simd: S,
         [x, y]: [f32; 2],
-        width: usize,
+        side: usize,
         shares: &mut [f32; 64],
-        count: usize,
     ) {
-        let world = self.world;
+        let (world, lanes) = (self.world, lanes::<S>());
         let from = Vec3x::splat(simd, world.eye) - Vec3x::splat(simd, self.object.centre());
-        for first in (0..count.min(64)).step_by(lanes::<S>()) {
+        let mut pair = [(from, splat(simd, 0.0)); 2];
+        for first in (0..(side * side).clamp(2 * lanes, 64)).step_by(lanes) {
             let i = lane_numbers(simd) + first as u32;
-            let columns = (i & (width as u32 - 1)).to_float::<F<S>>() + x;
-            let rows = (i >> width.trailing_zeros()).to_float::<F<S>>() + y;
+            let columns = (i & (side as u32 - 1)).to_float::<F<S>>() + x;
+            let rows = (i >> side.trailing_zeros()).to_float::<F<S>>() + y;
             let (d, t) = hits(simd, world, &self.object, [columns, rows]);
             let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
-            let (share, _) = point.reflectance(simd, world, self.pattern, &d, t * d.dot(d));
-            share.abs().store_slice(&mut shares[first..first + lanes::<S>()]);
+            let second = first & lanes;
+            pair[second / lanes] = (point.own, point.pixels(world, &d, t * d.dot(d)));
+            if second > 0 {
+                swirl(simd, self.pattern, &mut pair);
+                for (i, (own, pixels)) in pair.iter().enumerate() {
+                    let start = first - second + i * lanes;
+                    let (share, _) = reflectance(simd, self.pattern, own, *pixels);
+                    share.abs().store_slice(&mut shares[start..start + lanes]);
+                }
+            }
         }
     }
 }
@@ -139,9 +159,9 @@ const SMOOTH: f32 = 0.5;
 /// 2,000 random patterns, 1.2 loses no spot of 9 pixels, and 0.7 loses two.
 const NOISE_SLOPE: f32 = 1.2;
 
-/// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long, and a hash of
-/// the field. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`], unless
-/// clamping keeps it constant.
+/// Returns a pattern's factor on the colour, 0 to 1, at the swirled points `own`, where a scene unit is `pixels` pixels long, and a
+/// hash of the field. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`],
+/// unless clamping keeps it constant.
 ///
 /// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
 /// w)` of the waves w along the axes.
@@ -165,7 +185,6 @@ fn reflectance_by<S: Isa>(
         return (height, field);
     }
     let [along_x, along_y, along_z] = pattern.waves.to_array();
-    let (own, steepness) = &swirled(simd, pattern, *own, pixels);
     let (noise, slope) = turbulence(simd, pattern, *own);
     for v in [own.x * along_x + noise, own.y * along_y, own.z * along_z] {
         let halves: F<S> = v + v;
@@ -180,7 +199,7 @@ fn reflectance_by<S: Isa>(
     let one = splat(simd, 1.0);
     let height = flipped::<S>(height * edge, field << 31);
     let height = height + at_least::<S>(edge, one) * pattern.balance;
-    let frequency = (along_x + slope).max(along_y).max(along_z) * steepness;
+    let frequency = (along_x + slope).max(along_y).max(along_z) * steepness(pattern);
     let excess = at_least::<S>(height.abs() - 1.0, splat(simd, SMOOTH));
     let fine = (excess * pixels).simd_lt(edge * (4.0 * REACH * frequency));
     let height = clamp::<S>(height, -one, one);
@@ -189,27 +208,42 @@ fn reflectance_by<S: Isa>(
     (flipped::<S>(share, sign & (1 << 31)), field)
 }
 
+/// Swirls the points of two packets, each with the pixels per scene unit. Every step waits for the previous one, so two packets at once
+/// take little longer than one.
+#[inline(never)]
+fn swirl<S: Isa>(simd: S, pattern: &Pattern, points: &mut [(Vec3x<S>, F<S>); 2]) {
+    by_isa!(simd: swirl_by(simd, pattern, points));
+}
+
 #[inline(always)]
-fn swirled<S: Isa>(simd: S, pattern: &Pattern, own: Vec3x<S>, pixels: F<S>) -> (Vec3x<S>, f32) {
+fn swirl_by<S: Isa>(simd: S, pattern: &Pattern, points: &mut [(Vec3x<S>, F<S>); 2]) {
     let Pattern { swirl, stretch, .. } = *pattern;
-    let (mut p, mut steepness) = (own, 1.0);
     if swirl * pattern.grain == 0.0 {
-        return (p, steepness);
+        return;
     }
-    p.x *= 1.0 - stretch;
-    p.z *= 1.0 - stretch;
+    for (p, _) in points.iter_mut() {
+        p.x *= 1.0 - stretch;
+        p.z *= 1.0 - stretch;
+    }
     let (mut cells, mut length) = (pattern.grain, 1.0 / pattern.grain);
     for _ in 0..SWIRLS {
-        let share = clamp::<S>(pixels * (0.125 * length) - 0.5, splat(simd, 0.0), splat(simd, 1.0));
-        let strength = share * (-16.0 * swirl * length);
-        p.x = shifted::<S>(p.x, p.y * cells, strength);
-        p.y = shifted::<S>(p.y, p.z * cells, strength);
-        p.z = shifted::<S>(p.z, p.x * cells, strength);
+        for (p, pixels) in points.iter_mut() {
+            let share = *pixels * (0.125 * length) - 0.5;
+            let share = clamp::<S>(share, splat(simd, 0.0), splat(simd, 1.0));
+            let strength = share * (-16.0 * swirl * length);
+            p.x = shifted::<S>(p.x, p.y * cells, strength);
+            p.y = shifted::<S>(p.y, p.z * cells, strength);
+            p.z = shifted::<S>(p.z, p.x * cells, strength);
+        }
         cells *= FINER;
         length *= 1.0 / FINER;
-        steepness *= 1.0 + SWIRL_SLOPE * swirl;
     }
-    (p, steepness)
+}
+
+/// Returns the factor of the swirls on a pattern's slope.
+fn steepness(pattern: &Pattern) -> f32 {
+    let growth = 1.0 + SWIRL_SLOPE * pattern.swirl * f32::from(pattern.grain != 0.0);
+    (0..SWIRLS).fold(1.0, |steepness, _| steepness * growth)
 }
 
 /// Octaves of swirls.
@@ -279,9 +313,12 @@ fn random<S: Isa>(h: U<S>) -> F<S> {
     h.to_float::<F<S>>() * (1.0 / (1u32 << 31) as f32)
 }
 
-/// Returns the lower halves of full products: SSE2 has no other 32-bit multiplication.
+/// Returns the lower halves of the products.
 #[inline(always)]
 fn product<S: Isa>(a: U<S>, b: u32) -> U<S> {
+    if S::MULTIPLIES_INTEGERS {
+        return a * b;
+    }
     let (first, last) = a.widening_mul(b);
     first.narrow(last)
 }

@@ -4,6 +4,7 @@
 use super::Tile;
 use crate::grid::{Bits, Pyramid};
 use crate::lanes::*;
+use crate::maths::to_f32;
 use crate::observe::Observer;
 use crate::picture::Band;
 use crate::prepare::{Four, ObjectId, World};
@@ -33,7 +34,8 @@ impl<O: Observer> Tile<'_, '_, O> {
             } else {
                 quality.tolerance_differing
             };
-            if span(&layers) > tolerance * self.growth(level) {
+            // The kernel evaluates up to 64 pixels.
+            if level > 3 || span(&layers) > tolerance * self.growth(level) {
                 return;
             }
             let [left, top] = [self.area.left + (x << level), y << level];
@@ -69,42 +71,35 @@ fn interpolate(
     let simd = baseline();
     let film = &world.film;
     let (right, bottom) = (band.width.min(left + side), band.height().min(top + side));
-    let part = 1.0 / side as f32;
+    let part = 1.0 / to_f32(side);
     let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(simd, layers));
     let (mut first, mut step) = (a, (b - a) * part);
     let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
     let pattern = PatternOnScreen::new(world, object);
     let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
-    // Squares of up to 8 pixels are evaluated at once, larger ones by eight pixels.
-    let (width, count) = (side.min(8), if side > 8 { 8 } else { side * side });
     let mut shares = [0.0; 64];
+    kernels.pattern(&pattern, [left, band.top + top], side, &mut shares);
     for y in top..bottom {
-        let used = (y - top) * width % count;
         let row = y * band.stride;
         let row = &mut band.pixels[row + left..row + right];
+        let shares = shares[(y - top) * side..].windows(4).step_by(4);
         let y = band.top + y;
         let thresholds = film.thresholds(simd, left, y);
         let mut now = first;
-        for (x, pixels) in (left..).step_by(8).zip(row.chunks_mut(8)) {
-            if used == 0 {
-                shares = kernels.pattern(&pattern, [x, y], width, count);
+        for ((x, pixels), shares) in (left..).step_by(4).zip(row.chunks_mut(4)).zip(shares) {
+            let mut four = [0, 1, 2, 3].map(|i| {
+                let (rest, untextured) = now.split();
+                now += step;
+                rest + untextured * shares[i]
+            });
+            if !film.is_plain {
+                let at = [columns + to_f32(x), splat(simd, to_f32(y))];
+                film.expose(&mut four, at);
             }
-            let shares = shares[used..].windows(4).step_by(4);
-            for ((x, pixels), shares) in (x..).step_by(4).zip(pixels.chunks_mut(4)).zip(shares) {
-                let mut four = [0, 1, 2, 3].map(|i| {
-                    let (rest, untextured) = now.split();
-                    now += step;
-                    rest + untextured * shares[i]
-                });
-                if !film.is_plain {
-                    let at = [x as f32 + columns, splat(simd, y as f32)];
-                    film.expose(&mut four, at);
-                }
-                let four = rounded(simd, four, thresholds);
-                match pixels.first_chunk_mut() {
-                    Some(pixels) => *pixels = four,
-                    None => pixels.copy_from_slice(&four[..pixels.len()]),
-                }
+            let four = rounded(simd, four, thresholds);
+            match pixels.first_chunk_mut() {
+                Some(pixels) => *pixels = four,
+                None => pixels.copy_from_slice(&four[..pixels.len()]),
             }
         }
         first += first_down;
