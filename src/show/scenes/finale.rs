@@ -7,7 +7,9 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape, Waves};
+use eightfold_tracer::scene::{
+    Ambience, Light, Material, Method, Presentation, Scene, Shape, Waves,
+};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
@@ -18,14 +20,15 @@ const SUN: [f32; 3] = [0.0, 36.0, -140.0];
 static ENVIRONMENT: Environment = Environment {
     background: vec3(0.87, 0.207, 0.042),
     sky: vec3(-0.82, -0.191, 0.057),
-    ambient: vec3(0.07, 0.055, 0.12),
+    ambient: vec3(0.4, 0.2, 0.35),
+    ambience: Ambience { occlusion: 1.0, reach: 0.5, ground: vec3(0.1, 0.025, 0.01), bounce: 0.0 },
     haze: 0.007,
     vignette: 0.25,
     floor: Some(&WATER),
-    swell: Waves { slope: 0.008, length: 9.0, phase: 0.1 },
+    swell: Waves { slope: 0.003, length: 10.0, phase: 0.1 },
     lights: &[
         Light { drawn_radius: 21.0, glow: 11.0, ..point(SUN, [5.0, 2.9, 1.3]) },
-        point([0.0, 16.0, -30.0], [7.0, 3.6, 1.5]),
+        point([0.0, 28.0, -60.0], [7.0, 3.6, 1.5]),
     ],
     field_of_view: 0.75,
     add,
@@ -55,23 +58,18 @@ static WATER: Material =
 static GLASS: Material = Material {
     ks: 0.9,
     exponent: 200.0,
-    kr: 0.04,
-    fresnel: 1.0,
+    fresnel: 0.35,
     kt: 0.96,
     index: 1.5,
     tint: vec3(0.8, 0.75, 0.8),
     ..Material::BLACK
 };
-static PLUM: Material = Material {
-    ks: 0.25,
-    exponent: 10.0,
-    kr: 0.04,
-    fresnel: 0.6,
-    ..Material::matt(vec3(0.476, 0.125, 0.193), 0.95)
-};
+/// No mirror: images of the sun in the balls are thinner than a square.
+static PLUM: Material =
+    Material { ks: 0.25, exponent: 10.0, ..Material::matt(vec3(0.476, 0.125, 0.193), 0.95) };
 
 /// The light of the gold square at the end, relative to the ambient light.
-const GOLD: Vec3 = vec3(30.0, 17.0, 1.0);
+const GOLD: Vec3 = vec3(5.25, 4.7, 0.34);
 
 const BALL: Vec3 = vec3(0.0, 2.2, 0.8);
 
@@ -88,7 +86,7 @@ fn add(now: Now, scene: &mut Scene) {
         let float = 0.06 * sin(now.beat * 0.8 + row);
         for side in [-1.0, 1.0] {
             let centre = vec3((2.0 + 0.62 * row) * side, 0.47 + float, 0.8 + 1.3 * row);
-            add_sphere(centre, 0.4, &PLUM, scene);
+            add_sphere(centre, 0.38, &PLUM, scene);
         }
     }
 }
@@ -106,6 +104,7 @@ fn end(beats: f32, scene: &mut Scene) {
     scene.planes.clear();
     scene.lights.clear();
     (scene.background, scene.sky) = (Vec3::ZERO, Vec3::ZERO);
+    scene.ambience.occlusion = 0.0;
     let gold = Material::matt(GOLD * (1.0 - 2.0 * beats).max(0.0), 1.0);
     add_block(Shape::Box, BALL, Vec3::splat(0.3), Mat3::IDENTITY, &gold, scene);
 }
