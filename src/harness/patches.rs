@@ -19,8 +19,11 @@ pub fn lost(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
 
 /// Returns the number of pixels of the largest lost patch.
 pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> usize {
-    let patches = patches(&lost(exact, drawn, width), width);
-    patches.iter().map(Vec::len).max().unwrap_or(0)
+    largest_of(&lost(exact, drawn, width), width)
+}
+
+pub fn largest_of(pixels: &[usize], width: usize) -> usize {
+    patches(pixels, width).iter().map(Vec::len).max().unwrap_or(0)
 }
 
 /// Groups ascending pixels into patches, connected also diagonally.

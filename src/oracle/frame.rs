@@ -3,7 +3,6 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Film, Scene};
 use rayon::prelude::*;
 
-/// All pixels of a picture, and a border of one pixel.
 pub struct Frame {
     pub width: usize,
     pub height: usize,

@@ -10,10 +10,9 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     pub o: DVec3,
-    /// The direction, of length 1.
     pub d: DVec3,
-    /// The origin's rounding error, in scene units. Surfaces within it contain the origin: outward rays do not hit them, inward rays hit
-    /// their far sides. So hits need no minimal distance.
+    /// The rounding error of the origin, in scene units. Outward rays do not hit surfaces within it; inward rays hit their far
+    /// sides.
     slack: f64,
 }
 
@@ -37,7 +36,6 @@ impl Ray {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
 pub struct PicturePlane {
     eye: DVec3,
     /// The ray through pixel (x, y) has the direction `corner + x dx + y dy`.
@@ -81,7 +79,6 @@ fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
     let b = oc.dot(d);
     let above = oc.length() - radius;
     if above.abs() <= slack + ROUNDING * radius {
-        // The ray starts on the surface.
         let other = -2.0 * b / a;
         return Some([other.min(0.0), other.max(0.0)]);
     }
@@ -101,7 +98,6 @@ pub enum Shape {
 #[derive(Clone, Copy, Debug)]
 pub struct Met {
     pub t: f64,
-    /// The outward normal, of length 1.
     pub normal: DVec3,
 }
 
@@ -200,8 +196,8 @@ fn face(ray: &Ray, at: f64, i: usize) -> f64 {
 
 /// Intersects a box around the origin: a ray hits the last slab that it enters, or the first that it leaves.
 fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
-    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-    let (mut enter_axis, mut leave_axis) = (0, 0);
+    let [mut enter, mut leave] =
+        [f64::NEG_INFINITY, f64::INFINITY].map(|t| Met { t, normal: DVec3::ZERO });
     for i in 0..3 {
         if ray.d[i] == 0.0 {
             if ray.o[i].abs() > half[i] {
@@ -210,22 +206,14 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
             continue;
         }
         let side = half[i].copysign(ray.d[i]);
-        let (near, far) = (face(&ray, -side, i), face(&ray, side, i));
-        if near > enter {
-            (enter, enter_axis) = (near, i);
-        }
-        if far < leave {
-            (leave, leave_axis) = (far, i);
-        }
+        let normal = DVec3::AXES[i] * ray.d[i].signum();
+        let near = Met { t: face(&ray, -side, i), normal: -normal };
+        let far = Met { t: face(&ray, side, i), normal };
+        enter = if near.t > enter.t { near } else { enter };
+        leave = if far.t < leave.t { far } else { leave };
     }
-    let normal = |axis: usize, sign: f64| DVec3::AXES[axis] * sign * ray.d[axis].signum();
-    if enter > leave || leave <= 0.0 {
-        None
-    } else if enter > 0.0 {
-        Some(Met { t: enter, normal: normal(enter_axis, -1.0) })
-    } else {
-        Some(Met { t: leave, normal: normal(leave_axis, 1.0) })
-    }
+    let is_hit = enter.t <= leave.t && leave.t > 0.0;
+    is_hit.then_some(if enter.t > 0.0 { enter } else { leave })
 }
 
 fn first(ray: Ray, met: impl Iterator<Item = Met>) -> Option<Met> {
@@ -255,11 +243,8 @@ fn capsule(ray: Ray, half: DVec3) -> Option<Met> {
     let height = half.y - half.x;
     let cap = |end: f64| {
         let centre = end * height * DVec3::Y;
-        let met = crossings(ray.o - centre, ray.d, half.x, ray.slack);
-        let met = met
-            .into_iter()
-            .flatten()
-            .map(move |t| Met { t, normal: (ray.at(t) - centre) / half.x });
+        let met = crossings(ray.o - centre, ray.d, half.x, ray.slack).into_iter().flatten();
+        let met = met.map(move |t| Met { t, normal: (ray.at(t) - centre) / half.x });
         met.filter(move |met| end * met.normal.y >= 0.0)
     };
     let caps = [-1.0, 1.0].into_iter().flat_map(cap);

@@ -1,5 +1,3 @@
-//! Highlights on brushed surfaces.
-
 use glam::DVec3;
 
 /// Returns the direction of the grooves; `out` is the point from the object's centre, `n` its normal.

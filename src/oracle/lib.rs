@@ -31,12 +31,6 @@ struct Body {
     shape: Shape,
 }
 
-impl Body {
-    fn is_light(&self) -> bool {
-        matches!(self.object, Object::Light(_))
-    }
-}
-
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traced {
     /// RGB after the film, not clamped.
@@ -49,8 +43,8 @@ pub struct Traced {
     pub shadow_rays: u64,
 }
 
-#[derive(Clone, Copy, Debug, Hash, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Object {
+#[derive(Clone, Copy, Hash)]
+enum Object {
     Sphere(usize),
     Plane(usize),
     Block(usize),
@@ -59,7 +53,7 @@ pub enum Object {
 }
 
 impl Object {
-    pub fn material(self, scene: &Scene) -> Option<&Material> {
+    fn material(self, scene: &Scene) -> Option<&Material> {
         match self {
             Self::Sphere(i) => Some(&scene.spheres[i].material),
             Self::Plane(i) => Some(&scene.planes[i].material),
@@ -81,32 +75,25 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    pub fn object_at(&self, x: isize, y: isize) -> Object {
-        let nearest = self.nearest(self.ray(x as f64, y as f64), true);
-        nearest.map_or(Object::Background, |(body, _)| body.object)
-    }
-
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         self.plane.ray(x, y)
     }
 
     fn nearest(&self, ray: Ray, has_lights: bool) -> Option<(&Body, Met)> {
-        let mut nearest: Option<(&Body, Met)> = None;
-        for body in &self.bodies {
-            if !has_lights && body.is_light() {
-                continue;
-            }
+        let bodies = if has_lights { &self.bodies } else { self.solids() };
+        bodies.iter().fold(None, |nearest: Option<(&Body, Met)>, body| {
             let limit = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
-            if let Some(met) = body.shape.meet(ray, limit) {
-                nearest = Some((body, met));
-            }
-        }
-        nearest
+            body.shape.meet(ray, limit).map(|met| (body, met)).or(nearest)
+        })
+    }
+
+    fn solids(&self) -> &[Body] {
+        let Scene { spheres, planes, blocks, .. } = self.scene;
+        &self.bodies[..spheres.len() + planes.len() + blocks.len()]
     }
 
     pub fn is_free(&self, ray: Ray, distance: f64) -> bool {
-        let mut bodies = self.bodies.iter().filter(|body| !body.is_light());
-        bodies.all(|body| body.shape.meet(ray, distance).is_none())
+        self.solids().iter().all(|body| body.shape.meet(ray, distance).is_none())
     }
 
     pub fn trace(&self, x: isize, y: isize) -> Traced {
@@ -124,34 +111,27 @@ impl<'a> Oracle<'a> {
         let (across, down) = (from_middle(x, self.width), from_middle(y, self.height));
         let film = &self.scene.film;
         let vignette = f64::from(film.vignette) * (across * across + down * down);
-        let curve = |c: f64| {
-            if film.filmic {
-                (c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)).sqrt()
-            } else {
-                c
-            }
-        };
-        (light / (1.0 + vignette)).map(curve)
+        let light = light / (1.0 + vignette);
+        let curve = |c: f64| (c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)).sqrt();
+        if film.filmic { light.map(curve) } else { light }
     }
 }
 
+/// Lights are last.
 fn bodies(scene: &Scene) -> Vec<Body> {
-    let spheres = scene.spheres.iter().map(Shape::from).enumerate();
-    let planes = scene.planes.iter().map(Shape::from).enumerate();
-    let blocks = scene.blocks.iter().map(Shape::from).enumerate();
+    let shapes = scene.spheres.iter().map(Shape::from).enumerate();
+    let spheres = shapes.map(|(i, shape)| Body { object: Object::Sphere(i), shape });
+    let shapes = scene.planes.iter().map(Shape::from).enumerate();
+    let planes = shapes.map(|(i, shape)| Body { object: Object::Plane(i), shape });
+    let shapes = scene.blocks.iter().map(Shape::from).enumerate();
+    let blocks = shapes.map(|(i, shape)| Body { object: Object::Block(i), shape });
     let lights = scene.lights.iter().enumerate();
     let drawn = lights.filter(|(_, light)| light.drawn_radius > 0.0 && !light.parallel);
-    let shown = drawn.map(|(i, light)| {
-        let shape =
-            Shape::Sphere { centre: light.position.as_dvec3(), radius: light.drawn_radius.into() };
-        (Object::Light(i), shape)
+    let lights = drawn.map(|(i, light)| {
+        let (centre, radius) = (light.position.as_dvec3(), light.drawn_radius.into());
+        Body { object: Object::Light(i), shape: Shape::Sphere { centre, radius } }
     });
-    let all = spheres
-        .map(|(i, shape)| (Object::Sphere(i), shape))
-        .chain(planes.map(|(i, shape)| (Object::Plane(i), shape)))
-        .chain(blocks.map(|(i, shape)| (Object::Block(i), shape)))
-        .chain(shown);
-    all.map(|(object, shape)| Body { object, shape }).collect()
+    spheres.chain(planes).chain(blocks).chain(lights).collect()
 }
 
 /// The ranks of 4x4 pixels: dithering rounds up the highest rank first.
@@ -170,10 +150,10 @@ pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
 /// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, both are right; the nearer to `drawn` is
 /// returned.
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
-    let steps = steps(colour, dither, x, y);
-    let channels = [16, 8, 0].into_iter().zip(steps);
+    let channels = [16, 8, 0].into_iter().zip(steps(colour, dither, x, y));
     channels.fold(0, |pixel, (shift, step)| {
-        let [least, most] = bytes(step);
+        let [least, most] =
+            [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32);
         pixel | (drawn >> shift & 0xff).clamp(least, most) << shift
     })
 }
@@ -182,8 +162,4 @@ fn steps(colour: DVec3, dither: f32, x: usize, y: usize) -> [f64; 3] {
     let share = (f64::from(ORDER[y % 4][x % 4]) + 0.5) / 16.0;
     let threshold = 0.5 + f64::from(dither) * (share - 0.5);
     (colour.clamp(DVec3::ZERO, DVec3::ONE) * 255.0 + threshold).to_array()
-}
-
-fn bytes(step: f64) -> [u32; 2] {
-    [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32)
 }

@@ -52,14 +52,10 @@ impl Oracle<'_> {
         if light.diameter == 0.0 {
             return share;
         }
-        let spheres = self.scene.spheres.iter();
+        let (spheres, blocks) = (self.scene.spheres.iter(), self.scene.blocks.iter());
         let passing = spheres.map(|s| (penumbra(s, ray.o, to_light, light), s.material.tint));
-        let blocks = self.scene.blocks.iter();
         let blocks = blocks.filter(|block| !contains(block, ray.o + distance * l));
-        let around = blocks.map(|block| {
-            let passing = block_penumbra(block, ray.o, to_light, light);
-            (passing, block.material.tint)
-        });
+        let around = blocks.map(|b| (block_penumbra(b, ray.o, to_light, light), b.material.tint));
         for (passing, tint) in passing.chain(around) {
             let tint = tint.as_dvec3();
             share *= tint + passing * (DVec3::ONE - tint);
@@ -136,27 +132,21 @@ fn block_penumbra(block: &Block, p: DVec3, to_light: &ToLight, light: &Light) ->
 
 /// Returns the vector along a block's axes from its nearest point to `p`, and its signed length.
 pub(super) fn outside(block: &Block, half: DVec3, p: DVec3) -> (DVec3, f64) {
-    let core = match block.shape {
-        Shape::Box => DVec3::ZERO,
-        Shape::Cylinder => p.with_y(0.0).clamp_length_max(half.x),
-        _ => DVec3::Y * p.y.clamp(half.x - half.y, half.y - half.x),
-    };
-    match block.shape {
-        Shape::Box => {
-            let out = p - p.clamp(-half, half);
-            (out, out.length() + (p.abs() - half).max_element().min(0.0))
-        }
+    let (nearest, depth) = match block.shape {
+        Shape::Box => (p.clamp(-half, half), (p.abs() - half).max_element()),
         Shape::Cylinder => {
-            let out = p - core.with_y(p.y.clamp(-half.y, half.y));
-            let deepest = (p.with_y(0.0).length() - half.x).max(p.y.abs() - half.y);
-            (out, out.length() + deepest.min(0.0))
+            let across = p.with_y(0.0);
+            let nearest = across.clamp_length_max(half.x).with_y(p.y.clamp(-half.y, half.y));
+            (nearest, (across.length() - half.x).max(p.y.abs() - half.y))
         }
         _ => {
-            let from_core = p - core;
+            let from_core = p - DVec3::Y * p.y.clamp(half.x - half.y, half.y - half.x);
             let off = from_core.length() - half.x;
-            (from_core.normalize_or_zero() * off.max(0.0), off)
+            return (from_core.normalize_or_zero() * off.max(0.0), off);
         }
-    }
+    };
+    let out = p - nearest;
+    (out, out.length() + depth.min(0.0))
 }
 
 pub(super) fn smooth(tau: f64) -> f64 {

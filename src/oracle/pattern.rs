@@ -1,5 +1,3 @@
-//! Procedural textures.
-
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 

@@ -19,7 +19,6 @@ pub struct Hit<'a> {
     /// The ray from this point on, in the same direction.
     pub ray: Ray,
     pub t: f64,
-    /// The normal towards the ray, of length 1.
     pub n: DVec3,
     pub(super) is_inside: bool,
     groove: DVec3,
@@ -111,13 +110,10 @@ impl Oracle<'_> {
             };
             return cut(light + glow);
         };
-        let mut colour = self.ambient(&hit, weight, path) * hit.painted;
-        let mut states = Vec::new();
-        for light in self.scene.lights.iter() {
-            let (state, light) = self.lit(light, &hit, traced);
-            colour += light;
-            states.push(state);
-        }
+        let lights = self.scene.lights.iter().map(|light| self.lit(light, &hit, traced));
+        let (states, lights): (Vec<State>, Vec<DVec3>) = lights.unzip();
+        let ambient = self.ambient(&hit, weight, path) * hit.painted;
+        let colour = lights.into_iter().fold(ambient, |sum, light| sum + light);
         self.note(object, &states, weight, path, traced);
         let transmittance = self.transmittance(ray, t);
         let own = self.behind(ray.d).lerp(colour, transmittance) + glow;
@@ -214,11 +210,10 @@ impl Oracle<'_> {
             let film = self.film(hit).filter(|_| node % 2 == 0);
             let is_traced = depth(path) < self.quality.depth && film.is_none();
             if is_traced && weight >= self.quality.least_contribution {
-                let light = self.follow(hit.ray.turned(d), weight, node, traced);
-                seen += f64::from(share) * light;
+                seen += f64::from(share) * self.follow(hit.ray.turned(d), weight, node, traced);
             } else if !self.scene.black_beyond {
-                untraced +=
-                    f64::from(share) * film.unwrap_or(DVec3::ONE) * self.untraced(d, node % 2 == 0);
+                let colour = film.unwrap_or(DVec3::ONE) * self.untraced(d, node % 2 == 0);
+                untraced += f64::from(share) * colour;
             }
         }
         [seen, untraced]
@@ -244,11 +239,8 @@ impl Oracle<'_> {
             return (State::Dark, DVec3::ZERO);
         }
         let (reflected, highlight) = hit.reflected(l);
-        let state = if highlight > f64::from(self.quality.highlight) {
-            State::Highlight
-        } else {
-            State::Lit
-        };
+        let is_bright = highlight > f64::from(self.quality.highlight);
+        let state = if is_bright { State::Highlight } else { State::Lit };
         (state, share * light.colour.as_dvec3() * reflected)
     }
 

@@ -11,10 +11,10 @@ fn points_are_added_between_differing_pixels() {
     for mut random in cases(30) {
         let scene = Kinds::EXTREME.scene(&mut random);
         let quality = Quality {
-            square: [8, 8, 8, 4, 16, 32][random.below(6)],
-            tolerance_agreeing: [7.5, 140.0, 180.0, 250.0, f32::INFINITY][random.below(5)],
-            tolerance_differing: [0.0, 30.0, 140.0, 250.0][random.below(4)],
-            edge: [1, 8, 20][random.below(3)],
+            square: random.one_of([8, 8, 8, 4, 16, 32]),
+            tolerance_agreeing: random.one_of([7.5, 140.0, 180.0, 250.0, f32::INFINITY]),
+            tolerance_differing: random.one_of([0.0, 30.0, 140.0, 250.0]),
+            edge: random.one_of([1, 8, 20]),
             ..Quality::DEFAULT
         };
         let (width, height) = (1 + random.below(600), 1 + random.below(80));
@@ -45,12 +45,8 @@ fn points_are_added_between_differing_pixels() {
         }
         // Bisection adds at most two points on each side of the midpoint, three below an edge of 20.
         let most = if quality.edge < 20 { 7 } else { 5 };
-        let traced = smooth.counts.points - plain.counts.points;
-        assert!(
-            (points..=most * points).contains(&traced),
-            "case {}: {traced} of {points}",
-            random.seed
-        );
+        let (traced, seed) = (smooth.counts.points - plain.counts.points, random.seed);
+        assert!((points..=most * points).contains(&traced), "case {seed}: {traced} of {points}");
     }
 }
 

@@ -1,5 +1,4 @@
-//! Numbers at the ends of their ranges draw correctly. `render` refuses numbers out of range; `render_valid` draws them with
-//! bounded work.
+//! Numbers at the ends of their ranges, and beyond: `render` refuses these, `render_valid` draws them with bounded work.
 
 use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, draw, draw_by_all, isa_of, of_side, of_the_show};
@@ -11,7 +10,7 @@ use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::scaled;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::text::Text;
-use eightfold_tracer::scene::{Block, Camera, Caption, Light, List, Moment, Scene, Sphere, Waves};
+use eightfold_tracer::scene::{Block, Caption, Light, List, Moment, Scene, Sphere, Waves};
 use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Quality, Renderer, Worker};
 use glam::{Mat3, Vec3, vec3};
 use std::panic::catch_unwind;
@@ -21,8 +20,7 @@ fn rich() -> Scene {
     let material = scene.spheres[0].material;
     for (shape, x) in SHAPES.into_iter().zip([-3.5, 3.8, 5.0]) {
         let half = vec3(0.4, 0.8, 0.4);
-        let block = Block::new(shape, vec3(x, 0.8, -1.0), half, material);
-        scene.blocks.push(block);
+        scene.blocks.push(Block::new(shape, vec3(x, 0.8, -1.0), half, material));
     }
     scene.water = Waves { slope: 0.02, length: 2.0, phase: 0.3 };
     scene.lights[0] = Light { diameter: 0.5, ..spotlight(scene.lights[0], 0.45, 0.795) };
@@ -32,12 +30,8 @@ fn rich() -> Scene {
 fn written() -> Moment {
     let mut scene = Moment::from(rich());
     scene.presentation.method.points = 0.4;
-    scene.presentation.captions.push(Caption {
-        letters: List::of(b"EIGHTFOLD"),
-        middle: 0.5,
-        size: 0.2,
-        brightness: 0.8,
-    });
+    let letters = List::of(b"EIGHTFOLD");
+    scene.presentation.captions.push(Caption { letters, middle: 0.5, size: 0.2, brightness: 0.8 });
     scene
 }
 
@@ -45,9 +39,12 @@ fn rays(drawn: &Drawn) -> u64 {
     drawn.counts.rays + drawn.counts.shadow_rays
 }
 
+/// Two bands.
+const SMALL: (usize, usize) = (48, 36);
+
 fn usual_rays<'a>(shown: impl Into<Shown<'a>>) -> Vec<[u64; 4]> {
     let scene = shown.into();
-    let rays = |isa, quality| rays(&draw(isa, 2, scene, &quality, 64, 48));
+    let rays = |isa, quality| rays(&draw(isa, 2, scene, &quality, SMALL.0, SMALL.1));
     let isas = cpu::instruction_sets();
     isas.map(|isa| REFINEMENTS.map(|quality| rays(isa, quality))).collect()
 }
@@ -59,7 +56,7 @@ fn assert_bounded(scene: &Moment, usual: &[[u64; 4]], case: usize, what: &str) {
     let isa = isa_of(seed as u64);
     assert!(scene.validate().is_err(), "{what}");
     let quality = REFINEMENTS[number];
-    let [one, two] = [1, 2].map(|threads| draw(isa, threads, scene, &quality, 64, 48));
+    let [one, two] = [1, 2].map(|threads| draw(isa, threads, scene, &quality, SMALL.0, SMALL.1));
     assert!(one.pixels == two.pixels, "{what}");
     // Without a tolerance all squares split, as in the first refinement.
     let number = number * usize::from(!what.starts_with("tolerance"));
@@ -99,8 +96,7 @@ fn invalid_number_gives_a_picture_for_bounded_work() {
 fn refusal(
     scene: &Scene,
     quality: &Quality,
-    (width, height): (usize, usize),
-    (stride, count): (usize, usize),
+    [width, height, stride, count]: [usize; 4],
 ) -> Option<Error> {
     let mut pixels = vec![1; count];
     let frame = Frame::new(width, height, &mut pixels).with_stride(stride);
@@ -110,7 +106,7 @@ fn refusal(
     result.err()
 }
 
-fn panics(quality: Quality, (width, height): (usize, usize), count: usize) -> bool {
+fn panics(quality: Quality, [width, height, count]: [usize; 3]) -> bool {
     let panic = catch_unwind(|| {
         let mut pixels = vec![0; count];
         let frame = Frame::new(width, height, &mut pixels);
@@ -124,38 +120,31 @@ fn panics(quality: Quality, (width, height): (usize, usize), count: usize) -> bo
 fn frame_out_of_range_is_refused_by_its_numbers() {
     let scene = show::model_scene(0.0);
     let thesis = Quality::THESIS;
-    for (width, height) in [
-        (0, 1),
-        (1, 0),
-        (MAX_WIDTH + 1, 1),
-        (1, MAX_HEIGHT + 1),
-        (MAX_HEIGHT, MAX_WIDTH),
-        (usize::MAX, usize::MAX),
-    ] {
-        let size = (width, height);
-        let error = refusal(&scene, &thesis, size, (width, 16)).expect("a wrong size");
+    let largest = [(MAX_HEIGHT, MAX_WIDTH), (usize::MAX, usize::MAX)];
+    let sizes = [(0, 1), (1, 0), (MAX_WIDTH + 1, 1), (1, MAX_HEIGHT + 1)].into_iter();
+    for (width, height) in sizes.chain(largest) {
+        let error = refusal(&scene, &thesis, [width, height, width, 16]).expect("a wrong size");
         assert_eq!(error, Error::Size { width, height });
         assert!(error.to_string().contains(&format!("{width}x{height}")));
-        assert!(panics(thesis, size, 16), "{width}x{height}");
+        assert!(panics(thesis, [width, height, 16]), "{width}x{height}");
     }
-    assert!(panics(thesis, (10, 2), 19));
+    assert!(panics(thesis, [10, 2, 19]));
     for (stride, count, numbers) in [
         (10, 19, ["20", "19"]),
         (11, 20, ["21", "20"]),
         (9, 20, ["10", "9"]),
         (usize::MAX, 20, ["18446744073709551615", "20"]),
     ] {
-        let error = refusal(&scene, &thesis, (10, 2), (stride, count)).expect("wrong pixels");
+        let error = refusal(&scene, &thesis, [10, 2, stride, count]).expect("wrong pixels");
         let text = error.to_string();
         assert!(numbers.iter().all(|number| text.contains(number)), "{text}");
     }
-    assert_eq!(refusal(&scene, &thesis, (10, 2), (10, 20)), None);
+    assert_eq!(refusal(&scene, &thesis, [10, 2, 10, 20]), None);
 }
 
 #[test]
 fn scene_or_quality_out_of_range_is_refused() {
     let scene = show::model_scene(0.0);
-    let size = (64, 48);
     for (change, text) in [
         (
             (|scene| scene.spheres[2].material.kd = -0.5) as fn(&mut Scene),
@@ -169,27 +158,20 @@ fn scene_or_quality_out_of_range_is_refused() {
     ] {
         let mut scene = scene.clone();
         change(&mut scene);
-        let error = refusal(&scene, &Quality::DEFAULT, size, (64, 64 * 48)).expect(text);
+        let error = refusal(&scene, &Quality::DEFAULT, [8, 6, 8, 48]).expect(text);
         assert_eq!(error.to_string(), text);
         let source = core::error::Error::source(&error).expect("the number's range");
         assert_eq!(source.to_string(), text);
     }
-    let mut wrong = [0, 3, 12, 64, usize::MAX]
-        .map(|square| ("square", of_side(square, Quality::THESIS)))
-        .to_vec();
-    let mut tolerance = Quality::THESIS;
-    tolerance.tolerance_side = f32::NAN;
-    wrong.push(("tolerance_side", tolerance));
-    for depth in [8, u32::MAX] {
-        let thesis = Quality::THESIS;
-        wrong.push(("depth", Quality { depth, ..thesis }));
-    }
-    for (name, quality) in wrong {
-        let error = refusal(&scene, &quality, size, (64, 64 * 48)).expect(name);
-        let start = format!("quality.{name} is ");
-        assert!(error.to_string().starts_with(&start), "{error}");
+    let thesis = Quality::THESIS;
+    let squares = [0, 3, 12, 64, usize::MAX].map(|side| ("square", of_side(side, thesis)));
+    let depths = [8, u32::MAX].map(|depth| ("depth", Quality { depth, ..thesis }));
+    let tolerance = ("tolerance_side", Quality { tolerance_side: f32::NAN, ..thesis });
+    for (name, quality) in squares.into_iter().chain(depths).chain([tolerance]) {
+        let error = refusal(&scene, &quality, [8, 6, 8, 48]).expect(name);
+        assert!(error.to_string().starts_with(&format!("quality.{name} is ")), "{error}");
         let is_drawn = name == "tolerance_side";
-        assert_eq!(panics(quality, size, 64 * 48), !is_drawn, "{quality:?}");
+        assert_eq!(panics(quality, [8, 6, 48]), !is_drawn, "{quality:?}");
     }
 }
 
@@ -219,23 +201,18 @@ fn frame_in_a_larger_picture_has_the_same_bits() {
 
 /// Returns the model scene's lights, nearer, and a solid of its first material ahead, by its number.
 fn alone(number: usize) -> Scene {
-    let mut scene = show::model_scene(0.0);
-    let material = scene.spheres[0].material;
-    (scene.spheres, scene.planes) = (List::default(), List::default());
-    scene.camera = Camera::default();
+    let Scene { mut lights, spheres, .. } = show::model_scene(0.0);
+    let material = spheres[0].material;
+    for light in lights.iter_mut() {
+        *light = Light { position: 0.125 * light.position, drawn_radius: 0.0, ..*light };
+    }
+    let mut scene = Scene { lights, ..Scene::default() };
     match SHAPES.get(number) {
         Some(&shape) => scene.blocks.push(Block {
             axes: Mat3::from_rotation_x(0.5),
             ..Block::new(shape, Vec3::NEG_Z, Vec3::ONE, material)
         }),
-        None => {
-            let sphere = Sphere::new(Vec3::NEG_Z, 1.0, material);
-            scene.spheres.push(sphere);
-        }
-    }
-    for light in scene.lights.iter_mut() {
-        light.position *= 0.125;
-        light.drawn_radius = 0.0;
+        None => scene.spheres.push(Sphere::new(Vec3::NEG_Z, 1.0, material)),
     }
     scene
 }

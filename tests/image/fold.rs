@@ -9,7 +9,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Moment;
 
 const SIZES: [[usize; 2]; 7] =
-    [[640, 360], [203, 357], [333, 331], [1100, 70], [65, 33], [7, 9], [1, 1]];
+    [[240, 136], [103, 207], [133, 131], [1100, 40], [65, 33], [7, 9], [1, 1]];
 const SECTORS: [f32; 5] = [1.0, 2.0, 4.0, 5.5, 8.0];
 
 /// Returns the centre of folds in pictures of the show, which show all of a picture of 4:3.
@@ -38,8 +38,8 @@ fn source(sectors: f32, [width, height]: [usize; 2], [x, y]: [usize; 2]) -> [usi
     }
 }
 
-fn scene(sectors: f32) -> Moment {
-    let mut moment = Moment::from(of_the_show(51.0));
+fn scene(time: f32, sectors: f32) -> Moment {
+    let mut moment = Moment::from(of_the_show(time));
     moment.presentation.sectors = sectors;
     moment
 }
@@ -78,10 +78,10 @@ fn folded_picture_equals_its_reflections() {
                 let (x, y) =
                     (if sectors < 2.0 { 0.0 } else { x }, if sectors < 4.0 { 0.0 } else { y });
                 renderers.iter_mut().for_each(|it| it.set_offset(x, y));
-                let whole = draw(&mut renderers, &scene(1.0), &quality, size);
+                let whole = draw(&mut renderers, &scene(51.0, 1.0), &quality, size);
                 renderers.iter_mut().for_each(|it| it.set_offset(0.0, 0.0));
                 let what = format!("{size:?}, {sectors} sectors, {quality:?}");
-                let folded = draw(&mut renderers, &scene(sectors), &quality, size);
+                let folded = draw(&mut renderers, &scene(51.0, sectors), &quality, size);
                 let from = (0..folded.len()).map(|i| {
                     let [x, y] = source(sectors, size, [i % size[0], i / size[0]]);
                     y * size[0] + x
@@ -100,7 +100,8 @@ fn folded_picture_equals_its_reflections() {
 
 #[test]
 fn eight_sectors_trace_a_quarter_of_the_picture() {
-    let points = |sectors| draw_best(&scene(sectors), &Quality::EXHAUSTIVE, 640, 360).counts.points;
+    let points =
+        |sectors| draw_best(&scene(51.0, sectors), &Quality::EXHAUSTIVE, 320, 180).counts.points;
     assert!(points(8.0) < points(1.0) / 4, "{} of {}", points(8.0), points(1.0));
 }
 
@@ -109,9 +110,7 @@ fn eight_sectors_trace_a_quarter_of_the_picture() {
 fn lamp_is_the_centre_of_folds_at_all_aspects() {
     for [width, height] in [[180, 320], [240, 240], [320, 240], [320, 180], [420, 180]] {
         let [whole, folded] = [1.0, 8.0].map(|sectors| {
-            let mut scene = Moment::from(of_the_show(98.0));
-            scene.presentation.sectors = sectors;
-            let drawn = draw_best(&scene, &Quality::EXHAUSTIVE, width, height);
+            let drawn = draw_best(&scene(98.0, sectors), &Quality::EXHAUSTIVE, width, height);
             let column = drawn.pixels.chunks(width).map(|row| row[width / 2]);
             column.filter(|pixel| pixel & 255 > 215).count()
         });

@@ -2,17 +2,14 @@
 //!
 //!     UPDATE_GOLDEN=1 cargo test --test image golden
 
-use crate::cpu;
 use crate::drawn::draw_by_all;
 use crate::error::{Difference, worst_channel};
 use crate::picture::png;
-use crate::shipped::Still;
 use crate::threaded_renderer::Shown;
 use eightfold::show;
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::between_corners;
 use eightfold_stage::reader::read_png;
-use eightfold_tracer::Preset;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use std::fs;
@@ -23,20 +20,21 @@ const MEAN: f64 = 0.05;
 /// Pixels in a thousand that may differ by more than 8/255.
 const OVER_8: usize = 1;
 
-type Named = (&'static str, Vec<u32>);
+pub type Named = (&'static str, Vec<u32>);
 
-fn hold<'a>(
+pub fn hold<'a>(
     name: &str,
     shown: impl Into<Shown<'a>>,
     quality: &Quality,
-    width: usize,
-    height: usize,
+    [width, height]: [usize; 2],
 ) {
-    let drawn = draw_by_all(shown, quality, width, height);
-    let drawn: Vec<Named> =
-        drawn.into_iter().map(|(isa, drawn)| (isa.name, drawn.pixels)).collect();
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        update(name, width, &drawn);
+    let drawn = draw_by_all(shown, quality, width, height).into_iter();
+    let drawn: Vec<Named> = drawn.map(|(isa, drawn)| (isa.name, drawn.pixels)).collect();
+    let (_, pixels) = drawn.last().expect("an instruction set");
+    let there = fs::read(file(name)).map(|bytes| read_png(&bytes));
+    let is_there = there.is_ok_and(|(_, there)| there == *pixels);
+    if !is_there && std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(file(name), png(width, pixels).unwrap()).unwrap();
     }
     assert_golden(name, width, &drawn);
 }
@@ -45,15 +43,7 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/{name}.png"))
 }
 
-fn update(name: &str, width: usize, drawn: &[Named]) {
-    let (_, pixels) = drawn.last().expect("an instruction set");
-    let there = fs::read(file(name)).map(|bytes| read_png(&bytes));
-    if !there.is_ok_and(|(_, there)| there == *pixels) {
-        fs::write(file(name), png(width, pixels).unwrap()).unwrap();
-    }
-}
-
-fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
+pub fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
     let file = file(name);
     let (golden_width, golden) = read_png(&fs::read(&file).unwrap());
     assert_eq!(golden_width, width);
@@ -79,16 +69,13 @@ fn scene_of(text: &str) -> Scene {
     SceneFile::parse("", text).expect("a scene").at(0.0).scene
 }
 
-fn bubbles() -> Scene {
-    scene_of(include_str!("../../examples/scenes/bubbles.ron"))
-}
-
 type Row = (&'static str, fn() -> Scene, Quality, [usize; 2]);
 
 #[test]
 fn scenes_match_golden_pictures() {
     // Thin rods, which were once dashed.
     let fence = || scene_of(include_str!("../../examples/scenes/fence.ron"));
+    let bubbles = || scene_of(include_str!("../../examples/scenes/bubbles.ron"));
     let scenes: [Row; 6] = [
         ("model", || show::model_scene(2.0), Quality::EXHAUSTIVE, [640, 360]),
         ("squares", || show::model_scene(1.0), Quality::THESIS, [320, 240]),
@@ -97,31 +84,7 @@ fn scenes_match_golden_pictures() {
         ("fence", fence, Quality::DEFAULT, [640, 360]),
         ("bubbles", bubbles, Quality::DEFAULT, [640, 360]),
     ];
-    for (name, scene, quality, [width, height]) in scenes {
-        hold(name, &scene(), &quality, width, height);
-    }
-}
-
-#[test]
-fn show_matches_golden_pictures() {
-    // Times in milliseconds that show every scene and every position of a caption.
-    for (name, time, quality) in [
-        ("eclipse", 9_000, Preset::Exhaustive),
-        ("still-life", 18_000, Preset::Exhaustive),
-        ("method", 34_000, Preset::Thesis),
-        ("city", 47_000, Preset::Exhaustive),
-        ("chimes", 60_300, Preset::Exhaustive),
-        ("bubbles", 76_500, Preset::Exhaustive),
-        ("planet", 86_000, Preset::Exhaustive),
-        ("coarse", 92_300, Preset::Thesis),
-        ("kaleidoscope", 100_400, Preset::Exhaustive),
-        ("finale", 110_000, Preset::Exhaustive),
-        ("end", 115_550, Preset::Exhaustive),
-    ] {
-        let still = Still::new(time, quality, 320, 180);
-        let name = format!("show-{name}");
-        hold(&name, &still.scene(), quality.quality(), 320, 180);
-        let shipped = cpu::shipped().map(|isa| (isa.name, still.shipped(isa, 2)));
-        assert_golden(&name, 320, &shipped.collect::<Vec<_>>());
+    for (name, scene, quality, size) in scenes {
+        hold(name, &scene(), &quality, size);
     }
 }

@@ -2,6 +2,7 @@
 
 use eightfold_scenes::{Random, cases};
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Preset, Probes};
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
@@ -9,7 +10,6 @@ const PRESETS: usize = Preset::LADDER.len();
 /// The presets, and two steps with smaller frames.
 const RUNGS: usize = PRESETS + 2;
 
-/// The preset's index in [`Preset::LADDER`].
 fn rung(preset: Preset) -> usize {
     preset as usize - Preset::Finest as usize
 }
@@ -51,9 +51,8 @@ impl Machine {
         let rungs = random.one_of([PRESETS, RUNGS]);
         let fps = least_fps + random.bits() % (241 - least_fps);
         let governor = Governor::new(Duration::from_nanos(SECOND / fps));
-        let has_smaller = rungs == RUNGS;
         Self {
-            governor: if has_smaller { governor.with_smaller_frames() } else { governor },
+            governor: if rungs == RUNGS { governor.with_smaller_frames() } else { governor },
             budget: SECOND as f64 / fps as f64,
             shares: (0..rungs).map(|rung| 1.0 / steps[..rung].iter().product::<f64>()).collect(),
             load,
@@ -173,15 +172,13 @@ fn single_late_frames_change_nothing() {
 fn sides_are_halved_then_divided_by_three() {
     let mut governor = Governor::new(Duration::from_nanos(SECOND / 60)).with_smaller_frames();
     let late = Duration::from_millis(50);
-    let mut seen = vec![(0, 1)];
-    seen.extend((0..1000).map(|_| {
+    let seen = (0..1000).map(|_| {
         governor.frame(late);
         (rung(governor.preset()), governor.divisor())
-    }));
-    seen.dedup();
+    });
+    let seen: BTreeSet<_> = seen.collect();
     let smaller = [(PRESETS - 1, 2), (PRESETS - 1, 3)];
-    let expected = (0..PRESETS).map(|preset| (preset, 1)).chain(smaller);
-    assert_eq!(seen, expected.collect::<Vec<_>>());
+    assert!(seen.into_iter().eq((0..PRESETS).map(|preset| (preset, 1)).chain(smaller)));
     let mut full = Governor::new(Duration::from_nanos(SECOND / 60));
     (0..1000).for_each(|_| full.frame(late));
     assert_eq!((full.preset(), full.divisor()), (Preset::Fastest, 1));
@@ -238,10 +235,7 @@ impl Show {
         let mut probes = Probes::NONE;
         for _ in 0..Frame::PROBES {
             let mut unit = || between(&mut self.random, 0.0, 1.0);
-            let share = match unit() < 0.02 {
-                true => 40.0 * -(1.0 - 0.999 * unit()).ln(),
-                false => 0.2,
-            };
+            let share = if unit() < 0.02 { -40.0 * (1.0 - 0.999 * unit()).ln() } else { 0.2 };
             let squares = (mean * share + unit()) as u64;
             probes += Probes { pixels: 1, squares, fourths: squares * squares };
         }
@@ -255,18 +249,17 @@ impl Show {
             self.governor.frame(probes);
             self.frames += 1;
             if self.governor.preset() != preset {
-                let step = (self.frames, rung(preset), rung(self.governor.preset()));
-                self.steps.push(step);
+                self.steps.push((self.frames, rung(preset), rung(self.governor.preset())));
             }
         }
     }
 }
 
-/// One show in 500 may end 2 dB below its target instead of 1, see [`AccuracyGovernor`].
+/// One show in 250 may end 2 dB below its target instead of 1, see [`AccuracyGovernor`].
 #[test]
 fn constant_accuracy_selects_fastest_preset() {
     let mut worse = 0;
-    for mut random in cases(500) {
+    for mut random in cases(250) {
         let room = between(&mut random, -5.0, 15.0);
         let mut show = Show::new(random, room);
         show.run(60);
@@ -276,13 +269,13 @@ fn constant_accuracy_selects_fastest_preset() {
         let is_fastest = preset + 1 == PRESETS || show.room(preset + 1) < 1.5;
         assert!(is_fastest, "{room}, {:?}", show.losses);
         worse += u32::from(preset > 0 && room < -1.0);
-        if show.random.seed < 100 {
+        if show.random.seed < 50 {
             show.steps.clear();
             show.run(60);
             assert!(show.steps.len() <= 4, "{:?}", show.steps);
         }
     }
-    assert!(worse <= 1, "{worse} of 500");
+    assert!(worse <= 1, "{worse} of 250");
 }
 
 #[test]

@@ -56,12 +56,11 @@ fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
         let matt = pixels(isa, &matt, Quality::EXHAUSTIVE);
         let is_changed = |&i: &usize| worst_channel(exhaustive[i], matt[i]) > 8;
         let changed: Vec<usize> = (0..matt.len()).filter(is_changed).collect();
-        for pixels in patches(&changed, view.width) {
-            if pixels.len() >= 5 {
-                effects
-                    .push(Effect { is_promised: show_mirror_point(view, shape, &pixels), pixels });
-            }
-        }
+        let patches = patches(&changed, view.width).into_iter().filter(|it| it.len() >= 5);
+        effects.extend(patches.map(|pixels| {
+            let is_promised = show_mirror_point(view, shape, &pixels);
+            Effect { pixels, is_promised }
+        }));
     }
     effects
 }
@@ -70,17 +69,11 @@ fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
 fn highlights_of_five_pixels_are_shown() {
     for are_blocks in [false, true] {
         let mut tally = Tally::new(named());
-        let mut add = |seed, view: &View| {
+        let known = (0..3).flat_map(|_| known("thin highlights")).filter(|_| are_blocks);
+        let random = cases(15).map(|mut random| sized(shiny(&mut random, are_blocks)));
+        for (seed, view) in (0..).zip(known.chain(random)) {
             let isa = isa_of(seed);
-            tally.add(isa, view, 8, |exhaustive| highlights(isa, view, exhaustive));
-        };
-        if are_blocks {
-            for view in known("thin highlights") {
-                (0..4).for_each(|seed| add(seed, &view));
-            }
-        }
-        for mut random in cases(15) {
-            add(random.seed, &sized(shiny(&mut random, are_blocks)));
+            tally.add(isa, &view, 8, |exhaustive| highlights(isa, &view, exhaustive));
         }
         tally.assert_counts(40, tally.shown[0] / 30);
         assert!(tally.missed[1] <= tally.shown[1] / 400, "{tally:?}");

@@ -3,8 +3,8 @@
 use eightfold_harness::{error, picture, threaded_renderer};
 use eightfold_window::cpu;
 
-mod accuracy;
 mod antialias;
+mod built;
 mod convex;
 mod depth;
 mod drawn;
@@ -18,13 +18,13 @@ mod governor;
 mod highlights;
 mod huge;
 mod method;
+mod oracle;
 mod patches;
 mod patterned;
 mod penumbra;
 mod probes;
 mod refinement;
 mod sameness;
-mod shipped;
 mod show;
 mod shown;
 mod soak;

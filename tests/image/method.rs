@@ -22,18 +22,16 @@ fn scene(method: Method) -> Moment {
 }
 
 fn drawn(method: Method, quality: Quality) -> Drawn {
-    let ((width, height), scene) = (SIZE, scene(method));
-    let [two, three] =
-        [2, 3].map(|threads| draw(cpu::best(), threads, &scene, &quality, width, height));
+    let draw = |threads| draw(cpu::best(), threads, &scene(method), &quality, SIZE.0, SIZE.1);
+    let [two, three] = [2, 3].map(draw);
     assert!(two.pixels == three.pixels, "{method:?}");
     two
 }
 
 fn trace(quality: &Quality) -> FrameTrace {
-    let (width, height) = SIZE;
-    let mut pixels = vec![0; width * height];
-    let (level, scene) = (cpu::best().level, scene(MARKS));
-    ThreadedRenderer::new(2).trace(level, &scene, quality, width, &mut pixels)
+    let mut pixels = vec![0; SIZE.0 * SIZE.1];
+    let level = cpu::best().level;
+    ThreadedRenderer::new(2).trace(level, &scene(MARKS), quality, SIZE.0, &mut pixels)
 }
 
 #[test]
@@ -87,10 +85,10 @@ fn overlay_keeps_or_dims_the_picture_between_marks() {
     for (method, factor) in [(dimmed, 2), (coarse, 1)] {
         let drawn = drawn(method, Quality::DEFAULT);
         assert_eq!(plain.counts.points, drawn.counts.points);
-        for (plain, drawn) in plain.pixels.iter().zip(&drawn.pixels) {
-            for (plain, drawn) in plain.to_be_bytes().into_iter().zip(drawn.to_be_bytes()) {
-                assert!(plain.abs_diff(factor * drawn) <= factor, "{method:?}: {plain}, {drawn}");
-            }
+        let bytes = |drawn: &Drawn| drawn.pixels.iter().flat_map(|it| it.to_be_bytes()).collect();
+        let [plain, drawn]: [Vec<u8>; 2] = [&plain, &drawn].map(bytes);
+        for (plain, drawn) in plain.into_iter().zip(drawn) {
+            assert!(plain.abs_diff(factor * drawn) <= factor, "{method:?}: {plain}, {drawn}");
         }
     }
 }

@@ -15,23 +15,14 @@ fn scenes() -> impl Iterator<Item = Moment> {
     })
 }
 
-struct Probing {
-    renderer: ThreadedRenderer,
-    isa: Isa,
-    pixels: Vec<u32>,
-}
-
-impl Probing {
-    fn new(isa: Isa, threads: usize) -> Self {
-        Self { renderer: ThreadedRenderer::new(threads), isa, pixels: vec![0; SIZE.0 * SIZE.1] }
-    }
-
-    fn draw(&mut self, scene: &Moment, quality: &Quality, count: u16, seed: u32) -> Probes {
-        self.renderer.set_probes(count, seed);
-        let (level, pixels) = (self.isa.level, &mut self.pixels);
-        let counts = self.renderer.draw(level, scene, quality, SIZE.0, pixels);
-        counts.probes
-    }
+fn probes(
+    (isa, renderer): (Isa, &mut ThreadedRenderer),
+    scene: &Moment,
+    quality: &Quality,
+    (count, seed): (u16, u32),
+) -> Probes {
+    renderer.set_probes(count, seed);
+    renderer.draw(isa.level, scene, quality, SIZE.0, &mut vec![0; SIZE.0 * SIZE.1]).probes
 }
 
 fn error(scene: &Moment, quality: &Quality) -> u64 {
@@ -43,16 +34,16 @@ fn error(scene: &Moment, quality: &Quality) -> u64 {
 
 #[test]
 fn ten_frames_probe_each_pixel_once() {
-    const COUNT: u16 = 2980;
     for scene in scenes() {
         let pixels = (SIZE.0 * SIZE.1) as u64;
         let error = error(&scene, &Quality::DEFAULT);
         for threads in [1, 3] {
-            let mut probing = Probing::new(cpu::best(), threads);
+            let mut renderer = ThreadedRenderer::new(threads);
             let mut sum = Probes::NONE;
             // Seed 7 starts within a pass over all pixels.
             for seed in 7..17 {
-                sum += probing.draw(&scene, &Quality::DEFAULT, COUNT, seed);
+                let by = (cpu::best(), &mut renderer);
+                sum += probes(by, &scene, &Quality::DEFAULT, (2980, seed));
             }
             assert_eq!((sum.pixels, sum.squares), (pixels, error));
             assert_eq!(sum.margin_at_rest(pixels), 0.0);
@@ -66,9 +57,10 @@ fn interval_holds_the_error_in_95_of_100_frames() {
     let (mut inside, mut all) = (0, 0);
     for scene in scenes() {
         let error = error(&scene, &Quality::DEFAULT);
-        let mut probing = Probing::new(cpu::best(), 2);
+        let mut renderer = ThreadedRenderer::new(2);
         for seed in 0..50 {
-            let probes = probing.draw(&scene, &Quality::DEFAULT, 648, seed);
+            let by = (cpu::best(), &mut renderer);
+            let probes = probes(by, &scene, &Quality::DEFAULT, (648, seed));
             let share = probes.mean_squared_error() * (3 * pixels) as f64 / error as f64;
             let (off, margin) = ((10.0 * share.log10()).abs() as f32, probes.margin());
             // Without errors the margin is not finite.
@@ -84,7 +76,8 @@ fn probes_of_exhaustive_frames_find_no_error() {
     for scene in scenes() {
         for quality in &REFINEMENTS[..2] {
             for isa in cpu::instruction_sets() {
-                let probes = Probing::new(isa, 2).draw(&scene, quality, 9999, 7);
+                let by = (isa, &mut ThreadedRenderer::new(2));
+                let probes = probes(by, &scene, quality, (9999, 7));
                 assert_eq!(probes.pixels, 9999);
                 assert_eq!((probes.squares, probes.fourths), (0, 0), "{}", isa.name);
                 assert_eq!(probes.psnr(), f32::INFINITY);
@@ -95,15 +88,15 @@ fn probes_of_exhaustive_frames_find_no_error() {
 
 #[test]
 fn overlays_and_coarse_pictures_are_not_probed() {
-    let method = |points, coarse, front| Method { points, coarse, front, ..Method::PLAIN };
-    let marked = method(0.5, 0.0, 0.0);
-    let coarse = method(0.0, 16.0, 1.0);
-    let behind_the_front = method(0.5, 0.0, 0.4);
+    let plain = Method::PLAIN;
+    let marked = Method { points: 0.5, ..plain };
+    let coarse = Method { coarse: 16.0, front: 1.0, ..plain };
+    let behind_the_front = Method { front: 0.4, ..marked };
     for (method, expected) in [(marked, 0), (coarse, 0), (behind_the_front, 1000)] {
         let mut scene = Moment::from(show::model_scene(2.0));
         scene.presentation.method = method;
-        let mut probing = Probing::new(cpu::best(), 2);
-        let probes = probing.draw(&scene, &Quality::EXHAUSTIVE, 1000, 3);
+        let by = (cpu::best(), &mut ThreadedRenderer::new(2));
+        let probes = probes(by, &scene, &Quality::EXHAUSTIVE, (1000, 3));
         assert_eq!((probes.pixels, probes.squares), (expected, 0), "{method:?}");
     }
 }

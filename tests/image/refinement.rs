@@ -1,14 +1,14 @@
-use crate::drawn::{TILE, draw, draw_best, draw_by_all, jagged};
+use crate::cpu;
+use crate::drawn::{TILE, draw, draw_by_all, jagged};
 use crate::error::Difference;
+use crate::patches::compared;
 use eightfold::show;
 use eightfold_scenes::{Random, cases, crowd, lights};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 
-fn psnr(scene: &Scene, quality: Quality, [width, height]: [usize; 2]) -> f64 {
-    let [exhaustive, refined] = [quality.reference(), quality]
-        .map(|quality| draw_best(scene, &quality, width, height).pixels);
-    Difference::between(&exhaustive, &refined).psnr
+fn psnr(scene: &Scene, quality: Quality, size: [usize; 2]) -> f64 {
+    compared(cpu::best(), scene, quality, size).0
 }
 
 #[test]

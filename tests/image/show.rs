@@ -86,13 +86,8 @@ fn camera_jumps_on_bars_and_at_cuts() {
 
 #[test]
 fn name_fits_pictures_from_9_16_to_21_9() {
-    let letters = at(9.0);
-    let scene = Scene {
-        camera: letters.camera,
-        blocks: letters.blocks,
-        background: Vec3::X,
-        ..Scene::default()
-    };
+    let Scene { camera, blocks, .. } = at(9.0);
+    let scene = Scene { camera, blocks, background: Vec3::X, ..Scene::default() };
     for (width, height) in [(90, 160), (100, 100), (120, 90), (160, 100), (160, 90), (210, 90)] {
         let pixels = draw_best(&scene, &Quality::EXHAUSTIVE, width, height).pixels;
         let shown = (0..pixels.len()).filter(|&i| pixels[i] != 0xff_0000);
@@ -112,8 +107,8 @@ fn captions_are_inside_the_picture_and_bright() {
             let captions = &mut scene.presentation.captions;
             *captions = shown((beat as f32 + 0.5) * grid::BEAT).presentation.captions;
             captions.iter_mut().for_each(|it| it.brightness = it.brightness.ceil());
-            let shown = captions.iter().filter(|it| it.brightness > 0.0);
-            let letters: usize = shown.map(|caption| caption.letters.len()).sum();
+            let bright = captions.iter().filter(|it| it.brightness > 0.0);
+            let letters: usize = bright.map(|caption| caption.letters.len()).sum();
             if letters == seen {
                 continue;
             }
@@ -136,12 +131,8 @@ fn captions_are_inside_the_picture_and_bright() {
 fn caption_shows_points_and_pixels_of_its_frame() {
     for (width, height) in [(331, 217), (1280, 720)] {
         let with = |letters: &str| {
-            let caption = Caption {
-                letters: letters.bytes().collect(),
-                middle: 0.5,
-                size: 0.05,
-                brightness: 1.0,
-            };
+            let letters = letters.bytes().collect();
+            let caption = Caption { letters, middle: 0.5, size: 0.05, brightness: 1.0 };
             let mut scene = Moment::from(show::model_scene(2.0));
             scene.presentation.captions.push(caption);
             draw_best(&scene, &Quality::DEFAULT, width, height)

@@ -1,10 +1,9 @@
 use crate::drawn::{draw, isa_of, named, with_antialias};
 use crate::error::worst_channel;
-use eightfold_harness::patches::patches;
+use eightfold_harness::patches::largest_of;
 use eightfold_scenes::{Seen, cases};
 use std::collections::HashMap;
 
-/// The least difference, of 255, that shows a bar or a wrong pixel.
 const VISIBLE: u32 = 24;
 
 /// Returns the number of pixels that show bars, and asserts that no hole has 4 or more of them.
@@ -33,14 +32,9 @@ fn assert_whole(count: u64) -> usize {
                 let is_wrong =
                     |i: &usize| is_bar(*i) && worst_channel(exhaustive[*i], drawn[*i]) > VISIBLE;
                 let wrong: Vec<usize> = (0..drawn.len()).filter(is_wrong).collect();
-                let holes = patches(&wrong, width);
-                let hole = holes.iter().map(Vec::len).max().unwrap_or(0);
-                assert!(
-                    hole < 4,
-                    "a hole of {hole} pixels, case {}, {seen:?}, by {} and {quality:?}",
-                    random.seed,
-                    isa.name
-                );
+                let (hole, seed) = (largest_of(&wrong, width), random.seed);
+                let by = format!("{seen:?} by {} and {quality:?}", isa.name);
+                assert!(hole < 4, "case {seed}: a hole of {hole} pixels, {by}");
             }
         }
     }

@@ -4,12 +4,8 @@ use eightfold_tracer::scene::Caption;
 const SIZE: (usize, usize) = (640, 360);
 
 fn written(letters: &[u8], numbers: [usize; 4]) -> Vec<u32> {
-    let caption = Caption {
-        letters: letters.iter().copied().collect(),
-        middle: 0.1,
-        size: 0.05,
-        brightness: 1.0,
-    };
+    let letters = letters.iter().copied().collect();
+    let caption = Caption { letters, middle: 0.1, size: 0.05, brightness: 1.0 };
     let mut pixels = vec![0; SIZE.0 * SIZE.1];
     let mut frame = Frame::new(SIZE.0, SIZE.1, &mut pixels);
     frame.write(&[caption], numbers);

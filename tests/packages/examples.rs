@@ -57,7 +57,6 @@ fn squares_marks_less_than_half_of_the_picture() {
     assert!(![[7, 1], [9, 9], [15, 7]].into_iter().any(is_line));
 }
 
-/// Asserts that an example's window shows many colours and that Esc closes it.
 fn assert_shows(program: &mut Command, name: &str) {
     let server = Server::start(1280, 800);
     let program = server.open(program, || server.geometry(&["-name", name]));

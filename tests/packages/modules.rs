@@ -1,5 +1,3 @@
-//! The order of the tracer's modules.
-
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
@@ -17,7 +15,6 @@ fn code(path: &Path) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Returns the Rust files of a folder and its folders, except tests.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder");
     let paths = entries.map(|entry| entry.expect("an entry").path());

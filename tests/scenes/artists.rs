@@ -76,8 +76,7 @@ impl Kind {
             ambient: Vec3::splat(random.zero_or(0.05, 0.2)),
             ..Scene::default()
         };
-        let plane = Plane::new(Vec3::ZERO, 30.0, 30.0, floor(random));
-        scene.planes.push(plane);
+        scene.planes.push(Plane::new(Vec3::ZERO, 30.0, 30.0, floor(random)));
         scene.lights.push(light(random));
         self.1.iter().for_each(|add| add(&mut scene, random));
         scene
@@ -315,8 +314,7 @@ fn add_balls(scene: &mut Scene, random: &mut Random, material: Draw<Material>) {
     for _ in 0..1 + random.below(4) {
         let radius = random.between(0.25, 0.8);
         let at = random.vector(vec3(-2.0, 0.0, -2.5), vec3(2.0, 0.3, -0.2));
-        let ball = Sphere::new(at + Vec3::Y * radius, radius, material);
-        scene.spheres.push(ball);
+        scene.spheres.push(Sphere::new(at + Vec3::Y * radius, radius, material));
     }
 }
 

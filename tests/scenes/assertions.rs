@@ -17,7 +17,7 @@ fn draw(renderer: &mut Renderer, scene: &Scene) {
     }
 }
 
-/// Returns scenes whose directions and normals have no length: the eye and lights straight above, at, or in the middle of objects.
+/// Puts the eye and lights at, above, or in the middle of objects: directions and normals have no length.
 fn degenerate(random: &mut Random) -> [Scene; 4] {
     let mut scene = any(random);
     let places = scene.spheres.iter().map(|sphere| sphere.centre);

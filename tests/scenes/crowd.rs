@@ -2,7 +2,6 @@ use crate::{Random, solids};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
-/// Half the side of the cube above the floor that contains the objects.
 const REACH: f32 = 5.0;
 
 fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
@@ -57,8 +56,7 @@ pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2
     for _ in 0..blocks {
         let half = size * random.vector(vec3(0.05, 0.3, 0.05), vec3(0.3, 2.0, 0.5));
         let (centre, material) = (place(random), material(random, shares));
-        let block = solids::block(random, centre, half, material);
-        scene.blocks.push(block);
+        scene.blocks.push(solids::block(random, centre, half, material));
     }
     for _ in 0..1 + random.below(3) {
         let position = random.vector(vec3(-9.0, 6.0, -9.0), vec3(9.0, 12.0, 9.0));

@@ -16,8 +16,7 @@ impl View {
         scene.background = vec3(0.1, 0.15, 0.3);
         scene.planes[0].material = Material::matt(Vec3::splat(0.7), 1.0);
         let material = Material::matt(Vec3::X, 1.0);
-        let sphere = Sphere::new(centre, radius.max(MIN_LENGTH), material);
-        scene.spheres.push(sphere);
+        scene.spheres.push(Sphere::new(centre, radius.max(MIN_LENGTH), material));
         scene.lights.push(Light::new(light, Vec3::splat(0.73)));
     }
 
@@ -35,8 +34,7 @@ impl View {
 
     pub fn with_box(mut self) -> Self {
         let centre = self.scene.planes[0].centre - Vec3::Y * (100.0 * self.side());
-        let hidden = Block::new(Shape::Box, centre, Vec3::ONE, Material::BLACK);
-        self.scene.blocks.push(hidden);
+        self.scene.blocks.push(Block::new(Shape::Box, centre, Vec3::ONE, Material::BLACK));
         self
     }
 
@@ -46,13 +44,11 @@ impl View {
 
     /// Returns a visible point of a floor at a height, and the length of `pixels` there.
     fn place(&self, random: &mut Random, height: f32, pixels: f32) -> Option<(Vec3, f32)> {
-        let camera = self.scene.camera;
-        let raster = camera.raster(self.width, self.height);
+        let eye = self.scene.camera.eye;
         let [x, y] = [self.width, self.height].map(|side| random.between(0.0, side as f32));
-        let d = raster.corner + raster.dx * x + raster.dy * y;
-        let t = (height - camera.eye.y) / d.y;
-        let is_near = t > 0.0 && t * d.length() < 1e6;
-        is_near.then(|| (camera.eye + d * t, pixels * raster.dx.length() * t))
+        let (d, pixel) = self.ray(x, y);
+        let t = (height - eye.y) / d.y;
+        (t > 0.0 && t * d.length() < 1e6).then(|| (eye + d * t, pixels * pixel * t))
     }
 }
 
@@ -141,8 +137,7 @@ pub fn contact(random: &mut Random) -> View {
     if random.below(3) == 0 {
         let half = vec3(1e5, random.one_of([0.01, 1.0, 100.0]), 1e5);
         let plane = view.scene.planes[0];
-        let slab = Block::new(Shape::Box, plane.centre, half, plane.material);
-        view.scene.blocks.push(slab);
+        view.scene.blocks.push(Block::new(Shape::Box, plane.centre, half, plane.material));
         view.scene.planes = List::default();
         height += side * half.y;
         view.scene.camera.eye.y += side * half.y;
@@ -161,8 +156,7 @@ pub fn contact(random: &mut Random) -> View {
             let flat = (size * size + rise * rise) / (2.0 * rise.max(1e-6 * size));
             let radius = [flat, size][kind];
             let centre = at + Vec3::Y * (side * (rise - radius));
-            let sphere = Sphere::new(centre, radius, material);
-            view.scene.spheres.push(sphere);
+            view.scene.spheres.push(Sphere::new(centre, radius, material));
             continue;
         }
         let mut block = solids::block(random, at, Vec3::splat(size), material);

@@ -74,8 +74,7 @@ impl Kinds {
         for _ in 0..count(random, self.spheres) {
             let radius = random.power(self.smallest, 0.2);
             let material = (self.material)(random);
-            let sphere = Sphere::new(place(random), radius, material);
-            scene.spheres.push(sphere);
+            scene.spheres.push(Sphere::new(place(random), radius, material));
         }
         for _ in 0..count(random, self.planes) {
             let centre = vec3(0.3, random.between(-2.0, 0.0), -0.2);
@@ -86,8 +85,7 @@ impl Kinds {
         for _ in 0..count(random, self.blocks) {
             let half = random.vector(Vec3::splat(0.2), Vec3::splat(1.5));
             let (centre, material) = (place(random), (self.material)(random));
-            let block = solids::block(random, centre, half, material);
-            scene.blocks.push(block);
+            scene.blocks.push(solids::block(random, centre, half, material));
         }
         for _ in 0..count(random, self.lights) {
             scene.lights.push((self.light)(random));
@@ -186,10 +184,9 @@ fn add_groups(scene: &mut Scene, random: &mut Random) {
         1 => add(&mut scene.spheres, beside(direction, 0.5 * last.radius)),
         2 => add(&mut scene.spheres, beside(direction, -0.5 * last.radius)),
         3 => {
-            let radius = random.power(-3.0, -1.0);
+            let half = random.power(-3.0, -1.0) * vec3(1.0, 0.0, 1.0) + Vec3::Y;
             for i in 0..12 {
                 let centre = vec3(0.4 * i as f32 - 2.4, 1.0, 0.0);
-                let half = vec3(radius, 1.0, radius);
                 let rod = Block::new(Shape::Cylinder, centre, half, last.material);
                 add(&mut scene.blocks, rod);
             }

@@ -2,7 +2,6 @@ use crate::View;
 use eightfold_tracer::scene::Scene;
 use std::collections::HashMap;
 
-/// Returns scenes of `known.ron` by their name.
 pub fn known(name: &str) -> Vec<View> {
     let mut all: HashMap<String, Vec<(Scene, [usize; 2])>> =
         ron::from_str(include_str!("known.ron")).expect("scenes");

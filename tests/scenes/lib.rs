@@ -5,7 +5,7 @@
 //! | [`Kinds`] | all shapes, materials and lights, scattered around the origin |
 //! | [`placed`] | objects in their own colours, placed and sized by pixels |
 //! | [`floor`] | a single shadow or image in a floor, or objects that rise from it |
-//! | [`Hidden`] | forty small objects that are easily missed |
+//! | [`hidden()`] | forty small objects that are easily missed |
 //! | [`artists`] | bars in the order of words, nets, fences and shelves |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
 //! | [`shiny()`] | highlights of all sizes |
@@ -31,7 +31,7 @@ pub mod text;
 mod thin;
 
 pub use crowd::crowd;
-pub use hidden::Hidden;
+pub use hidden::{GREY, hidden};
 pub use kinds::{Kinds, presented};
 pub use known::known;
 pub use placed::{between_corners, placed, placed_blocks};
@@ -53,12 +53,18 @@ impl View {
     pub const fn new(scene: Scene, [width, height]: [usize; 2]) -> Self {
         Self { scene, width, height }
     }
+
+    /// Returns the direction through a point of the picture, at a depth of 1, and the length of a pixel there.
+    fn ray(&self, x: f32, y: f32) -> (Vec3, f32) {
+        let raster = self.scene.camera.raster(self.width, self.height);
+        (raster.corner + raster.dx * x + raster.dy * y, raster.dx.length())
+    }
 }
 
 pub fn any(random: &mut Random) -> Scene {
     let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
     match random.below(8) {
-        0 => Hidden::BLOCKS.scene(random),
+        0 => hidden(random, [true; 2], GREY),
         1 => random.one_of(Seen::ALL).view(random)[0].scene.clone(),
         2 => crowd(random, [8, 8], [0.3, 0.3]),
         3 => shiny(random, true),

@@ -4,12 +4,9 @@ use glam::{Mat3, Vec3, vec3};
 
 /// Returns the point that a pixel shows at a distance, and the length of `pixels` there.
 fn at(view: &View, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) {
-    let camera = view.scene.camera;
-    let raster = camera.raster(view.width, view.height);
     // At the pixel's centre, so that a ray hits even small objects.
-    let d = raster.corner + raster.dx * x.floor() + raster.dy * y.floor();
-    let length = pixels * raster.dx.length() * distance;
-    (camera.eye + d * distance, length)
+    let (d, pixel) = view.ray(x.floor(), y.floor());
+    (view.scene.camera.eye + d * distance, pixels * pixel * distance)
 }
 
 fn anywhere(random: &mut Random, view: &View, far: [f32; 2], pixels: [f32; 2]) -> (Vec3, f32) {
@@ -32,8 +29,7 @@ fn add_planes(view: &mut View, random: &mut Random) {
     for _ in 0..random.below(3) {
         let centre = random.vector(vec3(-6.0, -3.0, -6.0), vec3(6.0, 3.0, 6.0));
         let [x, z] = [0; 2].map(|_| random.power(-1.5, 1.5));
-        let plane = Plane::new(centre, x, z, Material::BLACK);
-        view.scene.planes.push(plane);
+        view.scene.planes.push(Plane::new(centre, x, z, Material::BLACK));
     }
 }
 
@@ -43,8 +39,7 @@ fn add_around(view: &mut View, random: &mut Random) {
         let share = [random.between(0.0, 0.99), random.between(1.001, 2.0), 1.0];
         let share = random.one_of(share);
         let centre = view.scene.camera.eye + vec3(0.6, 0.0, 0.8) * (radius * share);
-        let sphere = Sphere::new(centre, radius, Material::BLACK);
-        view.scene.spheres.push(sphere);
+        view.scene.spheres.push(Sphere::new(centre, radius, Material::BLACK));
     }
 }
 
@@ -60,8 +55,7 @@ pub fn placed(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(63) {
         let (centre, radius) = anywhere(random, &view, [-0.3, 1.6], [-1.0, 1.6]);
-        let sphere = Sphere::new(centre, radius, Material::BLACK);
-        view.scene.spheres.push(sphere);
+        view.scene.spheres.push(Sphere::new(centre, radius, Material::BLACK));
     }
     add_around(&mut view, random);
     add_planes(&mut view, random);
@@ -102,15 +96,13 @@ fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 
     view.scene.blocks.push(block);
 }
 
-/// Returns spheres, each between the corners of a square of 8 pixels.
 pub fn between_corners() -> View {
     let mut view = View::new(Scene::default(), [320, 240]);
     for row in 0..15 {
         for column in 0..20 {
             let pixel = [16 * column + 4, 16 * row + 4].map(|at| at as f32 + 0.1);
             let (centre, radius) = at(&view, pixel, 10.0, 0.3 + 0.15 * column as f32);
-            let sphere = Sphere::new(centre, radius, Material::BLACK);
-            view.scene.spheres.push(sphere);
+            view.scene.spheres.push(Sphere::new(centre, radius, Material::BLACK));
         }
     }
     view.scene = coloured(&view.scene, 28);

@@ -2,7 +2,6 @@ use crate::{Random, materials, solids};
 use eightfold_tracer::scene::{Block, Camera, Light, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// Returns shiny objects on a floor or in the air, with camera and lights high or grazing, near or far.
 pub fn shiny(random: &mut Random, are_blocks: bool) -> Scene {
     let [x, z] = [random.between(-6.0, 6.0), random.between(5.0, 12.0)];
     let eye = vec3(x, random.power(-1.5, 1.0), z);
@@ -26,14 +25,12 @@ pub fn shiny(random: &mut Random, are_blocks: bool) -> Scene {
             });
         } else {
             let above = random.one_of([0.0, at.y]) + radius;
-            let sphere = Sphere::new(at.with_y(above), radius, material);
-            scene.spheres.push(sphere);
+            scene.spheres.push(Sphere::new(at.with_y(above), radius, material));
         }
     }
     if random.below(2) == 0 {
         let [x, z] = [0; 2].map(|_| random.power(0.3, 2.0));
-        let plane = Plane::new(Vec3::ZERO, x, z, materials::shiny(random));
-        scene.planes.push(plane);
+        scene.planes.push(Plane::new(Vec3::ZERO, x, z, materials::shiny(random)));
     }
     for _ in 0..1 + random.below(3) {
         let wide = random.one_of([8.0, 8.0, 40.0]);

@@ -4,7 +4,6 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 
-/// A value in RON, and the places of its numbers.
 pub struct Text {
     ron: String,
     pub numbers: Vec<Range<usize>>,

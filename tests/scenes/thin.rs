@@ -40,14 +40,12 @@ impl Seen {
                 Self::AsShadows => Material::matt(Vec3::splat(0.8), 0.9),
                 Self::AsImages => Material::mirror(0.7),
             };
-            let plane = Plane::new(Vec3::ZERO, 50.0, 50.0, floor);
-            others.planes.push(plane);
+            others.planes.push(Plane::new(Vec3::ZERO, 50.0, 50.0, floor));
         }
         for _ in 0..random.one_of([0, 0, 4]) {
             let centre = random.vector(vec3(-3.0, 0.0, -3.0), vec3(3.0, 3.0, 4.0));
             let radius = random.power(-1.0, 0.0);
-            let sphere = Sphere::new(centre, radius, Material::BLACK);
-            others.spheres.push(sphere);
+            others.spheres.push(Sphere::new(centre, radius, Material::BLACK));
         }
         let checkers = Pattern::checkers(random.power(-1.0, 0.5), 0.3);
         let is_patterned = self == Self::Directly && random.below(2) == 0;
@@ -92,11 +90,9 @@ impl Seen {
         let far = random.power(0.0, 1.0);
         let nearer = [1.0, random.power(-0.7, 0.7)][random.below(2)];
         let share = random.between(0.02, 0.7);
-        let raster = view.scene.camera.raster(view.width, view.height);
         let ends = [(from, far), (to, far * nearer)].map(|(at, far)| {
             let eye = view.scene.camera.eye;
-            let d = raster.corner + raster.dx * at.x + raster.dy * at.y;
-            let pixel = raster.dx.length();
+            let (d, pixel) = view.ray(at.x, at.y);
             let t = -eye.y / d.y.min(-0.02);
             match self {
                 Self::Directly => (eye + d * far, pixel * far),
@@ -122,8 +118,7 @@ impl Seen {
                 for i in 0..count {
                     if scene.spheres.len() + 4 < MAX_SPHERES {
                         let centre = from + along * (1.5 * radius * i as f32);
-                        let sphere = Sphere::new(centre, radius, Material::BLACK);
-                        scene.spheres.push(sphere);
+                        scene.spheres.push(Sphere::new(centre, radius, Material::BLACK));
                     }
                 }
             }

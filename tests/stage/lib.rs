@@ -49,7 +49,7 @@ pub fn texts(output: &Output) -> (String, String) {
 
 pub fn run(command: &mut Command) -> (Output, String) {
     let output = command.output().expect("the command starts");
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let (text, _) = texts(&output);
     (output, text)
 }
 
@@ -267,9 +267,7 @@ pub fn screenshot(display: &str, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
 fn import(display: &str, arguments: &[&str]) -> Vec<u32> {
     let mut import = tool("import");
     let import = import.env("DISPLAY", display).args(arguments);
-    let (output, _) = run(import.args(["-depth", "8", "rgb:-"]));
-    let pixels = output.stdout.chunks_exact(3);
-    pixels.map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]])).collect()
+    reader::pixels(&run(import.args(["-depth", "8", "rgb:-"])).0.stdout)
 }
 
 /// Runs `work` on several servers, given by their arguments. The test program starts itself with another `DISPLAY`: changing the

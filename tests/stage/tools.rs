@@ -45,8 +45,6 @@ macro_rules! needs {
     };
 }
 
-/// Returns a command that runs a tool of `tools.txt`.
-///
 /// # Panics
 /// If the tool is missing.
 pub fn tool(name: &str) -> Command {

@@ -1,10 +1,10 @@
+use crate::built::TIMES;
 use crate::cpu;
 use crate::drawn::{
     Drawn, RULES, Record, SIDES, bare, draw_best, draw_by_all, of_side, of_the_show,
 };
 use crate::error::{Difference, worst_channel};
 use crate::refinement::most_points;
-use crate::shipped::TIMES;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_oracle::frame::Frame;
@@ -14,34 +14,25 @@ use eightfold_tracer::scene::{Camera, Light, List, Material, Scene, Sphere};
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{DVec3, Vec3, vec3};
 
-/// Asserts that at most 0.02 % of the pixels, or four, differ from the oracle's by more than 8/255, all on silhouettes. The other
-/// pixels may differ by at most 0.01/255 on average (0.05/255 on film).
+/// Asserts that at most 0.02 % of the pixels, or four, differ by more than 8/255, all on silhouettes, and the others by at most
+/// 0.01/255 on average (0.05/255 on film).
 #[track_caller]
 fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
-    let expected = frame.picture_like(&drawn.pixels);
-    let difference = Difference::between(&expected, &drawn.pixels);
-    let mean = mean_of_right(&expected, &drawn.pixels);
+    let mut expected = frame.picture_like(&drawn.pixels);
+    let silhouettes = frame.silhouettes();
+    let mut wrong = 0;
+    for (i, (a, &b)) in expected.iter_mut().zip(&drawn.pixels).enumerate() {
+        let (x, y, off) = (i % frame.width, i / frame.width, worst_channel(*a, b));
+        if off > 8 {
+            assert!(silhouettes[i], "{what}: ({x}, {y}) is off by {off}: {b:06x} for {a:06x}");
+            (wrong, *a) = (wrong + 1, b);
+        }
+    }
+    assert!(wrong <= (expected.len() / 5000).max(4), "{what}: {wrong} wrong pixels");
     // The gamma of film enlarges the rounding errors of dark colours.
     let most = if frame.film.filmic { 0.05 } else { 0.01 };
-    assert!(mean <= most, "{what}: {mean}, {difference:?}");
-    let most = (expected.len() / 5000).max(4);
-    assert!(difference.over_8 <= most, "{what}: {difference:?}");
-    let silhouettes = frame.silhouettes();
-    for (i, (&a, &b)) in expected.iter().zip(&drawn.pixels).enumerate() {
-        let (x, y) = (i % frame.width, i / frame.width);
-        let off = worst_channel(a, b);
-        assert!(
-            off <= 8 || silhouettes[i],
-            "{what}: ({x}, {y}) is off by {off}: {b:06x} for {a:06x}"
-        );
-    }
-}
-
-fn mean_of_right(expected: &[u32], drawn: &[u32]) -> f64 {
-    let pairs = expected.iter().zip(drawn);
-    let right = pairs.filter(|&(&a, &b)| worst_channel(a, b) <= 8);
-    let (expected, drawn): (Vec<u32>, Vec<u32>) = right.unzip();
-    Difference::between(&expected, &drawn).mean
+    let mean = Difference::between(&expected, &drawn.pixels).mean;
+    assert!(mean <= most, "{what}: {mean}");
 }
 
 #[track_caller]
@@ -55,27 +46,25 @@ fn assert_traced(scene: &Scene, [width, height]: [usize; 2], what: &str) {
 /// Asserts that squares of 8 pixels are filled by the rules, except for one in 200, or 2, where rounding decides.
 #[track_caller]
 fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2], what: &str) {
-    const SIDE: usize = 8;
     let frame = Frame::new(scene, quality, width, height);
-    let squares: Vec<[usize; 3]> = (0..height)
-        .step_by(SIDE)
-        .flat_map(|y| (0..width).step_by(SIDE).map(move |x| [x, y, SIDE]))
-        .collect();
+    let rows = (0..height).step_by(8);
+    let squares = rows.flat_map(|y| (0..width).step_by(8).map(move |x| [x, y, 8]));
+    let squares: Vec<[usize; 3]> = squares.collect();
     for isa in cpu::instruction_sets() {
         let (mut pixels, record) = (vec![0; width * height], Record::default());
         let mut renderer = ThreadedRenderer::new(1);
         renderer.draw_observed(isa.level, scene, quality, width, &mut pixels, &record);
         let split = record.split.into_inner().unwrap();
         let wrong = squares.iter().filter(|&&[x, y, side]| {
-            let corners =
-                [(0, 0), (side, 0), (0, side), (side, side)].map(|(u, v)| frame.at(x + u, y + v));
-            let colours =
-                corners.map(|corner| 255.0 * corner.colour.clamp(DVec3::ZERO, DVec3::ONE));
+            let places = [(0, 0), (side, 0), (0, side), (side, side)];
+            let corners = places.map(|(u, v)| frame.at(x + u, y + v));
+            let colours = corners.map(|it| 255.0 * it.colour.clamp(DVec3::ZERO, DVec3::ONE));
             let [most, least] = [DVec3::max, DVec3::min].map(|of| colours.into_iter().reduce(of));
             let spread = (most.unwrap() - least.unwrap()).max_element();
-            let agree = corners.iter().all(|corner| corner.key == corners[0].key);
-            let tolerance =
-                if agree { quality.tolerance_agreeing } else { quality.tolerance_differing };
+            let tolerance = match corners.iter().all(|corner| corner.key == corners[0].key) {
+                true => quality.tolerance_agreeing,
+                false => quality.tolerance_differing,
+            };
             let excess = spread - f64::from(tolerance);
             let is_flat = colours.iter().all(|colour| colour.round() == colours[0].round());
             let is_filled = !split.contains(&[x, y, side]);
@@ -90,13 +79,13 @@ fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2],
 
 #[test]
 fn fields_and_crowds_match_the_oracle() {
-    for (count, time) in [(4, 0.0), (64, 3.0), (256, 9.0), (320, 1.0)] {
+    for (count, time) in [(4, 0.0), (64, 3.0), (320, 1.0)] {
         let what = format!("a field of {count} at {time} s");
-        assert_traced(&show::field(count, time), [160, 120], &what);
+        assert_traced(&show::field(count, time), [120, 90], &what);
     }
-    for (seed, counts) in [[320, 64], [130, 0], [0, 64]].into_iter().enumerate() {
-        let scene = crowd(&mut Random::new(seed as u64), counts, [0.0, 0.3]);
-        assert_traced(&scene, [160, 120], &format!("a crowd of {counts:?}"));
+    for (seed, counts) in (0..).zip([[320, 64], [130, 0], [0, 64]]) {
+        let scene = crowd(&mut Random::new(seed), counts, [0.0, 0.3]);
+        assert_traced(&scene, [120, 90], &format!("a crowd of {counts:?}"));
     }
 }
 
@@ -118,9 +107,9 @@ fn films_names_and_narrow_lights_match_the_oracle() {
 fn show_matches_the_oracle() {
     for time in TIMES.into_iter().step_by(2) {
         let scene = of_the_show(time as f32 / 1000.0);
-        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);
+        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 240, 135);
         let silhouettes = frame.silhouettes();
-        let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180);
+        let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 240, 135);
         for (isa, drawn_by) in &drawn {
             let what = format!("{time} ms by {}", isa.name);
             assert_as_traced(drawn_by, &frame, &what);
@@ -134,35 +123,26 @@ fn show_matches_the_oracle() {
 
 #[test]
 fn ray_counts_match_the_oracle() {
-    let near = |count: u64, expected: u64| count.abs_diff(expected) <= expected / 5000;
-    let (width, height) = (1024, 768);
+    let (width, height) = (512, 384);
     let scene = show::model_scene(0.0);
     let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
     let (rays, shadow_rays) = (frame.total(|p| p.rays), frame.total(|p| p.shadow_rays));
     for (isa, Drawn { counts, .. }) in draw_by_all(&scene, &Quality::EXHAUSTIVE, width, height) {
         let what = format!("{}: {counts:?}", isa.name);
-        assert_eq!(counts.points, 1024 * 768, "{what}");
-        assert!(near(counts.rays, rays), "{what}, {rays} expected");
+        assert_eq!(counts.points, 512 * 384, "{what}");
+        assert!(counts.rays.abs_diff(rays) <= rays / 5000, "{what}, {rays} expected");
         // The library skips shadow rays that have no occluder.
         let most = shadow_rays + shadow_rays / 5000;
         assert!(counts.shadow_rays <= most, "{what}, {most} expected");
     }
     // Otherwise the tolerance for silhouettes would hide errors.
     let on = frame.silhouettes().iter().filter(|&&on| on).count();
-    assert!(on < width * height / 8, "{on} pixels");
+    assert!(on < width * height / 5, "{on} pixels");
 }
 
 fn shells(count: usize) -> Scene {
-    let glass = Material {
-        colour: Vec3::splat(0.9),
-        kd: 0.2,
-        ks: 0.5,
-        exponent: 50.0,
-        kr: 0.5,
-        kt: 0.5,
-        index: 1.01,
-        ..Material::BLACK
-    };
+    let plastic = Material { ks: 0.5, exponent: 50.0, ..Material::matt(Vec3::splat(0.9), 0.2) };
+    let glass = Material { kr: 0.5, kt: 0.5, index: 1.01, ..plastic };
     let shell = |i| Sphere::new(Vec3::ZERO, 2.0 + 0.5 * i as f32, glass);
     Scene {
         camera: Camera::new(vec3(0.1, 0.2, 0.3), Vec3::X, 1.0),
@@ -173,22 +153,18 @@ fn shells(count: usize) -> Scene {
     }
 }
 
-fn light(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
-    Light { drawn_radius, ..Light::new(position, colour) }
-}
-
 /// Rays end at a black light, so that packets of secondary rays are partly empty.
 #[test]
 fn no_ray_is_lost_at_any_depth() {
     let whole = shells(Quality::MAX_DEPTH as usize + 1);
-    let mut broken = whole.clone();
-    broken.lights = List::of(&[light(vec3(0.6, 0.2, 0.3), 0.15, Vec3::ZERO)]);
+    let black = Light { drawn_radius: 0.15, ..Light::new(vec3(0.6, 0.2, 0.3), Vec3::ZERO) };
+    let broken = Scene { lights: List::of(&[black]), ..whole.clone() };
     for depth in 0..=Quality::MAX_DEPTH {
         let quality = Quality { depth, least_contribution: 0.0, ..Quality::EXHAUSTIVE };
         for (scene, is_whole) in [(&whole, true), (&broken, false)] {
-            let frame = Frame::new(scene, &quality, 48, 32);
+            let frame = Frame::new(scene, &quality, 36, 24);
             let expected = frame.total(|point| point.rays);
-            for (isa, drawn) in draw_by_all(scene, &quality, 48, 32) {
+            for (isa, drawn) in draw_by_all(scene, &quality, 36, 24) {
                 let what = format!("depth {depth} by {}", isa.name);
                 let Counts { points, rays, .. } = drawn.counts;
                 let off = rays.abs_diff(expected);
@@ -209,20 +185,21 @@ fn spheres_around_lights_and_cameras_match() {
         (vec3(0.5, 0.7, 0.1), vec3(1.0, 3.0, 7.0)),
         (vec3(3.5, 3.7, 0.1), vec3(0.1, 0.2, 0.3)),
     ] {
-        scene.camera.eye = eye;
-        scene.camera.look_at = Vec3::ZERO;
-        scene.lights = List::of(&[light(position, 0.1, Vec3::ONE)]);
+        scene.camera = Camera { eye, look_at: Vec3::ZERO, ..scene.camera };
+        let light = Light { drawn_radius: 0.1, ..Light::new(position, Vec3::ONE) };
+        scene.lights = List::of(&[light]);
         let what = format!("a light at {position} seen from {eye}");
         assert_traced(&scene, [120, 90], &what);
     }
     let mut scene = show::model_scene(0.0);
     let (glass, plastic) = (scene.spheres[3].material, scene.spheres[0].material);
+    let (towards, along) = ([0.0, 0.5, 0.999, 1.0, 1.5], [1.0, 1.001]);
+    let views =
+        towards.map(|far| (far, Vec3::Z)).into_iter().chain(along.map(|far| (far, Vec3::X)));
     for material in [glass, plastic] {
         scene.spheres[1].material = material;
         let Sphere { centre, radius, .. } = scene.spheres[1];
-        let towards = [0.0, 0.5, 0.999, 1.0, 1.5].map(|distance| (distance, Vec3::Z));
-        let along = [1.0, 1.001].map(|distance| (distance, Vec3::X));
-        for (distance, ahead) in towards.into_iter().chain(along) {
+        for (distance, ahead) in views.clone() {
             let eye = centre + Vec3::NEG_Z * (radius * distance);
             scene.camera = Camera::new(eye, eye + ahead, 1.2);
             let what = format!("at {distance} radii towards {ahead}");
@@ -269,16 +246,15 @@ fn pictures_of_any_size_are_right() {
         let scene = show::model_scene(random.between(0.0, show::MODEL_LENGTH));
         assert_traced(&scene, [width, height], &format!("case {}, {width}x{height}", random.seed));
     }
-    let scene = show::model_scene(0.5);
-    let [exhaustive, thesis] = [Quality::EXHAUSTIVE, Quality::THESIS]
-        .map(|quality| draw_best(&scene, &quality, MAX_WIDTH, MAX_HEIGHT).pixels);
-    let difference = Difference::between(&exhaustive, &thesis);
-    assert!(difference.over_8 < exhaustive.len() / 200, "{difference:?}");
-    for side in SIDES {
-        for (width, height) in [(MAX_WIDTH, 40), (40, MAX_HEIGHT)] {
-            let points =
-                draw_best(&scene, &of_side(side, Quality::THESIS), width, height).counts.points;
-            assert!(points <= most_points(side, width, height) as u64, "{side}: {points}");
+    for (width, height) in [(MAX_WIDTH, 40), (40, MAX_HEIGHT)] {
+        let drawn = |quality| draw_best(&show::model_scene(0.5), &quality, width, height);
+        let exhaustive = drawn(Quality::EXHAUSTIVE).pixels;
+        for side in SIDES {
+            let Drawn { pixels, counts } = drawn(of_side(side, Quality::THESIS));
+            let most = most_points(side, width, height) as u64;
+            assert!(counts.points <= most, "{side}: {counts:?}");
+            let wrong = Difference::between(&exhaustive, &pixels).over_8;
+            assert!(wrong < pixels.len() / 30, "{side}: {wrong}");
         }
     }
 }
