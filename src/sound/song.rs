@@ -93,224 +93,125 @@ static LIGHT: [u8; BARS] = indices_of(
 static GAIN: [u8; BARS] = indices_of(
     b"a99999 cccccc bbbbcccc cccccccc cccccc bbbbbb cccccd ddddde cccccc", DIGITS);
 
-/// A track: for each bar a pattern with a digit for each step. Digits from 1 to 15 start the note that
-/// [`Notes`](super::instruments::Notes) defines; 0 starts none.
-struct Part {
-    bars: [u8; BARS],
-    patterns: &'static [[u8; STEPS]],
-}
+/// A track: for each bar the number of its pattern, 0 for silence, and the patterns, with a digit for each step. Digits from 1 to 15
+/// start the note that [`Notes`](super::instruments::Notes) defines; 0 starts none.
+struct Part([u8; BARS], &'static [[u8; STEPS]]);
 
 const STEPS: usize = STEPS_PER_BAR as usize;
 
 #[rustfmt::skip]
 static PARTS: [Part; TRACKS] = [
     // Kick.
-    Part {
-        bars: bars(b"...... ababdc ........ ........ defefc hihijk lllllk efefgc ......"),
-        patterns: &[
-            pattern(b"b... .... b... ...."),
-            pattern(b"b... .... b... b..."),
-            pattern(b"f... f... f... ...."),
-            pattern(b"f... f... f... f..."),
-            pattern(b"f... f... f... f.c."),
-            pattern(b"f... f... f.c. f..."),
-            pattern(b"f.c. f.c. f.c. f.c."),
-            pattern(b"f... .... ..d. ...."),
-            pattern(b"f... ..d. ..d. ...."),
-            pattern(b"f... ..d. ..f. ...."),
-            pattern(b"f... ..f. .... ...."),
-            pattern(b"f... ..f. .... f..."),
-        ],
-    },
+    Part(bars(b"...... ababdc ........ ........ defefc hihijk lllllk efefgc ......"), &patterns([
+        b"b... .... b... ....", b"b... .... b... b...", b"f... f... f... ....",
+        b"f... f... f... f...", b"f... f... f... f.c.", b"f... f... f.c. f...",
+        b"f.c. f.c. f.c. f.c.", b"f... .... ..d. ....", b"f... ..d. ..d. ....",
+        b"f... ..d. ..f. ....", b"f... ..f. .... ....", b"f... ..f. .... f...",
+    ])),
     // Clap.
-    Part {
-        bars: bars(b"...... .c.ccc ..ffffff ........ .aabac cdcdbe .....b aabadb ......"),
-        patterns: &[
-            pattern(b".... d... .... d..."),
-            pattern(b".... d... .... d.9b"),
-            pattern(b".... .... d... ...."),
-            pattern(b".... ..7. d... .5.."),
-            pattern(b"4.4. 5.5. 6.7. ...."),
-            pattern(b".... 7... .... 7..."),
-        ],
-    },
+    Part(bars(b"...... .c.ccc ..ffffff ........ .aabac cdcdbe .....b aabadb ......"), &patterns([
+        b".... d... .... d...", b".... d... .... d.9b", b".... .... d... ....",
+        b".... ..7. d... .5..", b"4.4. 5.5. 6.7. ....", b".... 7... .... 7...",
+    ])),
     // Hat.
-    Part {
-        bars: bars(b"...... aababc ddeeffgg ........ .hhhhh abaccc iihhij hhjhjj ......"),
-        patterns: &[
-            pattern(b"..7. ..7. ..7. ..7."),
-            pattern(b"..7. ..74 ..7. .47."),
-            pattern(b"4.7. 4.7. 4.74 ...."),
-            pattern(b"..9. e... ..9. e..."),
-            pattern(b".... e..a .... e..a"),
-            pattern(b"..a. e..a ..a. e..."),
-            pattern(b"..a. e.aa .aa. e.aa"),
-            pattern(b"7494 7494 7494 7496"),
-            pattern(b"6.34 ..63 4.6. 6.34"),
-            pattern(b"d9d9 d9d9 d9d9 d9df"),
-        ],
-    },
+    Part(bars(b"...... aababc ddeeffgg ........ .hhhhh abaccc iihhij hhjhjj ......"), &patterns([
+        b"..7. ..7. ..7. ..7.", b"..7. ..74 ..7. .47.", b"4.7. 4.7. 4.74 ....",
+        b"..9. e... ..9. e...", b".... e..a .... e..a", b"..a. e..a ..a. e...",
+        b"..a. e.aa .aa. e.aa", b"7494 7494 7494 7496", b"6.34 ..63 4.6. 6.34",
+        b"d9d9 d9d9 d9d9 d9df",
+    ])),
     // Open hat.
-    Part {
-        bars: bars(b"...... ....aa ........ ........ ..aaba ...... ...... bababa ......"),
-        patterns: &[pattern(b"..c. ..c. ..c. ...."), pattern(b"..c. ..c. ..c. ..c.")],
-    },
+    Part(bars(b"...... ....aa ........ ........ ..aaba ...... ...... bababa ......"), &patterns([
+        b"..c. ..c. ..c. ....", b"..c. ..c. ..c. ..c.",
+    ])),
     // Tom.
-    Part {
-        bars: bars(b"...... ...... ........ ........ .....c ...... ababac ...... ......"),
-        patterns: &[
-            pattern(b"f... ..d. .... b..."),
-            pattern(b"f..6 ..d. .6.. b.87"),
-            pattern(b"f..8 ..d. 8.8. ...."),
-        ],
-    },
+    Part(bars(b"...... ...... ........ ........ .....c ...... ababac ...... ......"), &patterns([
+        b"f... ..d. .... b...", b"f..6 ..d. .6.. b.87", b"f..8 ..d. 8.8. ....",
+    ])),
     // Bass.
-    Part {
-        bars: bars(b"...... ababac eeeeffab ........ cdcdce fggfgg hihihi jjjjjj ......"),
-        patterns: &[
-            pattern(b"1... ..1. ..5. 1..."),
-            pattern(b"1... 5.1. ..1. 5.2."),
-            pattern(b"..1. ..1. ..1. ..1."),
-            pattern(b"..11 ..15 ..11 ..51"),
-            pattern(b"1... .... .... ...."),
-            pattern(b"1.1. ..1. ..5. ..1."),
-            pattern(b"1..1 ..1. 5..1 ..5."),
-            pattern(b"1.11 1.11 1.11 1.11"),
-            pattern(b"1.11 1.11 1.15 1.51"),
-            pattern(b".111 .111 .111 .115"),
-        ],
-    },
+    Part(bars(b"...... ababac eeeeffab ........ cdcdce fggfgg hihihi jjjjjj ......"), &patterns([
+        b"1... ..1. ..5. 1...", b"1... 5.1. ..1. 5.2.", b"..1. ..1. ..1. ..1.",
+        b"..11 ..15 ..11 ..51", b"1... .... .... ....", b"1.1. ..1. ..5. ..1.",
+        b"1..1 ..1. 5..1 ..5.", b"1.11 1.11 1.11 1.11", b"1.11 1.11 1.15 1.51",
+        b".111 .111 .111 .115",
+    ])),
     // Sub.
-    Part {
-        bars: bars(b".abcea ...... gdebgdea gdebgeda ...... ...... ...... ...... gefag."),
-        patterns: &[
-            pattern(b"1... .... .... ...."),
-            pattern(b"2... .... .... ...."),
-            pattern(b"3... .... .... ...."),
-            pattern(b"4... .... .... ...."),
-            pattern(b"6... .... .... ...."),
-            pattern(b"7... .... .... ...."),
-            pattern(b"8... .... .... ...."),
-        ],
-    },
+    Part(bars(b".abcea ...... gdebgdea gdebgeda ...... ...... ...... ...... gefag."), &patterns([
+        b"1... .... .... ....", b"2... .... .... ....", b"3... .... .... ....",
+        b"4... .... .... ....", b"6... .... .... ....", b"7... .... .... ....",
+        b"8... .... .... ....",
+    ])),
     // Vowel.
-    Part {
-        bars: bars(b"aaaaaa ...... ........ aaaaaaaa ...... ...... ...... ...... aaaaa."),
-        patterns: &[pattern(b"1... .... .... ....")],
-    },
+    Part(bars(b"aaaaaa ...... ........ aaaaaaaa ...... ...... ...... ...... aaaaa."), &patterns([
+        b"1... .... .... ....",
+    ])),
     // Pads.
-    Part {
-        bars: bars(b"...... ...... ........ ........ aaaaaa aaaaaa aaaaaa aaaaaa aaaaa."),
-        patterns: &[pattern(b"1... .... .... ....")],
-    },
-    Part {
-        bars: bars(b"...... ...... ........ ........ aaaaaa aaaaaa aaaaaa aaaaaa aaaaa."),
-        patterns: &[pattern(b"4... .... .... ....")],
-    },
+    Part(bars(b"...... ...... ........ ........ aaaaaa aaaaaa aaaaaa aaaaaa aaaaa."), &patterns([
+        b"1... .... .... ....",
+    ])),
+    Part(bars(b"...... ...... ........ ........ aaaaaa aaaaaa aaaaaa aaaaaa aaaaa."), &patterns([
+        b"4... .... .... ....",
+    ])),
     // Arpeggio.
-    Part {
-        bars: bars(b"...... .cddcd ........ ........ ...... ...... ...... aababa ......"),
-        patterns: &[pattern(b"1351 3513 5135 7535"), pattern(b"1353 5753 1353 5795"), pattern(b"..5. 3..1 ..5. 7..."), pattern(b"..3. 5..7 .5.. 3...")],
-    },
+    Part(bars(b"...... .cddcd ........ ........ ...... ...... ...... aababa ......"), &patterns([
+        b"1351 3513 5135 7535", b"1353 5753 1353 5795", b"..5. 3..1 ..5. 7...",
+        b"..3. 5..7 .5.. 3...",
+    ])),
     // Strings.
-    Part {
-        bars: bars(b"...... ...... ........ abcdefgh ...... ...... jklmno ...... abcdi."),
-        patterns: &[
-            pattern(b"1... .... 2... ...."),
-            pattern(b"3... .... 4... ...."),
-            pattern(b"5... .... 6... ...."),
-            pattern(b"7... .... 8... ...."),
-            pattern(b"8... .... 7... ...."),
-            pattern(b"6... .... 5... ...."),
-            pattern(b"4... .... 3... ...."),
-            pattern(b"2... .... 1... ...."),
-            pattern(b"8... .... .... ...."),
-            pattern(b"1... .... .... ...."),
-            pattern(b"2... .... .... ...."),
-            pattern(b"3... .... .... ...."),
-            pattern(b"4... .... .... ...."),
-            pattern(b"5... .... .... ...."),
-            pattern(b"6... .... .... ...."),
-        ],
-    },
+    Part(bars(b"...... ...... ........ abcdefgh ...... ...... jklmno ...... abcdi."), &patterns([
+        b"1... .... 2... ....", b"3... .... 4... ....", b"5... .... 6... ....",
+        b"7... .... 8... ....", b"8... .... 7... ....", b"6... .... 5... ....",
+        b"4... .... 3... ....", b"2... .... 1... ....", b"8... .... .... ....",
+        b"1... .... .... ....", b"2... .... .... ....", b"3... .... .... ....",
+        b"4... .... .... ....", b"5... .... .... ....", b"6... .... .... ....",
+    ])),
     // Lead.
-    Part {
-        bars: bars(b"...... ...... ........ ........ ...... ...... ...... ababcd ......"),
-        patterns: &[
-            pattern(b"1... ..2. 3... ..4."),
-            pattern(b"5... ..6. 7... ..8."),
-            pattern(b"1.2. 3.4. 5.6. 7.8."),
-            pattern(b"1... 2... 3... ...."),
-        ],
-    },
+    Part(bars(b"...... ...... ........ ........ ...... ...... ...... ababcd ......"), &patterns([
+        b"1... ..2. 3... ..4.", b"5... ..6. 7... ..8.", b"1.2. 3.4. 5.6. 7.8.",
+        b"1... 2... 3... ....",
+    ])),
     // Chime.
-    Part {
-        bars: bars(b"..c.c. ...... ........ ........ ababab ...... ...... ...... defg.."),
-        patterns: &[
-            pattern(b"1... 2... 3... 4..."),
-            pattern(b"5... 6... 7... 8..."),
-            pattern(b".... .... .... 1..."),
-            pattern(b"1... .... 2... ...."),
-            pattern(b"3... .... 4... ...."),
-            pattern(b"5... .... 6... ...."),
-            pattern(b"7... .... 8... ...."),
-        ],
-    },
+    Part(bars(b"..c.c. ...... ........ ........ ababab ...... ...... ...... defg.."), &patterns([
+        b"1... 2... 3... 4...", b"5... 6... 7... 8...", b".... .... .... 1...",
+        b"1... .... 2... ....", b"3... .... 4... ....", b"5... .... 6... ....",
+        b"7... .... 8... ....",
+    ])),
     // Marimba.
-    Part {
-        bars: bars(b"...... a.a.a. ........ ........ ...... ....a. ...... ...... .....b"),
-        patterns: &[pattern(b"1.2. 3.4. 5.6. 7.8."), pattern(b".... .... .... 8...")],
-    },
+    Part(bars(b"...... a.a.a. ........ ........ ...... ....a. ...... ...... .....b"), &patterns([
+        b"1.2. 3.4. 5.6. 7.8.", b".... .... .... 8...",
+    ])),
     // Square.
-    Part {
-        bars: bars(b"...... ...... abcdefgh ........ ...... ...... ...... ...... .....i"),
-        patterns: &[
-            pattern(b"1... .... .... ...."),
-            pattern(b"1.2. .... .... ...."),
-            pattern(b"1.2. 3... .... ...."),
-            pattern(b"1.2. 3.4. .... ...."),
-            pattern(b"1.2. 3.4. 5... ...."),
-            pattern(b"1.2. 3.4. 5.6. ...."),
-            pattern(b"1.2. 3.4. 5.6. 7..."),
-            pattern(b"1.2. 3.4. 5.67 8..."),
-            pattern(b".... 1234 5678 ...."),
-        ],
-    },
+    Part(bars(b"...... ...... abcdefgh ........ ...... ...... ...... ...... .....i"), &patterns([
+        b"1... .... .... ....", b"1.2. .... .... ....", b"1.2. 3... .... ....",
+        b"1.2. 3.4. .... ....", b"1.2. 3.4. 5... ....", b"1.2. 3.4. 5.6. ....",
+        b"1.2. 3.4. 5.6. 7...", b"1.2. 3.4. 5.67 8...", b".... 1234 5678 ....",
+    ])),
     // Pop.
-    Part {
-        bars: bars(b"...... ...... ........ ........ ...... abcdef ...... ...... ......"),
-        patterns: &[
-            pattern(b"1... .... .... ...."),
-            pattern(b"1... .... 2... ...."),
-            pattern(b"1... 2... 3... 4..."),
-            pattern(b"1.2. 3.4. 5.6. 7.8."),
-            pattern(b".... .... 1.2. 3.4."),
-            pattern(b"5.6. 7.8. .... ...."),
-        ],
-    },
+    Part(bars(b"...... ...... ........ ........ ...... abcdef ...... ...... ......"), &patterns([
+        b"1... .... .... ....", b"1... .... 2... ....", b"1... 2... 3... 4...",
+        b"1.2. 3.4. 5.6. 7.8.", b".... .... 1.2. 3.4.", b"5.6. 7.8. .... ....",
+    ])),
     // Riser.
-    Part {
-        bars: bars(b"....b. ....b. ......b. ......a. ....a. ....a. ....a. ....a. c.c..."),
-        patterns: &[
- pattern(b"f... .... .... ...."), pattern(b"9... .... .... ...."), pattern(b"e... .... .... ....")],
-    },
+    Part(bars(b"....b. ....b. ......b. ......a. ....a. ....a. ....a. ....a. c.c..."), &patterns([
+        b"f... .... .... ....", b"9... .... .... ....", b"e... .... .... ....",
+    ])),
     // Boom.
-    Part {
-        bars: bars(b"a.a.a. a..... a....... a....... a..... a..... a..... aaaa.. a..... "),
-        patterns: &[pattern(b"f... .... .... ....")],
-    },
+    Part(bars(b"a.a.a. a..... a....... a....... a..... a..... a..... aaaa.. a..... "), &patterns([
+        b"f... .... .... ....",
+    ])),
 ];
 
 const DIGITS: &[u8] = b"0123456789abcdef";
 
 /// Returns a track's digit at a sixteenth of the song; 0 if no note starts.
 pub(super) fn digit(track: usize, step: u32) -> u8 {
-    let part = &PARTS[track];
-    match part.bars.get((step / STEPS_PER_BAR) as usize) {
+    let Part(bars, patterns) = &PARTS[track];
+    match bars.get((step / STEPS_PER_BAR) as usize) {
         None | Some(0) => 0,
-        Some(number) => part.patterns[usize::from(*number) - 1][(step % STEPS_PER_BAR) as usize],
+        Some(number) => patterns[usize::from(*number) - 1][(step % STEPS_PER_BAR) as usize],
     }
 }
+
 /// Returns a bar's brightness, 0 to 1, and its amplification in dB.
 pub(super) fn mood(bar: u32) -> (f32, u8) {
     (f32::from(LIGHT[bar as usize]) / 15.0, GAIN[bar as usize])
@@ -342,9 +243,14 @@ const fn bars(text: &[u8]) -> [u8; BARS] {
     indices_of(text, b".abcdefghijklmnopqrstuvwxyz")
 }
 
-/// Parses a pattern's sixteen digits; `.` is 0.
-const fn pattern(text: &[u8]) -> [u8; STEPS] {
-    indices_of(text, b".123456789abcdef")
+/// Parses patterns of sixteen digits; `.` is 0.
+const fn patterns<const N: usize>(texts: [&[u8]; N]) -> [[u8; STEPS]; N] {
+    let (mut patterns, mut i) = ([[0; STEPS]; N], 0);
+    while i < N {
+        patterns[i] = indices_of(texts[i], b".123456789abcdef");
+        i += 1;
+    }
+    patterns
 }
 
 const fn letters(text: &[u8]) -> usize {

@@ -1,6 +1,6 @@
 //! An instrument's voice: four oscillators, an amplitude envelope, a sweep and a filter.
 
-use super::instruments::{Instrument, LOUDNESS, Notes, STROKE};
+use super::instruments::{Instrument, LOUDNESS, Notes, STROKE, Sweep};
 use super::{CHUNK, song};
 use eightfold_tracer::maths::ROUND_TO_INTEGER;
 use glam::{Vec4, Vec4Swizzles, vec4};
@@ -100,7 +100,7 @@ impl Voice {
             .map(|note| (0..note).fold(LOWEST / super::RATE as f32, |pitch, _| pitch * SEMITONE));
         let pitch = Vec4::from_array(pitch) * instrument.partials;
         self.target = pitch + pitch * DETUNES * instrument.detune;
-        if instrument.attack >= STROKE {
+        if instrument.envelope.attack >= STROKE {
             // So that every stroke sounds the same.
             self.phase = Vec4::ZERO;
         }
@@ -113,13 +113,14 @@ impl Voice {
         const BEAT: f32 = (super::STEP * 4) as f32 / CHUNK as f32;
         /// The attack lasts for two time constants: the level rises to 1 - 1/e^2 of its peak.
         const ATTACK: f32 = 2.0 / CHUNK as f32;
+        let Instrument { source, modulation, envelope, sweep, effects, .. } = instrument;
         self.age += 1.0;
-        let (peak, rate) = if mood.rest || self.age >= instrument.gate * BEAT {
-            (Vec4::ZERO, instrument.release)
-        } else if self.age * instrument.attack < ATTACK {
-            (self.peak, instrument.attack)
+        let (peak, rate) = if mood.rest || self.age >= envelope.gate * BEAT {
+            (Vec4::ZERO, envelope.release)
+        } else if self.age * envelope.attack < ATTACK {
+            (self.peak, envelope.attack)
         } else {
-            (Vec4::ZERO, instrument.decay)
+            (Vec4::ZERO, envelope.decay)
         };
         let rate = instrument.partials * rate;
         if self.level.x + peak.x < SILENCE {
@@ -128,24 +129,24 @@ impl Voice {
         self.pitch += (self.target - self.pitch) * instrument.glide;
         let filter = Filter::new(instrument, self.sweep, mood.light);
         let mut voice = *self;
-        let mut duck = 1.0 - instrument.duck * mood.kick;
-        let duck_slope = instrument.duck * (mood.next_kick - mood.kick) * (1.0 / CHUNK as f32);
+        let mut duck = 1.0 - effects.duck * mood.kick;
+        let duck_slope = effects.duck * (mood.next_kick - mood.kick) * (1.0 / CHUNK as f32);
         for mix in mixes {
             voice.level += (peak - voice.level) * rate;
-            voice.sweep -= voice.sweep * instrument.sweep;
+            voice.sweep -= voice.sweep * sweep.rate;
             let turn = voice.pitch + voice.pitch * instrument.bend * voice.sweep;
             voice.phase = wrap(voice.phase + turn);
-            voice.modulator = wrap(voice.modulator + turn * instrument.ratio);
-            let shift = sine(voice.modulator) * instrument.index * voice.sweep;
-            let sound = saw(voice.phase, turn) * instrument.saw
-                + sine(wrap(voice.phase + shift)) * instrument.sine
-                + mix.noise * instrument.noise;
+            voice.modulator = wrap(voice.modulator + turn * modulation.ratio);
+            let shift = sine(voice.modulator) * modulation.index * voice.sweep;
+            let sound = saw(voice.phase, turn) * source.saw
+                + sine(wrap(voice.phase + shift)) * source.sine
+                + mix.noise * source.noise;
             let sound = filter.pass(instrument, sound * LOUDNESS, &mut voice) * voice.level * duck;
             let sound = sound + sound.yxwz() * instrument.centre;
             duck -= duck_slope;
             mix.dry += sound;
-            mix.echo += sound * instrument.echo;
-            mix.room += sound * instrument.room;
+            mix.echo += sound * effects.echo;
+            mix.room += sound * effects.room;
         }
         *self = voice;
     }
@@ -182,14 +183,13 @@ struct Filter {
 impl Filter {
     #[inline(always)]
     fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
-        let end = instrument.cutoff_end;
-        let angle = (end + (instrument.cutoff_start - end) * sweep)
-            * (light * instrument.light + 1.0)
-            * instrument.formants;
+        let Sweep { start, end, .. } = instrument.sweep;
+        let light = light * instrument.tone.light + 1.0;
+        let angle = (end + (start - end) * sweep) * light * instrument.formants;
         // The cutoff is at most 15 kHz. The tangent is accurate to 4 %.
         let x = angle.min(Vec4::ONE);
         let g = x / (1.0 + x * x * (-1.0 / 3.0));
-        let damping = instrument.damping;
+        let damping = instrument.tone.damping;
         let a1 = (1.0 + g * (g + damping)).recip();
         Filter { a1, a2: g * a1, a3: g * g * a1 }
     }
@@ -201,6 +201,6 @@ impl Filter {
         let v2 = voice.low + voice.band * self.a2 + rest * self.a3;
         voice.band = v1 + v1 - voice.band;
         voice.low = v2 + v2 - voice.low;
-        v2 + (sound - v1 * instrument.damping - v2 - v2) * instrument.high
+        v2 + (sound - v1 * instrument.tone.damping - v2 - v2) * instrument.tone.high
     }
 }
