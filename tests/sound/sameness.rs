@@ -3,11 +3,8 @@ use eightfold::show;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};
 
 fn same(a: &[[f32; 2]], b: &[[f32; 2]]) -> bool {
-    let bits = |samples: &[[f32; 2]]| -> Vec<u32> {
-        let channels = samples.as_flattened().iter();
-        channels.map(|channel| channel.to_bits()).collect()
-    };
-    bits(a) == bits(b)
+    let bits = |side: &f32| side.to_bits();
+    a.as_flattened().iter().map(bits).eq(b.as_flattened().iter().map(bits))
 }
 
 #[test]

@@ -13,7 +13,10 @@ pub struct Spectrum {
 
 impl Spectrum {
     pub fn new(samples: &[[f32; 2]]) -> Spectrum {
-        Spectrum { bins: mean(&windows(samples, WINDOW, WINDOW / 2)) }
+        let windows = windows(samples, WINDOW, WINDOW / 2);
+        let sum = |bin: usize, i: usize| windows.iter().map(|window| window[bin][i]).sum::<f64>();
+        let mean = |bin: usize| [0, 1, 2].map(|i| sum(bin, i) / windows.len() as f64);
+        Spectrum { bins: (0..windows[0].len()).map(mean).collect() }
     }
 
     fn sum(&self, hertz: &Range<f64>) -> [f64; 3] {
@@ -36,12 +39,6 @@ impl Spectrum {
         let [left, right, both] = self.sum(&hertz);
         both / (left * right).sqrt()
     }
-}
-
-fn mean(windows: &[Vec<[f64; 3]>]) -> Vec<[f64; 3]> {
-    let bins = 0..windows[0].len();
-    let sum = |bin: usize, i: usize| windows.iter().map(|window| window[bin][i]).sum::<f64>();
-    bins.map(|bin| [0, 1, 2].map(|i| sum(bin, i) / windows.len() as f64)).collect()
 }
 
 pub fn windows(samples: &[[f32; 2]], window: usize, hop: usize) -> Vec<Vec<[f64; 3]>> {
