@@ -61,6 +61,16 @@ fn baseline() -> Isa {
     }
 }
 
+/// Returns a word with these bits.
+pub(crate) const fn bits(mut numbers: &[i32]) -> u64 {
+    let mut word = 0;
+    while let [number, rest @ ..] = numbers {
+        word |= 1 << *number;
+        numbers = rest;
+    }
+    word
+}
+
 /// Features of x86-64 processors, from CPUID. `Level::new()` asks std, for 1,499 packed bytes.
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
@@ -70,17 +80,10 @@ mod x86_64 {
     };
     use fearless_simd::x86::Avx2;
 
-    const fn bits(mut numbers: &[u32]) -> u32 {
-        let mut word = 0;
-        while let [number, rest @ ..] = numbers {
-            word |= 1 << *number;
-            numbers = rest;
-        }
-        word
-    }
+    use super::bits;
 
-    fn has(word: u32, bits: u32) -> bool {
-        word & bits == bits
+    fn has(word: u32, bits: u64) -> bool {
+        word & bits as u32 == bits as u32
     }
 
     /// Returns the registers that the system saves (XCR0). The processor needs OSXSAVE.
@@ -103,13 +106,13 @@ mod x86_64 {
     pub fn avx2() -> Option<Avx2> {
         /// SSE3, SSSE3, FMA, CMPXCHG16B, SSE4.1, SSE4.2, MOVBE, POPCNT, XSAVE, OSXSAVE, AVX and F16C. Processors with these have
         /// leaf 7.
-        const LEAF_1_ECX: u32 = bits(&[0, 9, 12, 13, 19, 20, 22, 23, 26, 27, 28, 29]);
+        const LEAF_1_ECX: u64 = bits(&[0, 9, 12, 13, 19, 20, 22, 23, 26, 27, 28, 29]);
         /// BMI1, AVX2 and BMI2.
-        const LEAF_7_EBX: u32 = bits(&[3, 5, 8]);
+        const LEAF_7_EBX: u64 = bits(&[3, 5, 8]);
         /// LZCNT.
-        const EXTENDED_ECX: u32 = bits(&[5]);
+        const EXTENDED_ECX: u64 = bits(&[5]);
         /// XMM and YMM.
-        const SAVED: u32 = bits(&[1, 2]);
+        const SAVED: u64 = bits(&[1, 2]);
         let is_there = has(__cpuid(1).ecx, LEAF_1_ECX)
             && has(saved_registers(), SAVED)
             && has(__cpuid_count(7, 0).ebx, LEAF_7_EBX)

@@ -1,20 +1,17 @@
 //! The terminal as a target for frames: two pixels in each cell, in 24-bit colour, in 256 colours (GNU screen), in ASCII with one
 //! colour a cell (locales other than UTF-8), or as characters by brightness (terminals without colours).
 
+mod keys;
+mod mode;
+
 use core::{
-    cell::UnsafeCell,
-    ffi::{CStr, c_int},
-    mem::{MaybeUninit, zeroed},
-    sync::atomic::{
-        AtomicBool, AtomicI32,
-        Ordering::{AcqRel, Acquire, Relaxed, Release},
-    },
+    ffi::CStr,
+    mem::{take, zeroed},
 };
 
-use libc::{
-    SIGABRT, SIGBUS, SIGCHLD, SIGCONT, SIGFPE, SIGILL, SIGPIPE, SIGSEGV, SIGSYS, SIGTRAP, SIGTSTP,
-    SIGTTIN, SIGTTOU, SIGURG, SIGWINCH,
-};
+use keys::KeyParser;
+use mode::SAVED;
+pub(crate) use mode::{mode, on_signal, patience, restore, resume, signal};
 
 use crate::{
     backend::memory::pixels,
@@ -33,29 +30,6 @@ const FOREGROUND: u64 = 38;
 const BACKGROUND: u64 = 48;
 
 const CLEAR: &str = "\x1b[0m\x1b[2J";
-
-/// Switches to the alternate screen, hides the cursor, and disables wrapping at the right edge.
-const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
-
-/// Reverts [`ENTER`] and resets the colours.
-const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
-
-/// Signals that do not end a process.
-const HARMLESS: u64 =
-    bits(&[SIGPIPE, SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH]);
-
-/// Signals of errors in the process, which cannot continue.
-const MISTAKES: u64 = bits(&[SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS]);
-
-/// Returns a set of signals. Bit 0 stands for signal 64.
-const fn bits(signals: &[c_int]) -> u64 {
-    let (mut set, mut i) = (0, 0);
-    while i < signals.len() {
-        set |= 1 << signals[i];
-        i += 1;
-    }
-    set
-}
 
 /// The terminal on standard output, restored when this is dropped, when the process aborts, and after signals that end it.
 pub struct Terminal {
@@ -227,7 +201,7 @@ impl RenderTarget for Terminal {
             // If the terminal does not read, the show continues without this frame.
             0 if !drawn && system::error() != libc::EAGAIN => Next::End(1),
             0 if self.keys.read(SAVED.keyboard()) => Next::End(0),
-            0 if core::mem::take(&mut self.keys.toggles) => Next::Toggle,
+            0 if take(&mut self.keys.toggles) => Next::Toggle,
             0 => Next::GoOn,
             signal => Next::End(128 + signal),
         }
@@ -237,239 +211,5 @@ impl RenderTarget for Terminal {
 impl Drop for Terminal {
     fn drop(&mut self) {
         restore();
-    }
-}
-
-/// Recognises Esc, Ctrl-C, Q and H. Sequences of many other keys begin with Esc, too.
-#[derive(Default)]
-struct KeyParser {
-    /// The last byte was Esc, which may begin a sequence.
-    open: bool,
-    toggles: bool,
-}
-
-impl KeyParser {
-    fn read(&mut self, keyboard: c_int) -> bool {
-        let mut typed = [0; 64];
-        let mut count = 0;
-        // A shell may have left the terminal in a mode in which reading blocks.
-        if system::is_ready(keyboard, libc::POLLIN, 0) {
-            // SAFETY: `typed` has this length.
-            count = unsafe { libc::read(keyboard, typed.as_mut_ptr().cast(), typed.len()) };
-        }
-        self.ends(typed.get(..count as usize).unwrap_or_default())
-    }
-
-    /// Returns true if these bytes end the show. Bytes that follow Esc immediately belong to it.
-    fn ends(&mut self, typed: &[u8]) -> bool {
-        const ESCAPE: u8 = 0x1b;
-        const CONTROL_C: u8 = 0x03;
-        // The keypad's 1 sends these bytes and `q`.
-        const KEYPAD: u16 = u16::from_be_bytes(*b"\x1bO");
-        // Esc and Ctrl-C in the protocols of Kitty and xterm for modified keys.
-        const ESCAPE_U: u64 = u64::from_be_bytes(*b"\x1b[27u\0\0\0");
-        const CONTROL_C_U: u64 = u64::from_be_bytes(*b"\x1b[99;5u\0");
-        const CONTROL_C_TILDE: u64 = u64::from_be_bytes(*b"27;5;99~");
-        let was_open = core::mem::replace(&mut self.open, typed.last() == Some(&ESCAPE));
-        let mut is_end = was_open && !matches!(typed.first(), Some(b'[' | b'O'));
-        let mut last = u64::from(if was_open { ESCAPE } else { 0 });
-        for &byte in typed {
-            let is_alone = last as u8 != ESCAPE;
-            self.toggles ^= byte == b'h' && is_alone;
-            is_end |= byte == b'q' && is_alone && last as u16 != KEYPAD;
-            last = last << 8 | u64::from(byte);
-            is_end |= byte == CONTROL_C
-                || last << 24 == ESCAPE_U
-                || last << 8 == CONTROL_C_U
-                || last == CONTROL_C_TILDE;
-        }
-        is_end
-    }
-}
-
-struct Saved {
-    active: AtomicBool,
-    /// One more than the descriptor of the keyboard's terminal, or 0.
-    keyboard: AtomicI32,
-    mode: UnsafeCell<MaybeUninit<libc::termios>>,
-}
-
-// SAFETY: `mode` is written before `active` is set, and only read afterwards.
-unsafe impl Sync for Saved {}
-
-static SAVED: Saved = Saved {
-    active: AtomicBool::new(false),
-    keyboard: AtomicI32::new(0),
-    mode: UnsafeCell::new(MaybeUninit::uninit()),
-};
-
-static SIGNAL: AtomicI32 = AtomicI32::new(0);
-
-/// The timeout of a blocked write in milliseconds: infinite (-1), or a second for a [`Terminal`].
-static PATIENCE: AtomicI32 = AtomicI32::new(-1);
-
-pub(crate) fn patience() -> c_int {
-    PATIENCE.load(Relaxed)
-}
-
-/// Returns the signal that asked a process with a [`Terminal`] to end, or 0.
-pub(crate) fn signal() -> c_int {
-    SIGNAL.load(Relaxed)
-}
-
-extern "C" fn note(signal: c_int) {
-    if MISTAKES >> (signal % 64) & 1 == 0 {
-        SIGNAL.store(signal, Relaxed);
-        return;
-    }
-    restore();
-    // SAFETY: signal handlers may call both. The signal is delivered again when this handler has returned.
-    unsafe {
-        on_signal(signal, libc::SIG_DFL);
-        libc::raise(signal);
-    }
-}
-
-/// Sets a signal's action.
-///
-/// # Safety
-/// The action has to be `SIG_IGN`, `SIG_DFL`, or a function that is async-signal-safe.
-#[inline(never)]
-pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
-    // SAFETY: zero is valid for all fields. Without SA_RESTART, signals interrupt blocked writes.
-    unsafe {
-        let mut change: libc::sigaction = zeroed();
-        change.sa_sigaction = action;
-        libc::sigaction(signal, &change, core::ptr::null_mut());
-    }
-}
-
-pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
-    // SAFETY: zero is valid for all fields.
-    let mut mode: libc::termios = unsafe { zeroed() };
-    // SAFETY: `mode` is writable.
-    let is_known = unsafe { libc::tcgetattr(file, &mut mode) } == 0;
-    is_known.then_some(mode)
-}
-
-fn set_mode(file: c_int, mode: &libc::termios) {
-    // SAFETY: the mode outlives the call.
-    unsafe { libc::tcsetattr(file, libc::TCSAFLUSH, mode) };
-}
-
-impl Saved {
-    fn keyboard(&self) -> c_int {
-        self.keyboard.load(Acquire) - 1
-    }
-
-    fn take_over(&self) {
-        // SAFETY: `note` is async-signal-safe. `mode` is written while `active` is not set.
-        unsafe {
-            // The last are real-time signals; invalid numbers are refused.
-            for signal in (1..65).filter(|signal| HARMLESS >> (signal % 64) & 1 == 0) {
-                on_signal(signal, note as extern "C" fn(c_int) as libc::sighandler_t);
-            }
-            PATIENCE.store(1000, Relaxed);
-            system::never_wait(line::OUTPUT, c"/dev/stdout");
-            if line::is_terminal(line::ERROR) {
-                system::never_wait(line::ERROR, c"/dev/stderr");
-            }
-            let mut keyboard = libc::STDIN_FILENO;
-            if !line::is_terminal(keyboard) {
-                keyboard = system::open(c"/dev/tty");
-            }
-            if let Some(mode) = mode(keyboard) {
-                (*self.mode.get()).write(mode);
-                self.keyboard.store(keyboard + 1, Relaxed);
-            }
-        }
-        self.active.store(true, Release);
-        self.enter();
-    }
-
-    fn mode(&self) -> Option<libc::termios> {
-        // SAFETY: `keyboard` is set after `mode`.
-        (self.keyboard() >= 0).then(|| unsafe { (*self.mode.get()).assume_init() })
-    }
-
-    #[inline(never)]
-    fn enter(&self) {
-        if let Some(mut mode) = self.mode() {
-            // Keys without delay and echo, including Ctrl-C.
-            mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
-            mode.c_iflag &= !libc::IXON;
-            set_mode(self.keyboard(), &mode);
-        }
-        line::write(line::OUTPUT, ENTER);
-    }
-}
-
-/// Takes the terminal over again after a stop. Async-signal-safe.
-pub(crate) fn resume() {
-    if SAVED.active.load(Acquire) {
-        SAVED.enter();
-    }
-}
-
-/// Restores the terminal, if it was taken over. Async-signal-safe.
-#[inline(never)]
-pub(crate) fn restore() {
-    if SAVED.active.swap(false, AcqRel) {
-        // A pending signal must not interrupt these writes.
-        SIGNAL.store(0, Relaxed);
-        line::write(line::OUTPUT, LEAVE);
-        if let Some(mode) = SAVED.mode() {
-            set_mode(SAVED.keyboard(), &mode);
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::KeyParser;
-
-    #[test]
-    fn escape_and_q_end_show_and_sequences_do_not() {
-        let endings: [&[&[u8]]; 11] = [
-            &[b"q"],
-            &[b"fwq"],
-            &[b"\x1bOAq"],
-            &[b"\x1b", b""],
-            &[b"\x1b\x1b", b""],
-            &[b"\x1b", b"x"],
-            &[b"\x1b[A\x1b", b""],
-            &[b"ab\x03"],
-            &[b"x\x1b[A\x1b[27uy"],
-            &[b"x\x1b[A\x1b[99;5uy"],
-            &[b"x\x1b[A\x1b[27;5;99~y"],
-        ];
-        // Alt and a letter, the keypad's 1, other keys with modifiers, letters, an arrow and a function key, an arrow in two parts.
-        let others: [&[&[u8]]; 8] = [
-            &[b"\x1bx", b""],
-            &[b"\x1bq", b""],
-            &[b"\x1bOq", b""],
-            &[b"\x1b", b"Oq", b""],
-            &[b"\x1b[99u\x1b[27;5;98~\x1b[27~", b""],
-            &[b"", b"fw", b""],
-            &[b"\x1b[A\x1bOP", b""],
-            &[b"\x1b", b"[A", b""],
-        ];
-        for (reads, expected) in
-            endings.map(|reads| (reads, true)).into_iter().chain(others.map(|reads| (reads, false)))
-        {
-            let mut keys = KeyParser::default();
-            assert_eq!(reads.iter().any(|typed| keys.ends(typed)), expected, "{reads:?}");
-        }
-    }
-
-    #[test]
-    fn h_toggles_numbers() {
-        let toggles = |typed: &[u8]| {
-            let mut keys = KeyParser::default();
-            assert!(!keys.ends(typed));
-            keys.toggles
-        };
-        assert!(toggles(b"h") && toggles(b"\x1b[Ah") && toggles(b"hfhh"));
-        assert!(!toggles(b"f\x1b[H") && !toggles(b"hh"), "Home is no H");
     }
 }
