@@ -54,7 +54,7 @@ fn main() -> ExitCode {
 }
 
 fn play() -> Result<(), Box<dyn Error>> {
-    let mut window = Window::open(c"Ten seconds", 640, 360)?;
+    let mut window = Window::open(c"Ten seconds", (640, 360), false)?;
     let mut renderer = Renderer::detect();
     let mut threads = ScopedThreads::new();
     let mut player = Player::start(c"default", KICK.take());

@@ -37,9 +37,7 @@ impl Source for Music {
 /// Plays the show, prints its statistics and returns the exit code.
 pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
-    let (width, height) = options.size;
-    let open = if options.has_size { Window::open } else { Window::open_on_monitor };
-    let window = open(c"Eightfold", width, height);
+    let window = Window::open(c"Eightfold", options.size, !options.has_size);
     if let Err(why) = &window {
         let place = if Terminal::is_there() {
             "; playing in the terminal"
@@ -74,7 +72,7 @@ pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
                 playing.is_smooth = false;
                 playing.on(&mut terminal)
             }
-            None => playing.on(&mut Headless::new(width, height)),
+            None => playing.on(&mut Headless::new(options.size)),
         },
     };
     let Playing { renderer, tally, .. } = &playing;

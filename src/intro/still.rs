@@ -17,7 +17,7 @@ pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32
     }
     let quality = options.quality.unwrap_or(Preset::Default).quality();
     let (width, height) = options.size;
-    let mut target = Headless::new(width, height);
+    let mut target = Headless::new(options.size);
     let pixels = target.canvas(width, height);
     let mut frame = Frame::new(width, height, &mut *pixels);
     ShowRenderer::new(options, isa).draw(time, 0, quality, &mut frame);

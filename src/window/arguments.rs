@@ -1,45 +1,19 @@
-pub use crate::backend::arguments::Arguments;
-#[cfg(feature = "windows")]
-#[doc(hidden)]
-pub use crate::backend::{
-    arguments::end,
-    functions::{GetProcAddress, LoadLibrary},
-};
+pub use crate::backend::arguments::{Arguments, First, Second, end};
 
-/// Defines the C `main`, which calls a `fn(Arguments) -> i32` for the exit code, in a crate with `#![no_main]`.
+/// Defines the entry point of a program, which calls a `fn(Arguments) -> i32` for the exit code, in a crate with `#![no_main]`: the C
+/// `main`, or on Windows a function with the two parameters that the unpacker passes.
 ///
 /// Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack overflow; std's arguments add 432.
 #[macro_export]
-#[cfg(not(feature = "windows"))]
 macro_rules! main {
     ($run:path) => {
         #[unsafe(no_mangle)]
         extern "C" fn main(
-            count: core::ffi::c_int,
-            values: *const *const core::ffi::c_char,
+            first: $crate::arguments::First,
+            second: $crate::arguments::Second,
         ) -> core::ffi::c_int {
-            // SAFETY: these are the arguments of the C `main`, which has just started.
-            let arguments = unsafe { $crate::arguments::Arguments::start(count, values) };
-            let run: fn($crate::arguments::Arguments) -> i32 = $run;
-            run(arguments)
-        }
-    };
-}
-
-/// Defines the entry point of a Windows program, which calls a `fn(Arguments) -> i32` for the exit code, in a crate with
-/// `#![no_main]`.
-#[macro_export]
-#[cfg(feature = "windows")]
-macro_rules! main {
-    ($run:path) => {
-        #[unsafe(no_mangle)]
-        extern "C" fn eightfold_main(
-            load_library: $crate::arguments::LoadLibrary,
-            get_function: $crate::arguments::GetProcAddress,
-        ) -> ! {
-            // SAFETY: this is the first call, with these functions.
-            let arguments =
-                unsafe { $crate::arguments::Arguments::start(load_library, get_function) };
+            // SAFETY: these are the parameters of the entry point, and this is the first call.
+            let arguments = unsafe { $crate::arguments::Arguments::start(first, second) };
             let run: fn($crate::arguments::Arguments) -> i32 = $run;
             $crate::arguments::end(run(arguments))
         }

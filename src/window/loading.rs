@@ -53,15 +53,7 @@ impl<T> Table<T> {
         // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for each name.
         let is_filled = unsafe { load(&self.ready, self.library, self.names, slot) };
         // SAFETY: it has been filled.
-        is_filled.then(|| unsafe { self.loaded() })
-    }
-
-    /// # Safety
-    /// `open` has to have succeeded.
-    #[inline(always)]
-    pub unsafe fn loaded(&'static self) -> &'static T {
-        // SAFETY: required of the caller.
-        unsafe { (*self.functions.get()).assume_init_ref() }
+        is_filled.then(|| unsafe { (*self.functions.get()).assume_init_ref() })
     }
 }
 

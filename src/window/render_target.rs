@@ -47,8 +47,8 @@ pub struct Headless {
 
 impl Headless {
     #[must_use]
-    pub fn new(width: usize, height: usize) -> Headless {
-        Headless { size: (width, height), pixels: pixels() }
+    pub fn new(size: (usize, usize)) -> Headless {
+        Headless { size, pixels: pixels() }
     }
 }
 

@@ -40,7 +40,8 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
-    let window = Window::open(c"Eightfold", width, height).map_err(|why| anyhow!("view: {why}"))?;
+    let window = Window::open(c"Eightfold", (width, height), false);
+    let window = window.map_err(|why| anyhow!("view: {why}"))?;
     eprintln!("view: the key ? lists the keys");
     let subject = Subject::new(arguments.scene);
     let length = f64::from(subject.length()) * FPS;

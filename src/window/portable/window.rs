@@ -26,7 +26,12 @@ pub struct Window {
 }
 
 impl Window {
-    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+    /// `minifb` does not know the monitor's size, so that the window never shrinks.
+    pub fn open(
+        title: &CStr,
+        (width, height): (usize, usize),
+        _shrinks: bool,
+    ) -> Result<Window, &'static str> {
         // On X `minifb` fails if this variable names an input method that is not running.
         // SAFETY: no other thread of this crate reads the environment.
         unsafe { env::remove_var("XMODIFIERS") };
@@ -45,23 +50,12 @@ impl Window {
         Ok(Window { shown, frame: pixels(), drawn: (0, 0), keys, mouse: None, inputs: Vec::new() })
     }
 
-    /// `minifb` does not know the monitor's size.
-    pub fn open_on_monitor(
-        title: &CStr,
-        width: usize,
-        height: usize,
-    ) -> Result<Window, &'static str> {
-        Window::open(title, width, height)
-    }
-
     pub fn set_title(&mut self, title: &CStr) {
         self.shown.set_title(&title.to_string_lossy());
     }
 
     pub fn set_fullscreen(&mut self, _: bool) {}
-}
 
-impl Window {
     pub fn listen(&mut self) {
         self.mouse = Some(Mouse::default());
     }

@@ -2,6 +2,9 @@ use core::ffi::{CStr, c_char, c_int};
 
 use crate::system;
 
+pub type First = c_int;
+pub type Second = *const *const c_char;
+
 pub struct Arguments {
     rest: &'static [*const c_char],
 }
@@ -13,13 +16,19 @@ impl Arguments {
     /// `count` and `values` must be C's `argc` and `argv`, and no other thread may run.
     #[doc(hidden)]
     #[must_use]
-    pub unsafe fn start(count: c_int, values: *const *const c_char) -> Arguments {
+    pub unsafe fn start(count: First, values: Second) -> Arguments {
         // SAFETY: the caller guarantees `count` and `values`, which live as long as the process.
         let all = unsafe { core::slice::from_raw_parts(values, count.max(0) as usize) };
         // SAFETY: there is no other thread.
         unsafe { system::start() };
         Arguments { rest: all.get(1..).unwrap_or_default() }
     }
+}
+
+#[doc(hidden)]
+#[must_use]
+pub fn end(code: i32) -> i32 {
+    code
 }
 
 impl Iterator for Arguments {

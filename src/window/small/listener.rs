@@ -1,40 +1,22 @@
-use core::mem::take;
+use core::ffi::c_long;
 
 use x11_dl::xlib;
 
-use super::x11::{self, Toplevel, Xlib};
+use super::x11::{self, Xlib};
 use crate::input::{Action, Button, Input, Mouse, Press};
 
-/// Records a window's input. `hear` calls `note` through a pointer: programs that never listen do not link `note`.
-pub struct Listener {
-    note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool),
-    inputs: Vec<Input>,
-}
+pub const EVENTS: c_long = xlib::StructureNotifyMask
+    | xlib::KeyPressMask
+    | xlib::KeyReleaseMask
+    | xlib::ButtonPressMask
+    | xlib::ButtonReleaseMask
+    | xlib::PointerMotionMask;
 
-impl Listener {
-    pub fn start(top: &Toplevel) -> &'static mut Listener {
-        let events = xlib::StructureNotifyMask
-            | xlib::KeyPressMask
-            | xlib::KeyReleaseMask
-            | xlib::ButtonPressMask
-            | xlib::ButtonReleaseMask
-            | xlib::PointerMotionMask;
-        // SAFETY: the window exists.
-        unsafe { (top.x.XSelectInput)(top.display, top.window, events) };
-        Box::leak(Box::new(Listener { note, inputs: Vec::new() }))
-    }
+/// [`note`], for windows that listen. Programs that never do so do not link it.
+pub type Note = fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool);
 
-    /// Records an event; auto-repeat sets `is_repeated`.
-    pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
-        (self.note)(&mut self.inputs, x, event, is_repeated);
-    }
-
-    pub fn take(&mut self) -> Vec<Input> {
-        take(&mut self.inputs)
-    }
-}
-
-fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
+/// Records an event of a window; auto-repeat sets `is_repeated`.
+pub fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
     // SAFETY: any bits are a valid key event. In button events `keycode` is the button.
     let (kind, event) = unsafe { (event.type_, &event.key) };
     let action = match kind {

@@ -7,8 +7,9 @@ mod blit;
 pub mod clock;
 mod listener;
 pub mod memory;
-mod start;
 pub mod threads;
 pub mod window;
 mod x11;
 mod xext;
+
+core::arch::global_asm!(include_str!("start.s"));

@@ -1,14 +1,14 @@
 use core::{
     ffi::{CStr, c_int},
-    mem::zeroed,
+    mem::{take, zeroed},
 };
 
 use x11_dl::xlib;
 
 use super::{
     blit::Frames,
-    listener::Listener,
-    x11::{self, Place, Toplevel, Xlib, keyboard},
+    listener::{EVENTS, Note, note},
+    x11::{self, Place, Toplevel, keyboard},
 };
 use crate::{
     input::{self, Input},
@@ -27,7 +27,7 @@ pub struct Window {
     frames: Frames,
     released: xlib::Time,
     shown: u8,
-    listener: Option<&'static mut Listener>,
+    listener: Option<(Note, &'static mut Vec<Input>)>,
 }
 
 /// Frames between two looks at the monitor in fullscreen: a quarter of a second. Each look waits for the server four times.
@@ -40,26 +40,10 @@ const TITLE_BAR: c_int = 32;
 const MAX_SIDE: c_int = 32_767;
 
 impl Window {
-    /// Opens a window with an inner size in pixels, or returns the reason for a failure.
-    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
-        Window::open_sized(title, (width, height), false)
-    }
-
-    /// Like [`Window::open`], but on a small monitor the window is smaller, with the same aspect ratio.
-    pub fn open_on_monitor(
-        title: &CStr,
-        width: usize,
-        height: usize,
-    ) -> Result<Window, &'static str> {
-        Window::open_sized(title, (width, height), true)
-    }
-
-    fn open_sized(
-        title: &CStr,
-        size: (usize, usize),
-        shrinks: bool,
-    ) -> Result<Window, &'static str> {
-        let x = Xlib::load().ok_or_else(why_not_loaded)?;
+    /// Opens a window with an inner size in pixels, or returns the reason for a failure. If it `shrinks`, it is smaller on a small
+    /// monitor, with the same aspect ratio.
+    pub fn open(title: &CStr, size: (usize, usize), shrinks: bool) -> Result<Window, &'static str> {
+        let x = x11::XLIB.open().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;
         // SAFETY: the display is open.
         let (top, frames) = unsafe {
@@ -86,12 +70,9 @@ impl Window {
         window.set_title(title);
         window.top.set_program();
         let Toplevel { display, window: id, .. } = window.top;
-        // SAFETY: the window exists, and pointers outlive the calls.
-        unsafe {
-            let events = xlib::StructureNotifyMask | xlib::KeyPressMask | xlib::KeyReleaseMask;
-            (x.XSelectInput)(display, id, events);
-            (x.XSetWMProtocols)(display, id, &mut window.delete, 1);
-        }
+        window.top.select(xlib::StructureNotifyMask | xlib::KeyPressMask | xlib::KeyReleaseMask);
+        // SAFETY: the window exists, and the atom outlives the call.
+        unsafe { (x.XSetWMProtocols)(display, id, &mut window.delete, 1) };
         window.place(shrinks);
         // SAFETY: the display is open.
         unsafe { (x.XSync)(display, xlib::False) };
@@ -128,17 +109,15 @@ impl Window {
     pub fn set_fullscreen(&mut self, on: bool) {
         self.top.set_fullscreen(on);
     }
-}
 
-impl Window {
     pub fn listen(&mut self) {
         self.top.no_pointer = 0;
-        self.listener = Some(Listener::start(&self.top));
+        self.top.select(EVENTS);
+        self.listener = Some((note, Box::leak(Box::default())));
     }
 
     pub fn inputs(&mut self) -> Vec<Input> {
-        let listener = self.listener.as_mut();
-        listener.map(|listener| listener.take()).unwrap_or_default()
+        self.listener.as_mut().map(|(_, inputs)| take(*inputs)).unwrap_or_default()
     }
 }
 
@@ -167,8 +146,8 @@ impl RenderTarget for Window {
                 (x.XNextEvent)(display, &mut event);
                 // A held key sends pairs of releases and presses with equal times.
                 let is_repeated = self.released == event.key.time;
-                if let Some(listener) = &mut self.listener {
-                    listener.hear(x, &event, is_repeated);
+                if let Some((note, inputs)) = &mut self.listener {
+                    note(inputs, x, &event, is_repeated);
                 }
                 match event.type_ {
                     xlib::KeyRelease => self.released = event.key.time,

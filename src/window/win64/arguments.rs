@@ -1,9 +1,7 @@
 use core::slice::from_raw_parts;
 
-use super::functions::{
-    self, CommandLineToArgvW, ExitProcess, GetCommandLineW, GetProcAddress, LoadLibrary,
-    timeBeginPeriod,
-};
+use super::functions::{self, CommandLineToArgvW, ExitProcess, GetCommandLineW, timeBeginPeriod};
+pub use super::functions::{GetProcAddress as Second, LoadLibrary as First};
 use crate::{line, system};
 
 pub struct Arguments {
@@ -17,7 +15,7 @@ impl Arguments {
     /// This has to be the first call, with these functions of Windows.
     #[doc(hidden)]
     #[must_use]
-    pub unsafe fn start(load_library: LoadLibrary, get_function: GetProcAddress) -> Arguments {
+    pub unsafe fn start(load_library: First, get_function: Second) -> Arguments {
         let mut count = 0;
         // SAFETY: the caller guarantees the functions, and there is no other thread. Windows' arguments have this length and stay
         // valid.

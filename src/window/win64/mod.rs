@@ -9,6 +9,7 @@ pub mod clock;
 pub mod functions;
 mod heap;
 pub mod memory;
-mod start;
 pub mod threads;
 pub mod window;
+
+core::arch::global_asm!(include_str!("start.s"));

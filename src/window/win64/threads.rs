@@ -1,5 +1,4 @@
 use core::{
-    arch::global_asm,
     ffi::c_void,
     ptr::{null_mut, without_provenance_mut},
     sync::atomic::AtomicU32,
@@ -29,18 +28,8 @@ struct Work {
     pointer: *mut c_void,
 }
 
-// The entry point of threads, with the work in `rcx`. It need not preserve registers.
-global_asm!(
-    ".section .text.eightfold_thread, \"ax\"",
-    "eightfold_thread:",
-    "push rax",
-    "mov rdi, [rcx + 8]",
-    "call [rcx]",
-    "pop rcx",
-    "ret",
-);
-
 unsafe extern "C" {
+    /// The entry point of threads, in `start.s`.
     fn eightfold_thread();
 }
 

@@ -24,13 +24,7 @@ use windows_sys::Win32::{
 };
 
 use super::{
-    functions::{
-        CreateCursor, CreateWindowExA, DispatchMessageA, GetClientRect, GetCurrentThreadId, GetDC,
-        GetKeyState, GetMessageA, GetMonitorInfoA, GetWindowLongPtrA, GetWindowPlacement,
-        LoadCursorA, MonitorFromWindow, PeekMessageA, PostMessageA, PostThreadMessageA,
-        RegisterClassA, SetClassLongPtrA, SetProcessDpiAwarenessContext, SetThreadExecutionState,
-        SetWindowLongPtrA, SetWindowPlacement, SetWindowPos, StretchDIBits, default_procedure,
-    },
+    functions::*,
     memory::pixels,
     threads::{spawn, wait, wake},
 };
@@ -92,20 +86,9 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     // SAFETY: pointers outlive the calls; zero is valid for all fields of a message.
     unsafe {
         SetThreadExecutionState(SCREEN_ON);
-        let window = CreateWindowExA(
-            0,
-            class,
-            title,
-            style,
-            CW_USEDEFAULT,
-            0,
-            width,
-            height,
-            none,
-            none,
-            none,
-            none,
-        );
+        let x = CW_USEDEFAULT;
+        let window =
+            CreateWindowExA(0, class, title, style, x, 0, width, height, none, none, none, none);
         // Add the frame's size, which is the difference from the inner size, and show the window.
         let inside = inside(window).unwrap_or_default();
         let frame = [width - inside.right, height - inside.bottom];
@@ -207,19 +190,7 @@ fn inside(window: HANDLE) -> Option<RECT> {
 }
 
 impl Window {
-    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
-        Window::open_sized(title, (width as i32, height as i32), false)
-    }
-
-    pub fn open_on_monitor(
-        title: &CStr,
-        width: usize,
-        height: usize,
-    ) -> Result<Window, &'static str> {
-        Window::open_sized(title, (width as i32, height as i32), true)
-    }
-
-    fn open_sized(title: &CStr, size: (i32, i32), shrinks: bool) -> Result<Window, &'static str> {
+    pub fn open(title: &CStr, size: (usize, usize), shrinks: bool) -> Result<Window, &'static str> {
         const NONE: &str = "desktop is missing";
         // SAFETY: zero is valid for all other fields, and pointers outlive the calls.
         let (pointers, thread) = unsafe {
@@ -241,7 +212,7 @@ impl Window {
         };
         let opening = Box::leak(Box::new(Opening {
             title: title.as_ptr(),
-            size,
+            size: (size.0 as i32, size.1 as i32),
             shrinks,
             pointers,
             thread,

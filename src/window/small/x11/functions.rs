@@ -1,16 +1,13 @@
 #![allow(non_snake_case, reason = "Xlib's own names")]
 
-use core::{
-    ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void},
-    ops::Deref,
-};
+use core::ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void};
 
 use x11_dl::xlib::*;
 
 use crate::loading::loaded;
 
 loaded! {
-    static TABLE: Loaded = c"libX11.so.6";
+    static XLIB: Loaded = c"libX11.so.6";
     fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
     fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;
     fn XCreateImage(*mut Display, *mut Visual, c_uint, c_int, c_int, *mut c_char, c_uint, c_uint, c_int, c_int) -> *mut XImage;
@@ -43,22 +40,4 @@ loaded! {
     fn XkbKeycodeToKeysym(*mut Display, KeyCode, c_int, c_int) -> KeySym;
 }
 
-#[derive(Clone, Copy)]
-pub struct Xlib(());
-
-impl Xlib {
-    /// Loads libX11 at the first call; `None` if a function is missing.
-    pub fn load() -> Option<Xlib> {
-        TABLE.open().map(|_| Xlib(()))
-    }
-}
-
-impl Deref for Xlib {
-    type Target = Loaded;
-
-    #[inline(always)]
-    fn deref(&self) -> &Loaded {
-        // SAFETY: only `load` creates an `Xlib`.
-        unsafe { TABLE.loaded() }
-    }
-}
+pub type Xlib = &'static Loaded;

@@ -16,7 +16,7 @@ use x11_dl::xlib;
 pub use colours::{MASKS, masks, with_masks};
 pub use errors::is_closed;
 pub use fullscreen::Place;
-pub use functions::Xlib;
+pub use functions::{XLIB, Xlib};
 pub use keyboard::typed;
 
 use super::threads::spawn;
@@ -28,7 +28,7 @@ const ASKED: u64 = 1;
 
 extern "C" fn connect(_: *mut c_void) -> *mut c_void {
     // SAFETY: `open` has loaded Xlib; null selects the environment's display.
-    let display = Xlib::load().map_or(null_mut(), |x| unsafe { (x.XOpenDisplay)(null()) });
+    let display = XLIB.open().map_or(null_mut(), |x| unsafe { (x.XOpenDisplay)(null()) });
     DISPLAY.store(display.expose_provenance() as u64, Release);
     null_mut()
 }
@@ -99,6 +99,11 @@ impl Toplevel {
                 before: None,
             }
         }
+    }
+
+    pub fn select(&self, events: c_long) {
+        // SAFETY: the window exists.
+        unsafe { (self.x.XSelectInput)(self.display, self.window, events) };
     }
 
     pub fn atom(&self, name: &CStr) -> xlib::Atom {
