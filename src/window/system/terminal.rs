@@ -85,28 +85,20 @@ impl Terminal {
         let pixels = pixels();
         let name = variable(c"TERM");
         let [screen, tmux] = [c"STY", c"TMUX"].map(|name| !variable(name).is_empty());
-        const VT: u16 = u16::from_le_bytes(*b"vt");
-        const VTE: u32 = u32::from_le_bytes(*b"\0vte");
-        const M: u16 = u16::from_be_bytes(*b"-m");
-        const MONO: u64 = u64::from_be_bytes(*b"-mono\0\0\0");
-        const SCREEN: u64 = u64::from_le_bytes(*b"\0\0screen");
-        const MUX: u32 = u32::from_le_bytes(*b"tmux");
-        // Join the first characters from the lowest byte up, and the last ones from the highest byte down.
-        let join = |word, &byte: &u8| word << 8 | u64::from(byte);
-        let [start, end] = [name.iter().rev().fold(0, join), name.iter().fold(0, join)];
+        let [vt, vte, mux, gnu] =
+            ["vt", "vte", "tmux", "screen"].map(|start| name.starts_with(start.as_bytes()));
         // Monochrome are DEC's terminals such as `vt100`, unlike `vte`, and variants such as `xterm-mono` and `linux-m`.
-        let is_dec = start as u16 == VT && (start as u32) << 8 != VTE;
-        let has_colours = !(is_dec || end as u16 == M || end << 24 == MONO);
+        let has_colours = !(vt && !vte || name.ends_with(b"-m") || name.ends_with(b"-mono"));
         // GNU screen misreads the parts of a 24-bit colour as commands; tmux, which may have the same TERM, converts colours.
         // Programs in GNU screen inherit COLORTERM from the outer terminal.
-        let is_screen = screen || start << 16 == SCREEN && !tmux;
+        let is_screen = screen || gnu && !tmux;
         let terminal = Terminal {
             keys: KeyParser::default(),
             pixels,
             size: (0, 0),
             shown: (0, 0),
             has_colours,
-            is_coarse: is_screen && start as u32 != MUX,
+            is_coarse: is_screen && !mux,
             is_plain: !(has_colours & Terminal::is_utf8()),
         };
         SAVED.take_over();
