@@ -60,16 +60,14 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
 /// The width of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
-// Check the order, the column's width, and the show's length in the help.
+// Check the number of flags, the column's width, and the show's length in the help.
 const _: () = {
     assert!(show::LENGTH == 116.0);
     assert!(FLAGS.len() == Switch::Version as usize + 1);
     let mut i = 0;
     while i < FLAGS.len() {
         let flag = &FLAGS[i];
-        assert!(flag.switch as usize == i, "a flag for each switch, in order");
         assert!(flag.name.len() + flag.value.len() <= COLUMN);
-        assert!(!flag.help.is_empty());
         i += 1;
     }
 };

@@ -32,25 +32,20 @@ pub fn run(arguments: Arguments) -> i32 {
         }
     };
     let mut output = Writer::new(line::OUTPUT);
-    let code = match (options.task, options.isa) {
-        (Task::Help, _) => {
-            flags::write_help(&mut output);
-            0
-        }
-        (Task::Version, _) => {
-            output.text(flags::VERSION).text("\n");
-            0
-        }
-        (Task::Play, Some(isa)) => playing::play(&options, isa, &mut output),
-        (Task::Still(time), Some(isa)) => still::write(time, &options, isa, &mut output),
+    let mut code = 0;
+    match (options.task, options.isa) {
+        (Task::Help, _) => flags::write_help(&mut output),
+        (Task::Version, _) => _ = output.text(flags::VERSION).text("\n"),
+        (Task::Play, Some(isa)) => code = playing::play(&options, isa, &mut output),
+        (Task::Still(time), Some(isa)) => code = still::write(time, &options, isa, &mut output),
         (_, None) => {
             line::complain(
                 "this processor lacks AVX2; build with: cargo build --release -p eightfold --features sse2",
                 "",
             );
-            FAILURE
+            code = FAILURE;
         }
-    };
+    }
     if output.flush() {
         return code;
     }

@@ -11,6 +11,9 @@ use super::{
     flags::{Flag, Switch},
 };
 
+/// The size of windows and frames in pixels, by default.
+pub const SIZE: (usize, usize) = (1024, 768);
+
 /// Limited by the memory for workers.
 pub const MAX_THREADS: usize = 64;
 
@@ -21,8 +24,9 @@ const MAX_PSNR: usize = 99;
 /// About 30 years: sums of such times in nanoseconds stay far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub enum Task {
+    #[default]
     Play,
     /// In nanoseconds, below [`SHOW_NANOSECONDS`].
     Still(u64),
@@ -30,11 +34,11 @@ pub enum Task {
     Version,
 }
 
+#[derive(Default)]
 pub struct Options {
     pub task: Task,
     /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
-    pub size: (usize, usize),
-    pub has_size: bool,
+    pub size: Option<(usize, usize)>,
     pub is_fullscreen: bool,
     /// 1 to [`MAX_THREADS`]; `None` means one for each processor.
     pub threads: Option<usize>,
@@ -44,12 +48,12 @@ pub struct Options {
     pub length: Option<u64>,
     pub is_looping: bool,
     /// 1 to [`MAX_FPS`].
-    pub fps: u64,
-    has_fps: bool,
+    pub fps: Option<u64>,
     /// In dB to exhaustive frames, 1 to [`MAX_PSNR`].
     pub psnr: Option<u64>,
     /// The fixed quality, if one is named.
     pub quality: Option<Preset>,
+    has_two_qualities: bool,
     pub is_uncapped: bool,
     pub has_hud: bool,
     pub is_silent: bool,
@@ -83,30 +87,10 @@ impl Misuse {
 }
 
 impl Options {
-    fn new() -> Options {
-        Options {
-            task: Task::Play,
-            size: (1024, 768),
-            has_size: false,
-            is_fullscreen: false,
-            threads: None,
-            isa: cpu::shipped().next(),
-            length: None,
-            is_looping: false,
-            fps: 60,
-            has_fps: false,
-            psnr: None,
-            quality: None,
-            is_uncapped: false,
-            has_hud: false,
-            is_silent: false,
-        }
-    }
-
     /// Parses the command line up to `--help` or `--version`. A flag's value is the next argument, or follows after `=`; the last
     /// of repeated flags counts.
     pub fn parse(mut arguments: Arguments) -> Result<Options, Misuse> {
-        let mut options = Options::new();
+        let mut options = Options { isa: cpu::shipped().next(), ..Options::default() };
         while let Some(argument) = arguments.next() {
             let (name, joined) = split_at_equals(argument);
             let flag = Flag::find(name).ok_or(Misuse::UnknownFlag(argument))?;
@@ -116,62 +100,51 @@ impl Options {
                 None if flag.value.is_empty() => b"",
                 None => arguments.next().ok_or(Misuse::NoValue(flag))?,
             };
-            options.set(flag, value)?;
+            options.set(flag.switch, value).ok_or(Misuse::BadValue(flag, value))?;
             if matches!(flag.switch, Switch::Help | Switch::Version) {
                 break;
             }
         }
-        if options.psnr.is_some() && (options.has_fps || options.quality.is_some()) {
+        if options.has_two_qualities {
+            return Err(Misuse::Conflict("--quality conflicts with another quality"));
+        }
+        if options.psnr.is_some() && (options.fps.is_some() || options.quality.is_some()) {
             return Err(Misuse::Conflict("--psnr conflicts with --fps and --quality"));
         }
         Ok(options)
     }
 
-    fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
-        let bad_value = Misuse::BadValue(flag, value);
-        match flag.switch {
-            Switch::Size => {
-                self.size = size(value).ok_or(bad_value)?;
-                self.has_size = true;
-            }
+    /// Sets an option, if its value is valid.
+    fn set(&mut self, switch: Switch, value: &[u8]) -> Option<()> {
+        match switch {
+            Switch::Size => self.size = Some(size(value)?),
             Switch::Fullscreen => self.is_fullscreen = true,
-            Switch::Threads => self.threads = Some(number(value, MAX_THREADS).ok_or(bad_value)?),
-            Switch::Isa => self.isa = Some(cpu::named(value).ok_or(bad_value)?),
+            Switch::Threads => self.threads = Some(number(value, MAX_THREADS)?),
+            Switch::Isa => self.isa = Some(cpu::named(value)?),
             Switch::Seconds => {
-                let length = nanoseconds(value).filter(|&length| length > 0);
-                self.length = Some(length.ok_or(bad_value)?);
+                self.length = Some(nanoseconds(value).filter(|&length| length > 0)?);
             }
             Switch::Loop => self.is_looping = true,
-            Switch::Fps => {
-                self.fps = number(value, MAX_FPS).ok_or(bad_value)? as u64;
-                self.has_fps = true;
-            }
-            Switch::Psnr => self.psnr = Some(number(value, MAX_PSNR).ok_or(bad_value)? as u64),
-            Switch::Quality => self.keep_to(preset(value).ok_or(bad_value)?)?,
-            Switch::Exhaustive => self.keep_to(Preset::Exhaustive)?,
+            Switch::Fps => self.fps = Some(number(value, MAX_FPS)? as u64),
+            Switch::Psnr => self.psnr = Some(number(value, MAX_PSNR)? as u64),
+            Switch::Quality => self.keep_to(preset(value)?),
+            Switch::Exhaustive => self.keep_to(Preset::Exhaustive),
             Switch::Uncapped => self.is_uncapped = true,
             Switch::Hud => self.has_hud = true,
             Switch::Silent => self.is_silent = true,
             Switch::Still => {
-                let time = nanoseconds(value).filter(|&time| time < SHOW_NANOSECONDS);
-                self.task = Task::Still(time.ok_or(bad_value)?);
+                let time = nanoseconds(value).filter(|&time| time < SHOW_NANOSECONDS)?;
+                self.task = Task::Still(time);
             }
             Switch::Help => self.task = Task::Help,
             Switch::Version => self.task = Task::Version,
         }
-        Ok(())
+        Some(())
     }
 
-    fn keep_to(&mut self, quality: Preset) -> Result<(), Misuse> {
-        match self.quality {
-            Some(other) if other != quality => {
-                Err(Misuse::Conflict("--quality conflicts with another quality"))
-            }
-            _ => {
-                self.quality = Some(quality);
-                Ok(())
-            }
-        }
+    fn keep_to(&mut self, quality: Preset) {
+        self.has_two_qualities |= self.quality.is_some_and(|other| other != quality);
+        self.quality = Some(quality);
     }
 }
 

@@ -13,7 +13,12 @@ use eightfold_window::{
     window::Window,
 };
 
-use super::{SHOW_NANOSECONDS, options::Options, renderer::ShowRenderer, tally::Tally};
+use super::{
+    SHOW_NANOSECONDS,
+    options::{Options, SIZE},
+    renderer::ShowRenderer,
+    tally::Tally,
+};
 
 struct Music(Synthesizer);
 
@@ -37,7 +42,8 @@ impl Source for Music {
 /// Plays the show, prints its statistics and returns the exit code.
 pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
-    let window = Window::open(c"Eightfold", options.size, !options.has_size);
+    let size = options.size.unwrap_or(SIZE);
+    let window = Window::open(c"Eightfold", size, options.size.is_none());
     if let Err(why) = &window {
         let place = if Terminal::is_there() {
             "; playing in the terminal"
@@ -72,7 +78,7 @@ pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
                 playing.is_smooth = false;
                 playing.on(&mut terminal)
             }
-            None => playing.on(&mut Headless::new(options.size)),
+            None => playing.on(&mut Headless::new(size)),
         },
     };
     let Playing { renderer, tally, .. } = &playing;
@@ -98,7 +104,8 @@ impl Playing<'_> {
         let kept = options.quality.or(is_default.then_some(Preset::Default));
         let length =
             options.length.unwrap_or(if options.is_looping { u64::MAX } else { SHOW_NANOSECONDS });
-        let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
+        let interval = SECOND / options.fps.unwrap_or(60);
+        let mut by_rate = Governor::new(Duration::from_nanos(interval));
         // A target accuracy counts for frames of full size.
         if options.psnr.is_none() && kept.is_none() {
             by_rate = by_rate.with_smaller_frames();
@@ -111,7 +118,7 @@ impl Playing<'_> {
             let start = clock.time();
             let heard = self.player.time();
             if heard >= length {
-                self.tally.end(start);
+                self.tally.time = start;
                 return 0;
             }
             let size = fit(target.size(), (MAX_WIDTH, MAX_HEIGHT));
@@ -142,7 +149,7 @@ impl Playing<'_> {
             }
             if !options.is_uncapped {
                 // Does not catch up after a late frame. The last frame stops at the end.
-                due = u64::max(due + SECOND / options.fps, start);
+                due = u64::max(due + interval, start);
                 let end = start.saturating_add(length - heard);
                 clock.sleep_until(due.min(end));
             }
@@ -164,7 +171,7 @@ impl Playing<'_> {
             _ => &mut *self.small,
         };
         let mut frame = Frame::new(width, height, pixels);
-        let (number, quality) = (self.tally.frames(), quality.quality());
+        let (number, quality) = (self.tally.frames, quality.quality());
         let counts = self.renderer.draw(time, number, quality, &mut frame);
         if self.has_hud {
             self.tally.write(&mut frame, size, counts.points);

@@ -7,7 +7,11 @@ use eightfold_window::{
     render_target::{Headless, RenderTarget},
 };
 
-use super::{MISUSE, options::Options, renderer::ShowRenderer};
+use super::{
+    MISUSE,
+    options::{Options, SIZE},
+    renderer::ShowRenderer,
+};
 
 /// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32 {
@@ -16,8 +20,8 @@ pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32
         return MISUSE;
     }
     let quality = options.quality.unwrap_or(Preset::Default).quality();
-    let (width, height) = options.size;
-    let mut target = Headless::new(options.size);
+    let (width, height) = options.size.unwrap_or(SIZE);
+    let mut target = Headless::new((width, height));
     let pixels = target.canvas(width, height);
     let mut frame = Frame::new(width, height, &mut *pixels);
     ShowRenderer::new(options, isa).draw(time, 0, quality, &mut frame);

@@ -11,9 +11,9 @@ use super::{options::Options, renderer::ShowRenderer};
 /// Times are in nanoseconds.
 #[derive(Default)]
 pub struct Tally {
-    frames: u64,
+    pub frames: u64,
     /// From the start to the last frame, or to the end.
-    time: u64,
+    pub time: u64,
     /// Frames in the slowest complete second.
     slowest: Option<u64>,
     second: u64,
@@ -31,10 +31,6 @@ pub struct Tally {
 }
 
 impl Tally {
-    pub fn frames(&self) -> u64 {
-        self.frames
-    }
-
     /// Counts a frame that was shown at `time`, drawn with its sides divided by `divisor`.
     pub fn count(
         &mut self,
@@ -80,10 +76,6 @@ impl Tally {
         let [psnr, margin] = accuracy(&self.recent);
         let numbers = [self.rate, points, psnr, margin].map(|number| number as usize);
         frame.write(&hud[..lines], numbers);
-    }
-
-    pub fn end(&mut self, time: u64) {
-        self.time = time;
     }
 
     pub fn report(&self, output: &mut Writer, renderer: &ShowRenderer, options: &Options) {
