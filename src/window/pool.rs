@@ -140,7 +140,9 @@ impl Pool {
         // SAFETY: no run is open and no thread inside, by `&mut self` and the end of `Run`. Threads read `work` only inside, and
         // `Run` ends after they have left.
         unsafe { (*shared.work.get()).write(transmute::<Work<'_>, Work<'static>>(work)) };
-        let _run = Run::open(shared);
+        shared.inside.store(OPEN, Release);
+        shared.wake();
+        let _run = Run(shared);
         work(0);
     }
 }
@@ -158,14 +160,6 @@ impl Drop for Pool {
 
 /// A run that threads may enter. It ends after all of them have left, even if the caller's work panics.
 struct Run<'a>(&'a Shared);
-
-impl<'a> Run<'a> {
-    fn open(shared: &'a Shared) -> Run<'a> {
-        shared.inside.store(OPEN, Release);
-        shared.wake();
-        Run(shared)
-    }
-}
 
 impl Drop for Run<'_> {
     fn drop(&mut self) {

@@ -24,16 +24,11 @@ use crate::render_target::MOST_PIXELS;
 pub struct Frames {
     context: xlib::GC,
     image: *mut xlib::XImage,
-    put_image: PutImage,
+    /// The functions for memory shared with the server; otherwise frames go through the socket.
+    shared: Option<&'static Xext>,
     /// The first is drawn next.
     frames: [&'static mut [u32]; 2],
     drawn: (usize, usize),
-}
-
-#[derive(Clone, Copy)]
-enum PutImage {
-    ThroughSocket,
-    Shared(&'static Xext),
 }
 
 impl Frames {
@@ -42,13 +37,8 @@ impl Frames {
     /// # Safety
     /// The image must have no other user, and the context must be from the display.
     pub unsafe fn new(top: &Toplevel, image: *mut xlib::XImage, context: xlib::GC) -> Frames {
-        let mut frames = Frames {
-            context,
-            image,
-            put_image: PutImage::ThroughSocket,
-            frames: [&mut [], &mut []],
-            drawn: (0, 0),
-        };
+        let mut frames =
+            Frames { context, image, shared: None, frames: [&mut [], &mut []], drawn: (0, 0) };
         // SAFETY: the image is valid.
         let is_shared = unsafe { (*image).bits_per_pixel } == 32;
         let shared = if is_shared { frames.share(top) } else { None };
@@ -122,15 +112,12 @@ impl Frames {
             image.height = rows.len() as c_int;
             image.bytes_per_line = (width * size_of::<u32>()) as c_int;
             image.data = pixels.as_mut_ptr().cast();
-            match self.put_image {
-                PutImage::ThroughSocket => {
-                    let put = x.XPutImage;
-                    put(display, window, context, image, 0, 0, 0, top, columns, height);
-                }
-                PutImage::Shared(xext) => {
-                    let put = xext.XShmPutImage;
-                    put(display, window, context, image, 0, 0, 0, top, columns, height, 0);
-                }
+            if let Some(xext) = self.shared {
+                let put = xext.XShmPutImage;
+                put(display, window, context, image, 0, 0, 0, top, columns, height, 0);
+            } else {
+                let put = x.XPutImage;
+                put(display, window, context, image, 0, 0, 0, top, columns, height);
             }
         }
     }
@@ -165,7 +152,7 @@ impl Frames {
             let mut state: libc::shmid_ds = zeroed();
             libc::shmctl(id, libc::IPC_STAT, &mut state);
             if state.shm_nattch > 1 {
-                self.put_image = PutImage::Shared(shared);
+                self.shared = Some(shared);
             }
             Some(from_raw_parts_mut(memory, 2 * MOST_PIXELS))
         }

@@ -1,6 +1,7 @@
 use core::{
-    ffi::{CStr, c_int},
+    ffi::{CStr, c_int, c_uint},
     mem::{take, zeroed},
+    ptr::null_mut,
 };
 
 use x11_dl::xlib;
@@ -48,7 +49,11 @@ impl Window {
         // SAFETY: the display is open.
         let (top, frames) = unsafe {
             let screen = &*(x.XDefaultScreenOfDisplay)(display);
-            let image = x11::picture(x, display);
+            let (visual, depth) = (screen.root_visual, screen.root_depth as c_uint);
+            // A header without pixels.
+            let format = xlib::ZPixmap;
+            let image =
+                (x.XCreateImage)(display, visual, depth, format, 0, null_mut(), 1, 1, 32, 0);
             if (*image).red_mask == 0 {
                 // The display's pixels are palette indices.
                 return Err("X display lacks colours");
@@ -81,10 +86,12 @@ impl Window {
 
     pub fn set_title(&mut self, title: &CStr) {
         let Toplevel { x, display, window, .. } = self.top;
-        // SAFETY: the window exists, and the title outlives the call.
-        unsafe { (x.XStoreName)(display, window, title.as_ptr()) };
-        let (name, kind) = (self.top.atom(c"_NET_WM_NAME"), self.top.atom(c"UTF8_STRING"));
-        self.top.set_text(name, kind, title.to_bytes());
+        let (kind, text) = (self.top.atom(c"UTF8_STRING"), title.to_bytes());
+        // SAFETY: the window exists, and the title outlives the calls.
+        unsafe {
+            (x.XStoreName)(display, window, title.as_ptr());
+            self.top.set(c"_NET_WM_NAME", kind, 8, text.as_ptr(), text.len());
+        }
     }
 
     /// Shows the window for the first time, in the centre of the first monitor unless the window manager moves it.

@@ -82,7 +82,8 @@ pub fn is_terminal(file: c_int) -> bool {
 /// false on an error or on a signal that ends the program.
 pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
-        let written = write_some(file, bytes);
+        // SAFETY: pointer and length are from a slice.
+        let written = unsafe { libc::write(file, bytes.as_ptr().cast(), bytes.len()) };
         if written > 0 {
             bytes = &bytes[written as usize..];
             continue;
@@ -100,11 +101,6 @@ pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
 pub fn open(path: &CStr) -> c_int {
     // SAFETY: the path outlives the call.
     unsafe { libc::open(path.as_ptr(), libc::O_RDONLY | libc::O_CLOEXEC) }
-}
-
-fn write_some(file: c_int, bytes: &[u8]) -> isize {
-    // SAFETY: pointer and length are from a slice.
-    unsafe { libc::write(file, bytes.as_ptr().cast(), bytes.len()) }
 }
 
 pub fn error() -> c_int {

@@ -39,11 +39,9 @@ const FRAME: isize = WS_OVERLAPPEDWINDOW as isize;
 
 /// The key repeats.
 const REPEATED: isize = 1 << 30;
-const ESCAPE_KEY: usize = VK_ESCAPE as usize;
-const F_KEY: usize = b'F' as usize;
-const H_KEY: usize = b'H' as usize;
-const Q_KEY: usize = b'Q' as usize;
-const W_KEY: usize = b'W' as usize;
+
+/// Key numbers: letters are their ASCII codes.
+const ESCAPE: u8 = VK_ESCAPE as u8;
 
 /// Keeps system and display on, as long as the thread lives.
 const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
@@ -114,10 +112,10 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
             // Ignore keys with Ctrl. (Alt sends other messages.)
             let is_new = message.message == WM_KEYDOWN && message.lParam & REPEATED == 0;
             if is_new && GetKeyState(VK_CONTROL.into()) >= 0 {
-                match message.wParam {
-                    F_KEY => cover.set(true),
-                    W_KEY => cover.set(false),
-                    key => _ = PostThreadMessageA(opening.thread, WM_KEYDOWN, key, 0),
+                match message.wParam as u8 {
+                    b'F' => cover.set(true),
+                    b'W' => cover.set(false),
+                    key => _ = PostThreadMessageA(opening.thread, WM_KEYDOWN, key.into(), 0),
                 }
             }
             DispatchMessageA(&message);
@@ -242,9 +240,9 @@ impl Window {
     }
 
     pub fn set_fullscreen(&mut self, on: bool) {
-        let key = if on { F_KEY } else { W_KEY };
+        let key = if on { b'F' } else { b'W' };
         // SAFETY: it may be posted to any window.
-        unsafe { PostMessageA(self.window, WM_KEYDOWN, key, 0) };
+        unsafe { PostMessageA(self.window, WM_KEYDOWN, key.into(), 0) };
     }
 
     fn is_misplaced(&self) -> bool {
@@ -305,10 +303,10 @@ impl RenderTarget for Window {
         unsafe {
             let mut message = zeroed();
             while PeekMessageA(&mut message, null_mut(), 0, 0, PM_REMOVE) != 0 {
-                match message.wParam {
+                match message.wParam as u8 {
                     _ if message.message != WM_KEYDOWN => {}
-                    ESCAPE_KEY | Q_KEY => return Next::End(0),
-                    H_KEY => next = next.toggled(),
+                    ESCAPE | b'Q' => return Next::End(0),
+                    b'H' => next = next.toggled(),
                     _ => {}
                 }
             }

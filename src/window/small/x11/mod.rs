@@ -5,7 +5,7 @@ mod functions;
 pub mod keyboard;
 
 use core::{
-    ffi::{CStr, c_int, c_long, c_uint, c_void},
+    ffi::{CStr, c_int, c_long, c_void},
     mem::zeroed,
     ptr::{null, null_mut, with_exposed_provenance_mut},
     sync::atomic::{AtomicU64, Ordering::Release},
@@ -55,20 +55,6 @@ pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     }
 }
 
-/// Creates an image header without pixels.
-///
-/// # Safety
-/// The display has to be open.
-pub unsafe fn picture(x: Xlib, display: *mut xlib::Display) -> *mut xlib::XImage {
-    // SAFETY: required of the caller.
-    unsafe {
-        let screen = &*(x.XDefaultScreenOfDisplay)(display);
-        let (visual, depth) = (screen.root_visual, screen.root_depth as c_uint);
-        let format = xlib::ZPixmap;
-        (x.XCreateImage)(display, visual, depth, format, 0, null_mut(), 1, 1, 32, 0)
-    }
-}
-
 pub struct Toplevel {
     pub x: Xlib,
     pub display: *mut xlib::Display,
@@ -111,15 +97,24 @@ impl Toplevel {
         unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
     }
 
-    pub fn set_text(&self, property: xlib::Atom, kind: xlib::Atom, text: &[u8]) {
-        let (display, window) = (self.display, self.window);
-        let (format, replace) = (8, xlib::PropModeReplace);
-        // SAFETY: the window exists, and the text outlives the call and has this length.
+    /// Sets a property to `count` items of `bits` bits.
+    ///
+    /// # Safety
+    /// The items have to be at `start`; Xlib keeps 32-bit ones in `c_long`.
+    pub unsafe fn set(
+        &self,
+        name: &CStr,
+        kind: xlib::Atom,
+        bits: c_int,
+        start: *const u8,
+        count: usize,
+    ) {
+        let (display, window, name) = (self.display, self.window, self.atom(name));
+        let (replace, count) = (xlib::PropModeReplace, count as c_int);
+        // SAFETY: the window exists; the rest is required of the caller.
         unsafe {
-            let set = self.x.XChangeProperty;
-            let (start, length) = (text.as_ptr(), text.len() as c_int);
-            set(display, window, property, kind, format, replace, start, length);
-        }
+            (self.x.XChangeProperty)(display, window, name, kind, bits, replace, start, count)
+        };
     }
 
     /// Sets the program's class names, machine and process: desktops find their rules by the class, and may end a process that
@@ -130,14 +125,13 @@ impl Toplevel {
             res_class: c"Eightfold".as_ptr().cast_mut(),
         };
         let (display, window, nothing) = (self.display, self.window, null());
-        let (name, kind) = (self.atom(c"_NET_WM_PID"), xlib::XA_CARDINAL);
-        // SAFETY: the window exists, and pointers outlive the calls. Xlib keeps 32-bit items in `c_long`.
+        // SAFETY: the window exists, and pointers outlive the calls.
         unsafe {
             let describe = self.x.XSetWMProperties;
             describe(display, window, nothing, nothing, nothing, 0, nothing, nothing, &mut class);
             let process: c_long = libc::syscall(libc::SYS_getpid);
-            let (replace, process) = (xlib::PropModeReplace, (&raw const process).cast());
-            (self.x.XChangeProperty)(display, window, name, kind, 32, replace, process, 1);
+            let process = (&raw const process).cast();
+            self.set(c"_NET_WM_PID", xlib::XA_CARDINAL, 32, process, 1);
         }
     }
 }
