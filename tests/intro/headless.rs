@@ -110,14 +110,14 @@ fn missing_linker_or_descriptors_print_one_line() {
     if !errors.starts_with("chroot: cannot change root") {
         assert_eq!((output.status.code(), &*errors), (Some(1), told));
     }
-    let few = shell("ulimit -n 3; exec INTRO --version");
+    let few = shell("ulimit -n 3; exec PACKED --version");
     assert_eq!(few, (Some(1), told.to_owned()));
 }
 
 #[test]
 fn unavailable_display_is_skipped() {
     for display in ["", ":54321", "nonsense", "localhost:54321"] {
-        let (output, _) = run(headless("--seconds 0.1").env("DISPLAY", display));
+        let (output, _) = run(headless("--seconds 0.1 --size 64x48").env("DISPLAY", display));
         let (_, errors) = texts(&output);
         assert_eq!(output.status.code(), Some(0), "{display}: {errors}");
         assert!(errors.contains(NO_SCREEN), "{display}: {errors}");
@@ -136,9 +136,10 @@ fn library_that_cannot_be_loaded_is_named() {
     assert_eq!(texts(&output).1, expected);
 }
 
-/// `INTRO` in the script is the intro. Returns the exit code and the standard error.
+/// `INTRO` in the script is the linked intro, `PACKED` the packed file. Returns the exit code and the standard error.
 fn shell(script: &str) -> (Option<i32>, String) {
-    let script = script.replace("INTRO", &intro().display().to_string());
+    let script = script.replace("INTRO", &linked_intro().display().to_string());
+    let script = script.replace("PACKED", &intro().display().to_string());
     let mut bash = Command::new("bash");
     let (output, _) = run(bash.env_remove("DISPLAY").args(["-c", &script]));
     (output.status.code(), texts(&output).1)
@@ -146,7 +147,7 @@ fn shell(script: &str) -> (Option<i32>, String) {
 
 #[test]
 fn output_that_cannot_be_written_is_an_error() {
-    for options in ["--seconds 0.1", "--help", "--version", "--still 2 --size 64x48"] {
+    for options in ["--seconds 0.1 --size 64x48", "--help", "--version", "--still 2 --size 64x48"] {
         for output in [">&-", "> /dev/full"] {
             let (code, errors) = shell(&format!("INTRO --silent {options} {output}"));
             assert_eq!(code, Some(1), "{options} {output}: {errors}");
@@ -165,7 +166,7 @@ fn closed_streams_do_not_become_the_display() {
     needs!(DISPLAY);
     let server = Server::start(320, 240);
     let streams = "<&- >&- 2>&-";
-    let (code, _) = shell(&format!("DISPLAY={} INTRO --seconds 0.2 {streams}", server.display));
+    let (code, _) = shell(&format!("DISPLAY={} PACKED --seconds 0.2 {streams}", server.display));
     assert_eq!(code, Some(1), "the report cannot be written");
 }
 
@@ -177,7 +178,7 @@ fn address_space_of_118000_kib_is_enough() {
     let configuration = configuration.display();
     // In KiB, mostly for the largest frames and all threads. A null sound device adds a thread and libraries.
     for (limit, sound) in [(118_000, "--silent"), (140_000, "")] {
-        let play = format!("INTRO {sound} --seconds 0.2 --threads 2 > /dev/null");
+        let play = format!("PACKED {sound} --seconds 0.2 --threads 2 > /dev/null");
         let limited = format!("ulimit -v {limit}; ALSA_CONFIG_PATH={configuration} {play}");
         assert_eq!(shell(&limited), (Some(0), NO_SCREEN.to_owned()));
     }
@@ -211,7 +212,7 @@ fn report_has_the_time_of_each_preset() {
         assert!(time > 0.0, "{options}: {time}");
     }
     // No machine reaches this frame rate, so the governor selects the fastest preset.
-    let hurried = used("--seconds 3 --size 1920x1080 --threads 1 --fps 1000");
+    let hurried = used("--seconds 2.5 --size 1280x720 --threads 1 --fps 1000");
     let sum: f64 = hurried.iter().map(|(_, time)| time).sum();
     let (last, time) = hurried[hurried.len() - 1];
     assert_eq!(last, "fastest");
@@ -263,7 +264,7 @@ fn waiting_for_a_frame_uses_no_processor() {
 fn intro_runs_with_a_stack_of_96_kib() {
     for (kilobytes, expected) in [(96, 0), (95, 1)] {
         for options in ["--still 62.5", "--seconds 0.2"] {
-            let play = format!("exec INTRO --silent {options} --size 64x48 > /dev/null");
+            let play = format!("exec PACKED --silent {options} --size 64x48 > /dev/null");
             let (code, errors) = shell(&format!("ulimit -s {kilobytes}; {play}"));
             assert_eq!(code, Some(expected), "{kilobytes} {options}: {errors}");
             let is_told = errors.contains("stack limit");

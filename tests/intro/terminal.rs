@@ -20,10 +20,6 @@ struct Terminal {
 impl Terminal {
     /// Starts the intro, and waits for a picture. In the end the terminal shows the exit code and whether its mode was restored.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
-        Terminal::run(columns, rows, &format!("{} {options}", intro().display()))
-    }
-
-    fn run(columns: usize, rows: usize, command: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!("eightfold-{}-{}", process::id(), COUNT.fetch_add(1, Relaxed));
         let mut terminal = Terminal {
@@ -32,8 +28,9 @@ impl Terminal {
             reader: String::new(),
         };
         let script = format!(
-            "unset DISPLAY COLORTERM STY; export LC_ALL=C.UTF-8 ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {command}; code=$?; \
-             [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60"
+            "unset DISPLAY COLORTERM STY; export LC_ALL=C.UTF-8 ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {} {options}; code=$?; \
+             [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60",
+            linked_intro().display()
         );
         let (x, y) = (columns.to_string(), rows.to_string());
         let size = ["-x", &x, "-y", &y];

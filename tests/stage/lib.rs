@@ -185,7 +185,7 @@ impl Server {
 
     pub fn play(&self, options: &str) -> Process {
         wait_for("the last window to close", || self.window().is_none().then_some(()));
-        let mut command = Command::new(intro());
+        let mut command = Command::new(linked_intro());
         // Cheap frames leave the processors to other tests.
         let cheap = ["--silent", "--quality", "thesis", "--fps", "20"];
         command.args(cheap).args(options.split_whitespace());

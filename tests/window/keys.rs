@@ -33,7 +33,7 @@ fn f_and_w_switch_fullscreen() {
         server.xdotool("key --delay 0 f w f w");
         sleep(Duration::from_millis(300));
         server.wait_for_window(window);
-        drop(intro);
+        end_by_key("q", &server, intro);
     }
 }
 
@@ -48,7 +48,7 @@ fn keys_follow_the_layout_or_the_us_keyboard() {
         [("us", usual_w), ("ru", usual_w), ("ara", usual_w), ("fr", french_w), ("fr,us", usual_w)]
     {
         run(server.tool("setxkbmap").args(["-layout", layout, "-option", "grp:switch"]));
-        let intro = server.play("--size 640x400 --seconds 60");
+        let intro = server.play("--size 64x48 --fps 5 --seconds 60");
         let window = server.window().expect("a window");
         server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
         server.xdotool(&format!("keydown {control} key {f} keyup {control}"));
