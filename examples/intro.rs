@@ -57,7 +57,7 @@ fn play() -> Result<(), Box<dyn Error>> {
     let mut window = Window::open(c"Ten seconds", (640, 360), false)?;
     let mut renderer = Renderer::detect();
     let mut threads = ScopedThreads::new();
-    let mut player = Player::start(c"default", KICK.take());
+    let mut player = Player::start(KICK.take());
     loop {
         let time = player.time() as f32 / SECOND as f32;
         let (width, height) = window.size();

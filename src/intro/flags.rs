@@ -57,7 +57,6 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
     Flag { switch, name, value, help }
 }
 
-/// The width of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
 // Check the number of flags, the column's width, and the show's length in the help.
@@ -79,22 +78,22 @@ impl Flag {
         FLAGS.iter().find(|flag| flag.name.as_bytes() == name)
     }
 
-    fn write_help(&self, output: &mut Writer) {
+    fn write_help<'a>(&self, output: &'a mut Writer) -> &'a mut Writer {
         output.text(self.help);
         match self.switch {
             Switch::Quality => write_names(output, Preset::ALL.iter().map(|preset| preset.name())),
             Switch::Isa => write_names(output, cpu::shipped().map(|isa| isa.name)),
             _ => {}
         }
+        output
     }
 
-    pub fn write_range(&self, errors: &mut Writer) {
+    pub fn write_range<'a>(&self, errors: &'a mut Writer) -> &'a mut Writer {
         errors.text("; must be ");
         if self.value.is_empty() {
-            errors.text("without a value");
-        } else {
-            self.write_help(errors.text(self.value).text(": "));
+            return errors.text("without a value");
         }
+        self.write_help(errors.text(self.value).text(": "))
     }
 }
 
@@ -105,8 +104,7 @@ pub fn write_help(output: &mut Writer) {
         for _ in flag.name.len() + flag.value.len()..=COLUMN {
             output.text(" ");
         }
-        flag.write_help(output);
-        output.text("\n");
+        flag.write_help(output).text("\n");
     }
     output.text("keys: ").text(KEYS).text("\n");
 }

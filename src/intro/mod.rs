@@ -1,5 +1,3 @@
-//! The intro, a program around the library.
-
 mod flags;
 mod options;
 mod playing;
@@ -22,7 +20,6 @@ const FAILURE: i32 = 1;
 
 const MISUSE: i32 = 2;
 
-/// Returns the exit code, 0 for success.
 pub fn run(arguments: Arguments) -> i32 {
     let options = match Options::parse(arguments) {
         Ok(options) => options,

@@ -69,19 +69,17 @@ pub enum Misuse {
 
 impl Misuse {
     pub fn write(&self, errors: &mut Writer) {
-        let (place, is, given, then, flag): (_, _, &[u8], _, _) = match *self {
+        match *self {
             Misuse::UnknownFlag(given) => {
-                let then = "'; must be one that --help lists";
-                ("flag", " is '", given, then, None)
+                errors.text("flag is '").printable(given).text("'; must be one that --help lists")
             }
-            Misuse::NoValue(flag) => (flag.name, " has no value", b"", "", Some(flag)),
-            Misuse::BadValue(flag, given) => (flag.name, " is '", given, "'", Some(flag)),
-            Misuse::Conflict(flags) => (flags, "", b"", "", None),
+            Misuse::NoValue(flag) => flag.write_range(errors.text(flag.name).text(" has no value")),
+            Misuse::BadValue(flag, given) => {
+                let errors = errors.text(flag.name).text(" is '").printable(given).text("'");
+                flag.write_range(errors)
+            }
+            Misuse::Conflict(flags) => errors.text(flags),
         };
-        errors.text(place).text(is).printable(given).text(then);
-        if let Some(flag) = flag {
-            flag.write_range(errors);
-        }
         errors.text("\n").flush();
     }
 }
@@ -114,7 +112,6 @@ impl Options {
         Ok(options)
     }
 
-    /// Sets an option, if its value is valid.
     fn set(&mut self, switch: Switch, value: &[u8]) -> Option<()> {
         match switch {
             Switch::Size => self.size = Some(size(value)?),
@@ -157,7 +154,6 @@ fn preset(name: &[u8]) -> Option<Preset> {
     Preset::ALL.into_iter().find(|preset| preset.name().as_bytes() == name)
 }
 
-/// Parses a decimal integer, 1 to `most`.
 fn number(text: &[u8], most: usize) -> Option<usize> {
     let number = decimal(text, 1, most as u64)?;
     (number > 0).then_some(number as usize)

@@ -39,7 +39,6 @@ impl Source for Music {
     }
 }
 
-/// Plays the show, prints its statistics and returns the exit code.
 pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let size = options.size.unwrap_or(SIZE);
@@ -54,11 +53,7 @@ pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     }
     let mut playing = Playing {
         options,
-        player: if options.is_silent {
-            Player::silent()
-        } else {
-            Player::start(c"default", MUSIC.take())
-        },
+        player: if options.is_silent { Player::silent() } else { Player::start(MUSIC.take()) },
         renderer: ShowRenderer::new(options, isa),
         small: enlarge::small(),
         is_smooth: true,
@@ -97,7 +92,6 @@ struct Playing<'a> {
 }
 
 impl Playing<'_> {
-    /// Returns the exit code.
     fn on(&mut self, target: &mut dyn RenderTarget) -> i32 {
         let options = self.options;
         let is_default = options.is_uncapped && options.psnr.is_none();

@@ -28,7 +28,6 @@ static WORKSPACE: StaticCell<Workspace> = StaticCell::new(Workspace {
     workers: [const { Worker::new() }; _],
 });
 
-/// A renderer of the show's frames. A process can have one.
 pub struct ShowRenderer {
     pub isa: Isa,
     renderer: Renderer<&'static mut Memory>,

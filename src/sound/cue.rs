@@ -3,7 +3,7 @@
 use super::song::{self, Track};
 use super::{STEPS_PER_BAR, STEPS_PER_BEAT};
 
-/// The notes of a track before and after a moment.
+/// The notes of a track around a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cue {
     /// The number of notes that have started.
@@ -17,8 +17,7 @@ pub struct Cue {
     pub until: f32,
 }
 
-/// Returns the notes of a track around a moment, counted in beats from the start of a bar, 0 or more. Notes are counted from there.
-/// A scene's file names the tracks that move it.
+/// Returns the notes of a track around a moment, in `beats` from the start of a bar, 0 or more. Notes are counted from there.
 #[must_use]
 pub fn cue(track: Track, bar: u32, beats: f32) -> Cue {
     let mut cue = Cue { count: 0, digit: 0, since: beats, until: f32::INFINITY };

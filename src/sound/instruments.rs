@@ -72,7 +72,6 @@ pub(super) struct Sweep {
     pub end: f32,
 }
 
-/// The filter, except its cutoff.
 pub(super) struct Tone {
     /// The increase of the cutoff at the bar's full brightness, as a fraction.
     pub light: f32,

@@ -93,8 +93,8 @@ static LIGHT: [u8; BARS] = indices_of(
 static GAIN: [u8; BARS] = indices_of(
     b"a99999 cccccc bbbbcccc cccccccc cccccc bbbbbb cccccd ddddde cccccc", DIGITS);
 
-/// A track: for each bar the number of its pattern, 0 for silence, and the patterns, with a digit for each step. Digits from 1 to 15
-/// start the note that [`Notes`](super::instruments::Notes) defines; 0 starts none.
+/// A track: for each bar the number of its pattern, 0 for silence, and the patterns. A step's digit from 1 to 15 starts the note that
+/// [`Notes`](super::instruments::Notes) defines.
 struct Part([u8; BARS], &'static [[u8; STEPS]]);
 
 const STEPS: usize = STEPS_PER_BAR as usize;
@@ -238,7 +238,6 @@ const fn index_of(letter: u8, among: &[u8]) -> u8 {
     i as u8
 }
 
-/// Parses a part's pattern numbers: `a` is the first pattern, `.` silence.
 const fn bars(text: &[u8]) -> [u8; BARS] {
     indices_of(text, b".abcdefghijklmnopqrstuvwxyz")
 }

@@ -79,8 +79,7 @@ impl Synthesizer {
         }
     }
 
-    /// Moves to a position in samples from the song's start. Each sample depends on all before it, so this synthesizes the song up
-    /// to there, a few milliseconds per second of sound.
+    /// Moves to a position in samples. This synthesizes the song up to there, a few milliseconds per second of sound.
     pub fn seek(&mut self, position: u32) {
         *self = const { Self::new() };
         for _ in 0..position % SONG_LENGTH {

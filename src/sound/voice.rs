@@ -95,7 +95,6 @@ impl Voice {
             Notes::Tone(up) => [tone(first) + up; 4],
             Notes::Chord(up) => [0, 1, 2, 3].map(|i| tone(first + i) + up),
         };
-        // A4 is MIDI note 69. A loop is smaller than a power.
         let pitch = notes
             .map(|note| (0..note).fold(LOWEST / super::RATE as f32, |pitch, _| pitch * SEMITONE));
         let pitch = Vec4::from_array(pitch) * instrument.partials;

@@ -1,7 +1,6 @@
 pub use crate::backend::arguments::{Arguments, First, Second, end};
 
-/// Defines the entry point of a program, which calls a `fn(Arguments) -> i32` for the exit code, in a crate with `#![no_main]`: the C
-/// `main`, or on Windows a function with the two parameters that the unpacker passes.
+/// Defines the entry point of a crate with `#![no_main]`, which calls a `fn(Arguments) -> i32` for the exit code.
 ///
 /// Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack overflow; std's arguments add 432.
 #[macro_export]

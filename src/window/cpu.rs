@@ -74,32 +74,13 @@ pub(crate) const fn bits(mut numbers: &[i32]) -> u64 {
 /// Features of x86-64 processors, from CPUID. `Level::new()` asks std, for 1,499 packed bytes.
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
-    use core::arch::{
-        asm,
-        x86_64::{__cpuid, __cpuid_count},
-    };
+    use core::arch::x86_64::{__cpuid, __cpuid_count, _xgetbv};
     use fearless_simd::x86::Avx2;
 
     use super::bits;
 
     fn has(word: u32, bits: u64) -> bool {
         word & bits as u32 == bits as u32
-    }
-
-    /// Returns the registers that the system saves (XCR0). The processor needs OSXSAVE.
-    fn saved_registers() -> u32 {
-        let saved: u32;
-        // SAFETY: OSXSAVE allows `xgetbv`.
-        unsafe {
-            asm!(
-                "xgetbv",
-                in("ecx") 0,
-                out("eax") saved,
-                out("edx") _,
-                options(nomem, nostack, preserves_flags),
-            );
-        }
-        saved
     }
 
     /// Returns AVX2 if the machine has all of x86-64-v3: FMA, BMI1 and BMI2, F16C, LZCNT, MOVBE, and saved YMM registers.
@@ -114,7 +95,8 @@ mod x86_64 {
         /// XMM and YMM.
         const SAVED: u64 = bits(&[1, 2]);
         let is_there = has(__cpuid(1).ecx, LEAF_1_ECX)
-            && has(saved_registers(), SAVED)
+            // SAFETY: OSXSAVE allows it.
+            && has(unsafe { _xgetbv(0) } as u32, SAVED)
             && has(__cpuid_count(7, 0).ebx, LEAF_7_EBX)
             && has(__cpuid(0x8000_0001).ecx, EXTENDED_ECX);
         // SAFETY: the processor and the system have all features of the type.

@@ -1,6 +1,4 @@
-//! Keyboard and mouse input for interactive programs such as the lab's viewer.
-//!
-//! The intro has five keys (Esc, F, H, Q, W) and does not link this module.
+//! Input for interactive programs. The intro has five keys (Esc, F, H, Q, W) and does not link this module.
 
 use core::ffi::c_uint;
 

@@ -5,8 +5,7 @@
 use crate::system;
 pub use crate::system::{ERROR, OUTPUT, write};
 
-/// A buffered writer to a file descriptor. It writes when it is full or [flushed](Writer::flush), but not when it is dropped. It
-/// stops after an error.
+/// A buffered writer to a file descriptor. It writes when it is full or [flushed](Writer::flush), until an error.
 pub struct Writer {
     file: i32,
     has_failed: bool,

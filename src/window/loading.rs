@@ -46,7 +46,7 @@ impl<T> Table<T> {
         }
     }
 
-    /// Fills the table, unless it is full. Returns `None` if any function is missing. Call it from one thread at a time.
+    /// Fills the table, if no function is missing. Call it from one thread at a time.
     #[inline]
     pub fn open(&'static self) -> Option<&'static T> {
         let slot = self.functions.get().cast();

@@ -1,10 +1,7 @@
 use crate::backend::memory::pixels;
 
-/// The maximum width of a frame, in pixels.
 pub const MAX_WIDTH: usize = 3840;
-/// The maximum height of a frame, in pixels.
 pub const MAX_HEIGHT: usize = 2160;
-/// The maximum number of pixels in a frame.
 pub const MOST_PIXELS: usize = MAX_WIDTH * MAX_HEIGHT;
 
 /// A target for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or [`Headless`].

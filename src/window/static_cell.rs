@@ -19,7 +19,6 @@ impl<T> StaticCell<T> {
         StaticCell { taken: AtomicBool::new(false), value: UnsafeCell::new(value) }
     }
 
-    /// Borrows the value for the rest of the program.
     ///
     /// # Panics
     /// If it was taken before.

@@ -39,7 +39,6 @@ fn processor_without_avx2_gets_one_line() {
         ("--version", 0, ""),
     ] {
         let mut command = tool("qemu-x86_64-static");
-        // The packed program unpacks itself for seconds in qemu.
         let program = if code == 0 { intro() } else { linked_intro() };
         command.args(["-cpu", "Nehalem"]).arg(program);
         command.args(options.split(' ')).env_remove("DISPLAY");
@@ -245,7 +244,6 @@ fn report_has_the_size_drawn() {
 fn waiting_for_a_frame_uses_no_processor() {
     let intro = Process::start(&mut headless("--seconds 5 --size 16x16"));
     let stat = Path::new("/proc").join(intro.0.id().to_string()).join("stat");
-    // In hundredths of a second.
     let used = || -> u32 {
         let stat = fs::read_to_string(&stat).expect("it runs");
         let (_, fields) = stat.rsplit_once(") ").expect("a name and fields");

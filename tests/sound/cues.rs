@@ -1,5 +1,3 @@
-//! The notes that the picture follows.
-
 use eightfold::show::grid;
 use eightfold::sound::{Cue, Track, cue};
 

@@ -24,7 +24,6 @@ fn power(samples: &[Complex<f64>], hertz: f64) -> f64 {
     sums.iter().map(Complex::norm_sqr).sum()
 }
 
-/// Returns samples with a Hann window.
 fn windowed(samples: &[[f32; 2]]) -> Vec<Complex<f64>> {
     let hann = |i: usize| (PI * i as f64 / samples.len() as f64).sin().powi(2);
     let samples = samples.iter().enumerate();
@@ -33,8 +32,7 @@ fn windowed(samples: &[[f32; 2]]) -> Vec<Complex<f64>> {
         .collect()
 }
 
-/// Returns the number of a track's notes, which are `down` semitones lower than the theme, and the notes whose pitch is not the
-/// strongest.
+/// Returns the number of a track's notes, `down` semitones below the theme, and the notes whose pitch is not the strongest.
 fn heard(track: Track, down: u8) -> (usize, Vec<(f32, u8)>) {
     let notes = cues::notes(track, 0, show::BARS);
     let ends = notes.iter().skip(1).map(|&(beat, _)| beat).chain([232.0]);

@@ -1,4 +1,4 @@
-use super::{SCREEN, end_by_escape, end_by_key, on_screen, servers};
+use super::{SCREEN, end_by_key, on_screen, servers};
 use eightfold_stage::{DISPLAY, Server, needs, run, wait_for};
 use std::{thread::sleep, time::Duration};
 
@@ -98,7 +98,7 @@ fn h_toggles_the_hud() {
         sleep(Duration::from_millis(300));
         assert_eq!(is_written(), seconds == "1.2");
     }
-    end_by_escape(&server, intro);
+    end_by_key("Escape", &server, intro);
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn fullscreen_follows_the_mode_of_the_display() {
     server.wait_for_window([0, 0, 800, 600]);
     server.xdotool("key w");
     server.wait_for_window([0, 0, 400, 300]);
-    end_by_escape(&server, intro);
+    end_by_key("Escape", &server, intro);
 }
 
 fn assert_covered(server: &Server, manager: &str) {

@@ -8,7 +8,6 @@ mod shown;
 use eightfold_stage::{Process, Server};
 use std::time::Duration;
 
-/// Larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
 
 fn on_screen(start: fn(usize, usize) -> Server) -> Server {
@@ -18,10 +17,6 @@ fn on_screen(start: fn(usize, usize) -> Server) -> Server {
 
 fn servers() -> [(&'static str, Server); 2] {
     [("no window manager", on_screen(Server::start)), ("openbox", on_screen(Server::start_managed))]
-}
-
-fn end_by_escape(server: &Server, intro: Process) -> String {
-    end_by_key("Escape", server, intro)
 }
 
 /// Ends the intro by a key, given by its name or code. Returns its standard output.

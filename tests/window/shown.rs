@@ -1,4 +1,4 @@
-use super::{end_by_escape, servers};
+use super::{end_by_key, servers};
 use eightfold::show;
 use eightfold_harness::{error::Difference, threaded_renderer::ThreadedRenderer};
 use eightfold_stage::{DISPLAY, Process, Server, headless, needs, run, try_for, wait_for};
@@ -114,7 +114,7 @@ fn window_of_any_size_is_filled() {
         let window = server.window().expect("a window");
         let shot = server.screenshot(window);
         assert!(shot.iter().all(|&pixel| pixel != 0), "{manager}: no black");
-        let output = end_by_escape(&server, intro);
+        let output = end_by_key("Escape", &server, intro);
         assert_eq!(output.lines().count(), 1, "{manager}: {output}");
         for word in ["frames in", "fps", "worst second", "640x480", "threads"] {
             assert!(output.contains(word), "{manager}: {output}");
@@ -133,7 +133,7 @@ fn window_beyond_largest_picture_is_filled() {
     for [x, y] in [[0, 0], [4099, 0], [0, 2199], [4099, 2199], [2000, 1100]] {
         assert_ne!(shot[y * 4100 + x], 0, "pixel {x},{y}");
     }
-    let output = end_by_escape(&server, intro);
+    let output = end_by_key("Escape", &server, intro);
     assert!(output.contains("3840x2060"), "of the window's shape: {output}");
 }
 
@@ -159,7 +159,6 @@ fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {
         renderer.draw(level, &*scene, &Quality::THESIS, width, &mut pixels);
         Difference::between(shot, &pixels).mean
     };
-    // In steps of 10 ms, then of 1 ms around the best.
     let rough = (1000..=time.as_millis()).step_by(10);
     let rough = rough.map(|at| (difference(at), at));
     let (_, at) = rough.min_by(|a, b| a.0.total_cmp(&b.0)).expect("a time");

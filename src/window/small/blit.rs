@@ -1,5 +1,3 @@
-//! Copies pixels to a window.
-//!
 //! Copying a frame pixel by pixel (`minifb`) and through a socket (Xlib) takes a third of a frame's time at 1024x768. So the tracer
 //! draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Displays without MIT-SHM get
 //! frames through the socket.
@@ -16,15 +14,14 @@ use x11_dl::{xlib, xshm::XShmSegmentInfo};
 
 use super::{
     memory::allocate,
-    x11::{self, Toplevel},
-    xext::{XEXT, Xext},
+    x11::{Toplevel, XEXT, Xext},
 };
 use crate::render_target::MOST_PIXELS;
 
 pub struct Frames {
     context: xlib::GC,
     image: *mut xlib::XImage,
-    /// The functions for memory shared with the server; otherwise frames go through the socket.
+    /// Set if the server shares the memory; otherwise frames go through the socket.
     shared: Option<&'static Xext>,
     /// The first is drawn next.
     frames: [&'static mut [u32]; 2],
@@ -62,8 +59,8 @@ impl Frames {
 
     pub fn show(&mut self, top: &Toplevel, (width, height): (usize, usize)) {
         // SAFETY: the image belongs to this structure.
-        let masks = x11::masks(unsafe { &*self.image });
-        if self.drawn == (width, height) && masks == x11::MASKS {
+        let masks = masks(unsafe { &*self.image });
+        if self.drawn == (width, height) && masks == MASKS {
             finish(top);
             self.put(top, 0, width, 0..height);
             self.frames.swap(0, 1);
@@ -80,7 +77,7 @@ impl Frames {
         }
     }
 
-    /// Stretches the frame to a window's size and writes `rows` of it, with the channel `masks`, to the other frame's memory.
+    /// Stretches `rows` of the frame to a window's size, with the channel `masks`, in the other frame's memory.
     fn stretch(
         &mut self,
         (width, height): (usize, usize),
@@ -95,7 +92,7 @@ impl Frames {
         for (row, y) in to.chunks_exact_mut(width).zip(rows) {
             let from_row = &from[((y * down) >> 32) * from_width..][..from_width];
             for (x, pixel) in row.iter_mut().enumerate() {
-                *pixel = x11::with_masks(from_row[(x * across) >> 32], masks);
+                *pixel = with_masks(from_row[(x * across) >> 32], masks);
             }
         }
     }
@@ -148,7 +145,7 @@ impl Frames {
                 (shared.XShmAttach)(top.display, segment);
                 finish(top);
             }
-            // Check that both processes are attached: in a container the server may have no segment or another one with this id.
+            // In a container the server may attach no segment, or another one with this id.
             let mut state: libc::shmid_ds = zeroed();
             libc::shmctl(id, libc::IPC_STAT, &mut state);
             if state.shm_nattch > 1 {
@@ -162,4 +159,24 @@ impl Frames {
 fn finish(top: &Toplevel) {
     // SAFETY: the display is open.
     unsafe { (top.x.XSync)(top.display, xlib::False) };
+}
+
+/// The channel masks of a frame's pixels, `0x00RRGGBB`.
+const MASKS: [c_ulong; 3] = [0xff_0000, 0xff00, 0xff];
+
+fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
+    if masks == MASKS {
+        return pixel;
+    }
+    let [_, channels @ ..] = pixel.to_be_bytes();
+    let parts = channels.iter().zip(masks);
+    // Scale to the mask's value, and round at its lowest bit.
+    parts.fold(0, |sum, (&channel, mask)| {
+        let lowest = mask & mask.wrapping_neg();
+        sum | (((c_ulong::from(channel) * mask + 127 * lowest) / 255) & mask) as u32
+    })
+}
+
+fn masks(image: &xlib::XImage) -> [c_ulong; 3] {
+    [image.red_mask, image.green_mask, image.blue_mask]
 }

@@ -1,4 +1,4 @@
-use core::ffi::c_long;
+use core::ffi::{c_int, c_long, c_uint};
 
 use x11_dl::xlib;
 
@@ -19,35 +19,28 @@ pub type Note = fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool);
 pub fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
     // SAFETY: any bits are a valid key event. In button events `keycode` is the button.
     let (kind, event) = unsafe { (event.type_, &event.key) };
-    let action = match kind {
-        xlib::KeyPress => {
-            let press = Press::of(x11::typed(x, event));
-            let press = press.filter(|press| !is_repeated || press.repeats());
-            inputs.extend(press.map(Input::Key));
-            return;
-        }
-        xlib::ButtonPress => match (event.keycode, button(event.keycode)) {
-            (_, Some(button)) => Action::Down(button),
-            (4, _) => Action::Wheel(1),
-            (5, _) => Action::Wheel(-1),
-            _ => return,
-        },
-        xlib::ButtonRelease => match button(event.keycode) {
-            Some(button) => Action::Up(button),
-            None => return,
-        },
-        xlib::MotionNotify => Action::Move,
-        _ => return,
-    };
-    let mouse = Mouse { action, x: event.x, y: event.y };
-    inputs.push(Input::Mouse(mouse));
+    if kind == xlib::KeyPress {
+        let press = Press::of(x11::typed(x, event));
+        let press = press.filter(|press| !is_repeated || press.repeats());
+        inputs.extend(press.map(Input::Key));
+    } else if let Some(action) = action(kind, event.keycode) {
+        inputs.push(Input::Mouse(Mouse { action, x: event.x, y: event.y }));
+    }
 }
 
-fn button(number: u32) -> Option<Button> {
-    Some(match number {
-        1 => Button::Left,
-        2 => Button::Middle,
-        3 => Button::Right,
-        _ => return None,
-    })
+fn action(kind: c_int, number: c_uint) -> Option<Action> {
+    let button = match number {
+        1 => Some(Button::Left),
+        2 => Some(Button::Middle),
+        3 => Some(Button::Right),
+        _ => None,
+    };
+    match (kind, number) {
+        (xlib::ButtonPress, 4) => Some(Action::Wheel(1)),
+        (xlib::ButtonPress, 5) => Some(Action::Wheel(-1)),
+        (xlib::ButtonPress, _) => button.map(Action::Down),
+        (xlib::ButtonRelease, _) => button.map(Action::Up),
+        (xlib::MotionNotify, _) => Some(Action::Move),
+        _ => None,
+    }
 }

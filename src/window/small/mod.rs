@@ -10,6 +10,5 @@ pub mod memory;
 pub mod threads;
 pub mod window;
 mod x11;
-mod xext;
 
 core::arch::global_asm!(include_str!("start.s"));

@@ -31,7 +31,7 @@ pub struct Window {
     listener: Option<(Note, &'static mut Vec<Input>)>,
 }
 
-/// Frames between two looks at the monitor in fullscreen: a quarter of a second. Each look waits for the server four times.
+/// Frames between two looks at the monitor: a quarter of a second. Each look waits for the server four times.
 const LOOK: u8 = 16;
 
 /// The height of a window's title bar in common window managers, rounded up.
@@ -41,8 +41,7 @@ const TITLE_BAR: c_int = 32;
 const MAX_SIDE: c_int = 32_767;
 
 impl Window {
-    /// Opens a window with an inner size in pixels, or returns the reason for a failure. If it `shrinks`, it is smaller on a small
-    /// monitor, with the same aspect ratio.
+    /// Opens a window with an inner size in pixels, or returns the reason for a failure. If it `shrinks`, it fits the monitor.
     pub fn open(title: &CStr, size: (usize, usize), shrinks: bool) -> Result<Window, &'static str> {
         let x = x11::XLIB.open().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;
@@ -94,7 +93,7 @@ impl Window {
         }
     }
 
-    /// Shows the window for the first time, in the centre of the first monitor unless the window manager moves it.
+    /// Shows the window in the centre of the first monitor, unless the window manager moves it.
     fn place(&mut self, shrinks: bool) {
         // No monitor shows this point.
         let monitor = self.top.monitor(-1, -1);

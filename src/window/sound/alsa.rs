@@ -45,38 +45,25 @@ const SHORT: c_int = 2 + BIG_ENDIAN;
 const BIG_ENDIAN: c_int = cfg!(target_endian = "big") as c_int;
 const FORMATS: c_int = 52;
 
-const PLUG: &[u8; 5] = b"plug:";
-
-/// The maximum length of [`PLUG`], a device's name, and a NUL.
-const MAX_NAME: usize = 64;
-
-fn open(alsa: &Alsa, name: *const c_char) -> Option<*mut Pcm> {
+fn open(alsa: &Alsa, name: &CStr) -> Option<*mut Pcm> {
     const PLAYBACK: c_int = 0;
     const WAITING: c_int = 0;
     let mut pcm = null_mut();
-    // SAFETY: the caller passes a string, and pointers outlive the call.
-    let opened = unsafe { (alsa.snd_pcm_open)(&mut pcm, name, PLAYBACK, WAITING) };
+    // SAFETY: pointers outlive the call.
+    let opened = unsafe { (alsa.snd_pcm_open)(&mut pcm, name.as_ptr(), PLAYBACK, WAITING) };
     (opened >= 0).then_some(pcm)
 }
 
 impl Device {
-    /// Opens a device by its name in ALSA's configuration, with a buffer of `latency` microseconds, or returns the reason for a
-    /// failure.
+    /// Opens the default device, with a buffer of `latency` microseconds.
     ///
     /// ALSA's plug-in `plug` converts for devices with another format, rate or number of channels.
-    pub fn open(name: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
+    pub fn open(rate: u32, latency: u32) -> Result<Device, &'static str> {
         let alsa = ALSA.open().ok_or_else(why_not_loaded)?;
         // SAFETY: the function has the signature of ALSA's headers, except that the handler has fewer parameters than ALSA passes; on
         // every supported system the caller cleans up.
         unsafe { (alsa.snd_lib_error_set_handler)(silent) };
-        let mut plug = [0; MAX_NAME];
-        plug[..PLUG.len()].copy_from_slice(PLUG);
-        let place = &mut plug[PLUG.len()..MAX_NAME - 1];
-        for (to, from) in place.iter_mut().zip(name.to_bytes()) {
-            *to = *from;
-        }
-        let names = [plug.as_ptr().cast(), name.as_ptr()];
-        let pcm = names.into_iter().find_map(|name| open(alsa, name));
+        let pcm = open(alsa, c"plug:default").or_else(|| open(alsa, c"default"));
         let pcm = pcm.ok_or("sound device is missing")?;
         let accepts = |format| {
             let (set, interleaved, sides, resampled) = (alsa.snd_pcm_set_params, 3, 2, 1);
@@ -98,8 +85,7 @@ impl Device {
         }
     }
 
-    /// Writes samples, and waits while the buffer is full. Returns false if the device is lost. After an underrun or a suspend,
-    /// drops samples and continues with the next ones.
+    /// Writes samples, and waits while the buffer is full. Returns false if the device is lost. Underruns drop samples.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         if !self.is_short {
             return self.put(samples.as_ptr().cast(), samples.len());

@@ -1,6 +1,5 @@
 //! Sound through `cpal`, on macOS, whose thread requests samples from the queue that [`Device::write`] fills.
 
-use core::ffi::CStr;
 use std::{
     collections::VecDeque,
     sync::{Mutex, MutexGuard, PoisonError},
@@ -39,7 +38,7 @@ pub struct Device {
 }
 
 impl Device {
-    pub fn open(_: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
+    pub fn open(rate: u32, latency: u32) -> Result<Device, &'static str> {
         let device =
             cpal::default_host().default_output_device().ok_or("sound device is missing")?;
         let clock = Clock::start();

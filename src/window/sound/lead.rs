@@ -7,16 +7,15 @@ use crate::clock::SECOND;
 /// of sound take 6 s.
 pub const LATENCY: u32 = 400_000;
 
-/// The least average interval between written samples, in nanoseconds, half a percent below the nominal one since devices may be
-/// fast. A null device would take samples at any speed.
+/// The least average interval between written samples, in nanoseconds: half a percent below the nominal one, for fast devices. A null
+/// device would take samples at any speed.
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
 /// The maximum lead over [`PACE`] in nanoseconds: the buffer, and half of it to catch up. Beyond it the thread sleeps until half
 /// the lead is left; waking up for each chunk takes four times as long as the synthesis.
 const SLACK: u64 = LATENCY as u64 * 1500;
 
-/// The inverse of a device's maximum lead over the clock: a thousandth of the time, more than any quartz. A null device reports
-/// everything as played, and cannot serve as a clock.
+/// The inverse of a device's maximum lead over the clock, more than any quartz. A null device reports everything as played.
 const FASTEST: u64 = 1024;
 
 #[derive(Default)]
@@ -32,18 +31,16 @@ impl Lead {
         self.paced += samples * PACE;
     }
 
-    /// Returns the end of the written sound in nanoseconds.
     pub fn written(&self) -> i64 {
         nanoseconds(self.samples as i64)
     }
 
-    /// Returns the lead of the heard sound over the clock in nanoseconds. `delay` is the number of written samples that wait.
+    /// Returns the heard sound's lead over the clock in nanoseconds, with `delay` samples that wait.
     pub fn ahead(&self, now: u64, delay: i64) -> i64 {
         let heard = nanoseconds(self.samples as i64 - delay);
         (heard - now as i64).min((now / FASTEST) as i64)
     }
 
-    /// Returns the time to sleep until, if the lead is too long.
     pub fn due(&mut self, now: u64) -> Option<u64> {
         self.paced = self.paced.max(now);
         (self.paced > now + SLACK).then(|| self.paced - SLACK / 2)

@@ -12,7 +12,7 @@ mod heard;
 mod lead;
 
 use core::{
-    ffi::{CStr, c_void},
+    ffi::c_void,
     ptr::null_mut,
     sync::atomic::{AtomicI64, AtomicU64, Ordering::Relaxed},
 };
@@ -55,11 +55,6 @@ static OPENED: AtomicU64 = AtomicU64::new(OPENING);
 const OPENING: u64 = u64::MAX;
 const SILENT: u64 = u64::MAX - 1;
 
-struct Work {
-    device: &'static CStr,
-    source: &'static mut dyn Source,
-}
-
 impl Player {
     #[must_use]
     pub fn clock(&self) -> Clock {
@@ -76,14 +71,12 @@ impl Player {
         Player { clock, heard: Heard::default(), last: 0, stops: system::stops(), stopped: 0 }
     }
 
-    /// Plays a source until the process ends, on an ALSA device (Linux) or the default device (elsewhere).
-    ///
-    /// If the device is missing, refuses the format, or does not open within three seconds, the clock sets the time, and standard
-    /// error has the reason.
-    pub fn start(device: &'static CStr, source: &'static mut dyn Source) -> Player {
-        let work = Box::leak(Box::new(Work { device, source }));
-        // SAFETY: the work is never freed, and only this thread uses it.
-        if unsafe { spawn(play, (&raw mut *work).cast()) }.is_none() {
+    /// Plays a source until the process ends, on the default device. If the device does not open
+    /// within three seconds, the clock sets the time, and standard error has the reason.
+    pub fn start(source: &'static mut dyn Source) -> Player {
+        let source = Box::leak(Box::new(source));
+        // SAFETY: the box is never freed, and only this thread uses it.
+        if unsafe { spawn(play, (&raw mut *source).cast()) }.is_none() {
             say_silent("sound thread is missing");
             return Player::silent();
         }
@@ -125,10 +118,10 @@ fn wait_for_device() -> u64 {
     late.err().unwrap_or(SILENT)
 }
 
-extern "C" fn play(work: *mut c_void) -> *mut c_void {
+extern "C" fn play(source: *mut c_void) -> *mut c_void {
     // SAFETY: `Player::start` passes it, never frees it, and does not use it.
-    let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
-    let opened = Device::open(device, RATE, lead::LATENCY);
+    let source = unsafe { &mut *source.cast::<&'static mut dyn Source>() };
+    let opened = Device::open(RATE, lead::LATENCY);
     let clock = Clock::start();
     let begin = |opened| OPENED.compare_exchange(OPENING, opened, Relaxed, Relaxed).is_ok();
     let mut device = match opened {

@@ -1,5 +1,4 @@
 use core::{
-    ffi::CStr,
     mem::{size_of, zeroed},
     ptr::null_mut,
 };
@@ -55,7 +54,7 @@ pub struct Device {
 }
 
 impl Device {
-    pub fn open(_: &CStr, rate: u32, _: u32) -> Result<Device, &'static str> {
+    pub fn open(rate: u32, _: u32) -> Result<Device, &'static str> {
         const FLOAT: u16 = 3;
         const SIDES: u16 = 2;
         const SAMPLE: u16 = size_of::<[f32; 2]>() as u16;

@@ -31,7 +31,7 @@ const BACKGROUND: u64 = 48;
 
 const CLEAR: &str = "\x1b[0m\x1b[2J";
 
-/// The terminal on standard output, restored when this is dropped, when the process aborts, and after signals that end it.
+/// The terminal on standard output, restored when this is dropped and when the process ends.
 pub struct Terminal {
     keys: KeyParser,
     pixels: &'static mut [u32],

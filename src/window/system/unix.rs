@@ -1,5 +1,3 @@
-//! Files, signals and the start of a process on Unix.
-
 use core::{
     ffi::{CStr, c_int, c_short},
     mem::zeroed,
@@ -15,8 +13,7 @@ pub const ERROR: c_int = libc::STDERR_FILENO;
 /// The minimum stack in bytes. Drawing takes 56 kB of each thread's stack; the rest is for libraries.
 const STACK: libc::rlim_t = 96 << 10;
 
-/// Prepares the process: a broken pipe is an error of the write, and the standard streams are open. Ends it with a message if the
-/// stack is too small.
+/// Prepares signals and standard streams. Ends the process with a message if the stack is too small.
 ///
 /// # Safety
 /// No other thread may be running.
@@ -111,7 +108,7 @@ pub fn error() -> c_int {
     std::io::Error::last_os_error().raw_os_error().unwrap_or(0)
 }
 
-/// Waits for `events`, such as `POLLIN`, for at most `milliseconds`, or indefinitely if negative. Returns whether one occurred.
+/// Waits for one of `events` for at most `milliseconds`, or indefinitely if negative. Returns whether one occurred.
 pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
     let mut ready = libc::pollfd { fd: file, events, revents: 0 };
     // SAFETY: there is one entry.

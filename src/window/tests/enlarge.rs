@@ -39,7 +39,9 @@ fn enlarged_pixels_are_mixed_or_repeated() {
                 let small =
                     Small { pixels: &pixels, width, height, factor: factor as u32, is_smooth };
                 small.enlarge(&mut Pool::new(threads), &mut canvas, columns);
-                for (i, &pixel) in canvas.iter().enumerate() {
+                // A hundredth of the largest picture, in all rows and columns, is enough.
+                let step = if canvas.len() > 1_000_000 { 97 } else { 1 };
+                for (i, &pixel) in canvas.iter().enumerate().step_by(step) {
                     let [x, near_x] = sides(i % columns, factor, width);
                     let [y, near_y] = sides(i / columns, factor, height);
                     let row = |x: usize| mix(pixels[y * width + x], pixels[near_y * width + x]);

@@ -7,11 +7,7 @@ use eightfold_window::{
     clock::{Clock, SECOND},
     sound::{Player, RATE, Source},
 };
-use std::{
-    env, fs,
-    path::Path,
-    process::{Command, Output},
-};
+use std::{env, fs, path::Path, process::Command};
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting::new();
@@ -44,7 +40,7 @@ fn play(seconds: u64) {
     let frames = seconds * FPS;
     let mut times = Vec::with_capacity(frames as usize);
     let clock = Clock::start();
-    let mut player = Player::start(c"default", numbers);
+    let mut player = Player::start(numbers);
     let before = ALLOCATOR.count();
     for frame in 0..frames {
         clock.sleep_until(frame * SECOND / FPS);
@@ -54,23 +50,6 @@ fn play(seconds: u64) {
     for (clock, player) in times {
         println!("{clock} {player}");
     }
-}
-
-fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
-    let [said, errors] =
-        [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
-    assert!(output.status.success(), "{errors}");
-    let expected = why_silent.map(|why| format!("eightfold: {why}; playing silently\n"));
-    assert_eq!(errors, expected.unwrap_or_default());
-    let mut lines = said.lines();
-    assert_eq!(lines.next(), Some("0"), "allocations while it plays");
-    let numbers = |line: &str| {
-        let (clock, player) = line.split_once(' ')?;
-        Some((clock.parse().ok()?, player.parse().ok()?))
-    };
-    let times: Vec<_> = lines.map(|line| numbers(line).expect("two times")).collect();
-    assert!(times.is_sorted_by_key(|&(_, player)| player), "time goes forward");
-    times
 }
 
 /// Plays for a second with an ALSA configuration, from a command that ends in `"$0"`.
@@ -87,11 +66,24 @@ fn play_on(
         .arg(env::current_exe().expect("this program"))
         .env("ALSA_CONFIG_PATH", &file)
         .env(SCENE, "1")
-        .output();
-    times(output.expect("a shell"), why_silent)
+        .output()
+        .expect("a shell");
+    let [said, errors] =
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
+    assert!(output.status.success(), "{errors}");
+    let expected = why_silent.map(|why| format!("eightfold: {why}; playing silently\n"));
+    assert_eq!(errors, expected.unwrap_or_default());
+    let mut lines = said.lines();
+    assert_eq!(lines.next(), Some("0"), "allocations while it plays");
+    let numbers = |line: &str| {
+        let (clock, player) = line.split_once(' ')?;
+        Some((clock.parse().ok()?, player.parse().ok()?))
+    };
+    let times: Vec<_> = lines.map(|line| numbers(line).expect("two times")).collect();
+    assert!(times.is_sorted_by_key(|&(_, player)| player), "time goes forward");
+    times
 }
 
-/// Plays, and compares the player's pace with the clock's.
 fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
     let times = play_on(folder, configuration, command, why_silent);
     let ((first, start), (last, end)) = (times[0], times[times.len() - 1]);
@@ -182,7 +174,6 @@ fn time_continues_without_sound(folder: &Path) {
     hold(folder, "", &command, Some(&why));
 }
 
-/// A named pipe opens when somebody reads it.
 fn time_starts_with_the_device(folder: &Path) {
     let pipe = folder.join("pipe");
     let name = pipe.display();

@@ -30,10 +30,8 @@ macro_rules! functions {
 
         $($(
             $(#[$attribute])*
-            /// Calls the function of Windows.
-            ///
             /// # Safety
-            /// See its documentation.
+            /// See the documentation of Windows.
             #[inline(always)]
             #[allow(clippy::too_many_arguments, reason = "as Windows has them")]
             pub unsafe fn $name($($argument: $type),*) $(-> $result)? {
@@ -124,7 +122,7 @@ pub fn default_procedure() -> *const c_void {
     unsafe { table() }.DefWindowProcA as *const c_void
 }
 
-/// Looks up all functions. If one is missing, as before Windows 10 of 2017, returns its name or its library's.
+/// Looks up all functions, or returns a missing one's name or library. Windows 10 of 2017 has all.
 ///
 /// # Safety
 /// This has to be the first call.

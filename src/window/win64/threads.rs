@@ -29,7 +29,6 @@ struct Work {
 }
 
 unsafe extern "C" {
-    /// The entry point of threads, in `start.s`.
     fn eightfold_thread();
 }
 

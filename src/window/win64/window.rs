@@ -40,7 +40,6 @@ const FRAME: isize = WS_OVERLAPPEDWINDOW as isize;
 /// The key repeats.
 const REPEATED: isize = 1 << 30;
 
-/// Key numbers: letters are their ASCII codes.
 const ESCAPE: u8 = VK_ESCAPE as u8;
 
 /// Keeps system and display on, as long as the thread lives.
@@ -49,10 +48,7 @@ const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 /// For the intro's help.
 pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
 
-/// A window for frames.
-///
-/// A separate thread handles the window's messages, size and keys, so that it responds while a frame is drawn. A closed window has
-/// no size.
+/// A window, whose thread handles messages, size and keys, so that it responds while a frame is drawn. A closed window has no size.
 pub struct Window {
     window: HANDLE,
     context: HANDLE,
@@ -73,7 +69,6 @@ struct Opening {
     is_done: AtomicU32,
 }
 
-/// Opens a window, and dispatches its messages until the process ends.
 extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     // SAFETY: `Window::open` passes it, and never frees it.
     let opening = unsafe { &*opening.cast::<Opening>() };
@@ -124,8 +119,7 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     none
 }
 
-/// The fullscreen state. If another thread than the window's changes it, Wine may mistake the window manager's response to the new
-/// style for the response to the new size, and keep the old size.
+/// The fullscreen state. The window's thread changes it, or Wine may keep the old size.
 struct Cover {
     window: HANDLE,
     before: Option<WINDOWPLACEMENT>,

@@ -1,5 +1,3 @@
-//! Errors of the server, and loss of the connection.
-
 use core::{
     ffi::c_int,
     sync::atomic::{AtomicBool, Ordering::Relaxed},

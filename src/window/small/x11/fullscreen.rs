@@ -10,7 +10,7 @@ use core::{
 
 use x11_dl::xlib;
 
-use super::{super::xext::XINERAMA, Toplevel};
+use super::{Toplevel, functions::XINERAMA};
 
 #[derive(Clone, Copy)]
 pub struct Place {
@@ -45,7 +45,7 @@ impl Toplevel {
         }
     }
 
-    /// Covers the monitor again if its place or mode has changed, unless a window manager does.
+    /// Covers a monitor whose place or mode has changed, unless a window manager does.
     pub fn follow_monitor(&mut self) {
         if self.before.is_some() {
             self.cover();
@@ -131,8 +131,7 @@ impl Toplevel {
         }
     }
 
-    /// Returns a window's position in its parent, and the events that clients select on it. A window manager that has ended may
-    /// leave properties behind, but not its selection.
+    /// Returns a window's position in its parent, and its clients' events. An ended window manager may leave properties, but no events.
     #[inline(never)]
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is valid for all fields, and the window exists.

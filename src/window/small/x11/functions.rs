@@ -2,7 +2,7 @@
 
 use core::ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void};
 
-use x11_dl::xlib::*;
+use x11_dl::{xinerama::XineramaScreenInfo, xlib::*, xshm::XShmSegmentInfo};
 
 use crate::loading::loaded;
 
@@ -41,3 +41,16 @@ loaded! {
 }
 
 pub type Xlib = &'static Loaded;
+
+loaded! {
+    static XEXT: Xext = c"libXext.so.6";
+    fn XShmAttach(*mut Display, *mut XShmSegmentInfo) -> Status;
+    fn XShmQueryExtension(*mut Display) -> Bool;
+    fn XShmPutImage(*mut Display, Drawable, GC, *mut XImage, c_int, c_int, c_int, c_int, c_uint, c_uint, Bool) -> Status;
+}
+
+loaded! {
+    static XINERAMA: Xinerama = c"libXinerama.so.1";
+    fn XineramaIsActive(*mut Display) -> Bool;
+    fn XineramaQueryScreens(*mut Display, *mut c_int) -> *mut XineramaScreenInfo;
+}

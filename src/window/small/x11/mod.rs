@@ -1,4 +1,3 @@
-mod colours;
 mod errors;
 mod fullscreen;
 mod functions;
@@ -13,10 +12,9 @@ use core::{
 
 use x11_dl::xlib;
 
-pub use colours::{MASKS, masks, with_masks};
 pub use errors::is_closed;
 pub use fullscreen::Place;
-pub use functions::{XLIB, Xlib};
+pub use functions::{XEXT, XLIB, Xext, Xlib};
 pub use keyboard::typed;
 
 use super::threads::spawn;
@@ -33,8 +31,7 @@ extern "C" fn connect(_: *mut c_void) -> *mut c_void {
     null_mut()
 }
 
-/// Opens the environment's display, or returns the reason for a failure. A second thread connects, because a server may never
-/// answer.
+/// Opens the environment's display. A second thread connects, because a server may never answer.
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     errors::heed(x);
     // SAFETY: the thread uses no pointer.
