@@ -105,7 +105,7 @@ impl Playing<'_> {
             by_rate = by_rate.with_smaller_frames();
         }
         let mut by_accuracy = options.psnr.map(|psnr| AccuracyGovernor::new(psnr as f32));
-        let clock = self.player.clock();
+        let clock = self.player.clock;
         let mut due = 0;
         let mut is_large = false;
         loop {

@@ -63,7 +63,7 @@ impl ShowRenderer {
         quality: &Quality,
         frame: &mut Frame<'_>,
     ) -> Counts {
-        // An f64 represents every nanosecond of the show exactly, so the time is rounded only once.
+        // Rounds once: an f64 represents every nanosecond of the show.
         let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
         show::at(seconds, self.moment);
         let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels)

@@ -162,7 +162,7 @@ fn sine(phase: Vec4) -> Vec4 {
     phase * (8.0 - phase.abs() * 16.0)
 }
 
-/// Returns a sawtooth whose phase advances by `turn` turns per sample. Two parabolas smooth its step (PolyBLEP), against aliasing.
+/// Returns a sawtooth that advances by `turn` turns per sample. Two parabolas smooth its step (PolyBLEP).
 #[inline(always)]
 fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
     let per_turn = turn.recip();

@@ -83,7 +83,7 @@ mod x86_64 {
         word & bits as u32 == bits as u32
     }
 
-    /// Returns AVX2 if the machine has all of x86-64-v3: FMA, BMI1 and BMI2, F16C, LZCNT, MOVBE, and saved YMM registers.
+    /// Returns AVX2 if the machine has all of x86-64-v3, and the system saves YMM registers.
     pub fn avx2() -> Option<Avx2> {
         /// SSE3, SSSE3, FMA, CMPXCHG16B, SSE4.1, SSE4.2, MOVBE, POPCNT, XSAVE, OSXSAVE, AVX and F16C. Processors with these have
         /// leaf 7.

@@ -37,7 +37,7 @@ fn heard(track: Track, down: u8) -> (usize, Vec<(f32, u8)>) {
     let notes = cues::notes(track, 0, show::BARS);
     let ends = notes.iter().skip(1).map(|&(beat, _)| beat).chain([232.0]);
     let is_weak = |&((beat, digit), end): &((f32, u8), f32)| {
-        // From 10 ms after the start, for up to a beat: longer for the lowest notes, whose pitches are close.
+        // From 10 ms on, for up to a beat; longer for the lowest notes, whose pitches are close.
         let longest = if down == 36 { 4.0 } else { 1.0 };
         let length = f32::min(end - beat, longest);
         let sample = |beat: f32| (f64::from(beat) * BEAT) as usize;

@@ -2,17 +2,13 @@
 
 use core::{
     ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong, c_void},
-    marker::{PhantomData, PhantomPinned},
     ptr::null_mut,
 };
 
 use crate::loading::{loaded, why_not_loaded};
 
-#[repr(C)]
-pub struct Pcm {
-    _opaque: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
+/// An opaque device.
+type Pcm = c_void;
 
 /// The handler of error messages, without ALSA's variadic arguments.
 type Complain = extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char);
@@ -70,16 +66,10 @@ impl Device {
             // SAFETY: the device is open.
             unsafe { set(pcm, format, interleaved, sides, rate, resampled, latency) >= 0 }
         };
-        let mut formats = (-2..FORMATS).map(|number| match number {
-            -2 => FLOAT,
-            -1 => SHORT,
-            other => other,
-        });
+        let mut formats = [FLOAT, SHORT].into_iter().chain(0..FORMATS);
         match formats.find(|&format| accepts(format)) {
-            Some(format @ (FLOAT | SHORT)) => {
-                let is_short = format == SHORT;
-                Ok(Device { alsa, pcm, is_short })
-            }
+            Some(FLOAT) => Ok(Device { alsa, pcm, is_short: false }),
+            Some(SHORT) => Ok(Device { alsa, pcm, is_short: true }),
             Some(_) => Err("sound device lacks floats and 16-bit integers"),
             None => Err("sound device lacks 48 kHz stereo"),
         }

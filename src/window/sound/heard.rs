@@ -1,7 +1,6 @@
 /// Converts a clock's time to the sound's time: smooth, monotonic, close to the audible sound.
 ///
-/// A device reports its position in steps, with jitter, and on its own quartz. So the time follows the clock, and is pulled to the
-/// device's position within a quarter of a second.
+/// A device reports its position in steps, with jitter, on its own quartz, so the time is pulled to it within a quarter of a second.
 #[derive(Default)]
 pub struct Heard {
     /// The time's lead over the clock, in nanoseconds.

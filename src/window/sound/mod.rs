@@ -36,7 +36,7 @@ pub trait Source: Send {
 
 /// The show's time, from the audible sound, or from a clock that excludes stops of the process.
 pub struct Player {
-    clock: Clock,
+    pub clock: Clock,
     heard: Heard,
     last: u64,
     stops: u32,
@@ -56,11 +56,6 @@ const OPENING: u64 = u64::MAX;
 const SILENT: u64 = u64::MAX - 1;
 
 impl Player {
-    #[must_use]
-    pub fn clock(&self) -> Clock {
-        self.clock
-    }
-
     #[must_use]
     pub fn silent() -> Player {
         Player::by(Clock::start())

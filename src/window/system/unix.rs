@@ -75,8 +75,8 @@ pub fn is_terminal(file: c_int) -> bool {
     terminal::mode(file).is_some()
 }
 
-/// Writes all bytes. Waits while the file is full, but with a [`Terminal`](crate::terminal::Terminal) for at most a second. Returns
-/// false on an error or on a signal that ends the program.
+/// Writes all bytes. Waits while the file is full, with a [`Terminal`](crate::terminal::Terminal) for at most a second. Returns false on
+/// an error or a signal.
 pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         // SAFETY: pointer and length are from a slice.

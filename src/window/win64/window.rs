@@ -128,6 +128,7 @@ struct Cover {
 
 impl Cover {
     fn set(&mut self, on: bool) {
+        let none = null_mut();
         // SAFETY: the functions ignore a closed window. Pointers outlive the calls.
         unsafe {
             let style = GetWindowLongPtrA(self.window, GWL_STYLE);
@@ -146,20 +147,17 @@ impl Cover {
                 }
                 // Wine may have kept the old size.
                 let all = monitor.rcMonitor;
-                let size = [all.right - all.left, all.bottom - all.top];
-                self.place([all.left, all.top, size[0], size[1]], SWP_FRAMECHANGED);
+                let (width, height) = (all.right - all.left, all.bottom - all.top);
+                let (left, top) = (all.left, all.top);
+                SetWindowPos(self.window, none, left, top, width, height, SWP_FRAMECHANGED);
             } else if let Some(place) = self.before.take() {
                 SetWindowLongPtrA(self.window, GWL_STYLE, style | FRAME);
                 SetWindowPlacement(self.window, &place);
-                self.place([0; 4], SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_FRAMECHANGED);
+                let flags = SWP_NOMOVE | SWP_NOSIZE | SWP_NOZORDER | SWP_FRAMECHANGED;
+                SetWindowPos(self.window, none, 0, 0, 0, 0, flags);
             }
             SetClassLongPtrA(self.window, GCLP_HCURSOR, self.pointers[usize::from(on)]);
         }
-    }
-
-    fn place(&self, [x, y, width, height]: [i32; 4], flags: u32) {
-        // SAFETY: it ignores a closed window.
-        unsafe { SetWindowPos(self.window, null_mut(), x, y, width, height, flags) };
     }
 }
 

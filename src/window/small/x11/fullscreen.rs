@@ -54,7 +54,12 @@ impl Toplevel {
 
     fn cover(&mut self) {
         let (mut place, _) = self.attributes(self.window);
-        let (x, y) = self.position();
+        let (mut x, mut y, mut child) = (0, 0, 0);
+        let translate = self.x.XTranslateCoordinates;
+        // SAFETY: the windows exist, and the results are writable.
+        unsafe {
+            translate(self.display, self.window, self.root, 0, 0, &mut x, &mut y, &mut child)
+        };
         let is_over = self.before.is_some();
         // A smaller mode may not show the middle of the window.
         let half = if is_over { 0 } else { 1 };
@@ -113,15 +118,6 @@ impl Toplevel {
         found
     }
 
-    fn position(&self) -> (c_int, c_int) {
-        let (mut x, mut y, mut child) = (0, 0, 0);
-        let (display, window, root) = (self.display, self.window, self.root);
-        let translate = self.x.XTranslateCoordinates;
-        // SAFETY: the windows exist, and the results are writable.
-        unsafe { translate(display, window, root, 0, 0, &mut x, &mut y, &mut child) };
-        (x, y)
-    }
-
     fn has_property(&self, window: xlib::Window, property: xlib::Atom) -> bool {
         let mut count = 0;
         // SAFETY: the window exists. Xlib gives the list's length. The list is leaked, as calls are rare.
@@ -162,13 +158,8 @@ impl Toplevel {
             let state = self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long;
             message.data.set_long(1, state);
             message.data.set_long(3, 1);
-            (self.x.XSendEvent)(
-                self.display,
-                self.root,
-                xlib::False,
-                xlib::SubstructureNotifyMask | xlib::SubstructureRedirectMask,
-                &mut event,
-            );
+            let events = xlib::SubstructureNotifyMask | xlib::SubstructureRedirectMask;
+            (self.x.XSendEvent)(self.display, self.root, xlib::False, events, &mut event);
         }
     }
 

@@ -114,8 +114,7 @@ impl Toplevel {
         };
     }
 
-    /// Sets the program's class names, machine and process: desktops find their rules by the class, and may end a process that
-    /// hangs.
+    /// Sets class, machine and process: desktops find rules by the class, and may end a process that hangs.
     pub fn set_program(&self) {
         let mut class = xlib::XClassHint {
             res_name: c"eightfold".as_ptr().cast_mut(),
