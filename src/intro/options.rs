@@ -155,8 +155,7 @@ fn preset(name: &[u8]) -> Option<Preset> {
 }
 
 fn number(text: &[u8], most: usize) -> Option<usize> {
-    let number = decimal(text, 1, most as u64)?;
-    (number > 0).then_some(number as usize)
+    decimal(text, 1, most as u64).filter(|&number| number > 0).map(|number| number as usize)
 }
 
 fn size(text: &[u8]) -> Option<(usize, usize)> {

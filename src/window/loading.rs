@@ -4,10 +4,7 @@ use core::{
     cell::UnsafeCell,
     ffi::{CStr, c_void},
     mem::MaybeUninit,
-    sync::atomic::{
-        AtomicBool,
-        Ordering::{Acquire, Release},
-    },
+    sync::atomic::{AtomicBool, Ordering::*},
 };
 
 use crate::line::ascii;

@@ -8,10 +8,7 @@ use core::{
     mem::{MaybeUninit, transmute},
     ptr::null_mut,
     slice::from_raw_parts_mut,
-    sync::atomic::{
-        AtomicBool, AtomicU32, AtomicUsize,
-        Ordering::{AcqRel, Acquire, Relaxed, Release, SeqCst},
-    },
+    sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering::*},
 };
 
 pub use crate::backend::threads::processors;

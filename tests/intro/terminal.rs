@@ -1,6 +1,6 @@
 //! Without a display the intro plays in a terminal (tmux), and restores it at the end.
 
-use eightfold_stage::{intro, linked_intro, needs, run, tool, try_for, wait_for};
+use eightfold_stage::{linked_intro, needs, run, tool, try_for, wait_for};
 use std::{
     env, fs,
     path::PathBuf,
@@ -146,7 +146,7 @@ fn terminal_and_locale_select_colours_and_letters() {
     needs!(&["script"]);
     for line in TERMINALS.trim().lines() {
         let (variables, expected) = line.trim().split_once(" | ").expect("two parts");
-        let text = played(variables, 0.3);
+        let text = played(variables, SCREEN, "--fps 10 --seconds 0.3");
         let bits = match ["[48;2;", "[48;5;"].map(|code| text.contains(code)) {
             [true, false] => 24,
             [false, true] => 8,
@@ -171,17 +171,19 @@ fn report_has_the_letters_of_the_locale() {
     needs!(&["script"]);
     for (variables, sign) in [("LC_ALL=C", " +- "), ("LC_ALL=C.UTF-8", " ± ")] {
         // A busy machine draws its first measured frame late.
-        let texts = [2.0, 8.0, 32.0].into_iter().map(|seconds| played(variables, seconds));
-        let text = { texts }.find(|text| text.contains(" dB to ")).expect("an accuracy");
+        let texts = ["2", "8", "32"].into_iter();
+        let mut texts = texts
+            .map(|seconds| played(variables, SCREEN, &format!("--fps 10 --seconds {seconds}")));
+        let text = texts.find(|text| text.contains(" dB to ")).expect("an accuracy");
         let (_, report) = text.split_once(" frames in ").expect("a report");
         assert!(report.contains(sign), "{variables}: {report}");
     }
 }
 
-fn played(variables: &str, seconds: f32) -> String {
-    let intro = linked_intro();
-    let options = format!("--silent --fps 10 --seconds {seconds}");
-    let play = format!("stty cols 60 rows 20; {} {options}", intro.display());
+const SCREEN: &str = "cols 60 rows 20";
+
+fn played(variables: &str, size: &str, options: &str) -> String {
+    let play = format!("stty {size}; {} --silent {options}", linked_intro().display());
     let pairs = variables.split(' ').map(|word| word.split_once('='));
     let (output, text) = run(script(&play).envs(pairs.map(|pair| pair.expect("a value"))));
     assert!(output.status.success(), "{variables}: {:?}", output.status);
@@ -191,9 +193,7 @@ fn played(variables: &str, seconds: f32) -> String {
 #[test]
 fn terminal_wider_than_any_frame_shows_a_part() {
     needs!(&["script"]);
-    let play = format!("stty cols 65535 rows 2; {} --silent --seconds 0.5", intro().display());
-    let (output, text) = run(&mut script(&play));
-    assert!(output.status.success(), "{output:?}");
+    let text = played("TERM=xterm", "cols 65535 rows 2", "--seconds 0.5");
     assert!(text.contains("3840x4"), "{text}");
     assert!(text.contains('\u{2580}'), "a picture");
 }
@@ -201,9 +201,7 @@ fn terminal_wider_than_any_frame_shows_a_part() {
 #[test]
 fn terminal_without_colours_gets_no_picture() {
     needs!(&["script"]);
-    let play = format!("{} --silent --seconds 0.2 --size 64x48", intro().display());
-    let (output, text) = run(script(&play).env("TERM", "dumb"));
-    assert!(output.status.success(), "{output:?}");
+    let text = played("TERM=dumb", SCREEN, "--seconds 0.2 --size 64x48");
     assert!(text.contains("playing without a screen"), "{text}");
     assert!(!text.contains('\x1b'), "{text}");
 }

@@ -5,10 +5,7 @@ use core::{
     ffi::c_int,
     mem::{MaybeUninit, zeroed},
     ptr::null_mut,
-    sync::atomic::{
-        AtomicBool, AtomicI32,
-        Ordering::{AcqRel, Acquire, Relaxed, Release},
-    },
+    sync::atomic::{AtomicBool, AtomicI32, Ordering::*},
 };
 
 use libc::{

@@ -2,10 +2,7 @@ use core::{
     ffi::{CStr, c_char, c_void},
     mem::{size_of, transmute, zeroed},
     ptr::null_mut,
-    sync::atomic::{
-        AtomicPtr, AtomicU32,
-        Ordering::{Acquire, Relaxed, Release},
-    },
+    sync::atomic::{AtomicPtr, AtomicU32, Ordering::*},
 };
 
 use windows_sys::Win32::{
