@@ -76,8 +76,7 @@ pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
             None => playing.on(&mut Headless::new(size)),
         },
     };
-    let Playing { renderer, tally, .. } = &playing;
-    tally.report(output, renderer, options);
+    playing.tally.report(output, &playing.renderer, options);
     code
 }
 

@@ -2,8 +2,7 @@
 //!
 //! `docs/size.md` has the bytes that this saves over `core::fmt`.
 
-use crate::system;
-pub use crate::system::{ERROR, OUTPUT, write};
+pub use crate::system::{ERROR, OUTPUT, is_terminal, write};
 
 /// A buffered writer to a file descriptor. It writes when it is full or [flushed](Writer::flush), until an error.
 pub struct Writer {
@@ -99,12 +98,6 @@ pub fn ascii(bytes: &[u8]) -> Option<&str> {
     let is_ascii = bytes.iter().all(u8::is_ascii);
     // SAFETY: ASCII is UTF-8.
     is_ascii.then(|| unsafe { str::from_utf8_unchecked(bytes) })
-}
-
-#[must_use]
-#[inline(never)]
-pub fn is_terminal(file: i32) -> bool {
-    system::is_terminal(file)
 }
 
 #[cfg(test)]

@@ -203,7 +203,7 @@ fn report_has_the_time_of_each_preset() {
         ("--uncapped --quality thesis", "thesis"),
         ("--exhaustive", "exhaustive"),
     ] {
-        let presets = used(&format!("--seconds 0.5 --size 64x48 {options}"));
+        let presets = used(&format!("--seconds 0.2 --size 64x48 {options}"));
         let [(name, time)] = presets[..] else {
             panic!("{options}: {presets:?}");
         };
@@ -222,7 +222,7 @@ fn report_has_the_time_of_each_preset() {
 #[test]
 fn report_has_the_size_drawn() {
     let play = |options: &str| {
-        let options = format!("--seconds 0.5 --threads 1 {options}");
+        let options = format!("--seconds 0.1 --threads 1 {options}");
         run(&mut headless(&options)).1
     };
     for (size, drawn) in

@@ -44,19 +44,11 @@ pub static SAVED: Saved = Saved {
     mode: UnsafeCell::new(MaybeUninit::uninit()),
 };
 
-static SIGNAL: AtomicI32 = AtomicI32::new(0);
+/// The signal that asked a process with a [`Terminal`] to end, or 0.
+pub static SIGNAL: AtomicI32 = AtomicI32::new(0);
 
 /// The timeout of a blocked write in milliseconds: infinite (-1), or a second for a [`Terminal`].
-static PATIENCE: AtomicI32 = AtomicI32::new(-1);
-
-pub fn patience() -> c_int {
-    PATIENCE.load(Relaxed)
-}
-
-/// Returns the signal that asked a process with a [`Terminal`] to end, or 0.
-pub fn signal() -> c_int {
-    SIGNAL.load(Relaxed)
-}
+pub static PATIENCE: AtomicI32 = AtomicI32::new(-1);
 
 extern "C" fn note(signal: c_int) {
     if MISTAKES >> (signal % 64) & 1 == 0 {

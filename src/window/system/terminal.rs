@@ -7,11 +7,12 @@ mod mode;
 use core::{
     ffi::CStr,
     mem::{take, zeroed},
+    sync::atomic::Ordering::Relaxed,
 };
 
 use keys::KeyParser;
 use mode::SAVED;
-pub(crate) use mode::{mode, on_signal, patience, restore, resume, signal};
+pub(crate) use mode::{PATIENCE, SIGNAL, mode, on_signal, restore, resume};
 
 use crate::{
     backend::memory::pixels,
@@ -189,7 +190,7 @@ impl RenderTarget for Terminal {
 
     fn show(&mut self) -> Next {
         let drawn = self.draw();
-        match signal() {
+        match SIGNAL.load(Relaxed) {
             // If the terminal does not read, the show continues without this frame.
             0 if !drawn && system::error() != libc::EAGAIN => Next::End(1),
             0 if self.keys.read(SAVED.keyboard()) => Next::End(0),

@@ -71,6 +71,8 @@ pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     }
 }
 
+#[must_use]
+#[inline(never)]
 pub fn is_terminal(file: c_int) -> bool {
     terminal::mode(file).is_some()
 }
@@ -87,8 +89,8 @@ pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
         }
         match error() {
             libc::EINTR | libc::EAGAIN
-                if terminal::signal() == 0
-                    && is_ready(file, libc::POLLOUT, terminal::patience()) => {}
+                if terminal::SIGNAL.load(Relaxed) == 0
+                    && is_ready(file, libc::POLLOUT, terminal::PATIENCE.load(Relaxed)) => {}
             _ => return false,
         }
     }

@@ -42,6 +42,8 @@ pub fn stops() -> u32 {
     0
 }
 
+#[must_use]
+#[inline(never)]
 pub fn is_terminal(stream: i32) -> bool {
     // SAFETY: any handle is allowed, and the result is writable.
     unsafe { GetConsoleMode(GetStdHandle(stream), &mut 0) != 0 }

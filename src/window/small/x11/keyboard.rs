@@ -17,7 +17,10 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
         return input::NONE;
     }
-    let key = by_layout(x, event);
+    let layout = ((event.state >> 13) & 3) as c_int;
+    // SAFETY: the event's display is open.
+    let key = unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) };
+    let key = key as c_uint;
     if is_letter(key) {
         return key;
     }
@@ -41,12 +44,6 @@ pub fn typed(x: Xlib, event: &XKeyEvent) -> c_uint {
 
 const PLACES: [(c_uint, u8); 6] =
     [(26, b'e'), (33, b'p'), (39, b's'), (54, b'c'), (55, b'v'), (61, b'/')];
-
-fn by_layout(x: Xlib, event: &XKeyEvent) -> c_uint {
-    let layout = ((event.state >> 13) & 3) as c_int;
-    // SAFETY: the event's display is open.
-    unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) as c_uint }
-}
 
 fn is_letter(key: c_uint) -> bool {
     (b'a'.into()..=b'z'.into()).contains(&key)
