@@ -151,6 +151,13 @@ impl Server {
             let (_, text) = run(xprop.args(["-root", "_NET_SUPPORTED"]));
             text.contains("FULLSCREEN").then_some(())
         });
+        // It answers requests after its start, during which it moves no windows onto the screen.
+        server.xdotool("set_num_desktops 1");
+        wait_for("the window manager's answer", || {
+            let mut xprop = server.tool("xprop");
+            let (_, text) = run(xprop.args(["-root", "_NET_NUMBER_OF_DESKTOPS"]));
+            text.ends_with("= 1\n").then_some(())
+        });
         server
     }
 
