@@ -13,19 +13,23 @@ impl Coverage {
             for (number, light) in world.lights().iter().enumerate() {
                 let view = View::light(light, rectangle, &self.eye);
                 self.shadows[plane][number] = view;
+                let height = light.position.y - rectangle.centre.y;
+                if light.cone.misses_plane(height) {
+                    continue;
+                }
                 for (_, node) in world.tree.solids() {
                     // A sphere around the light and a solid beyond the plane cast no shadow.
                     let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
+                    let casts = is_outside && !node.is_shadowless(light.diameter);
                     let [_, max] = self.heights(node.object, rectangle, light.position);
-                    if is_outside && max >= 0.0 {
+                    if casts && max >= 0.0 {
                         let shadow = Outline::Shadow {
                             object: node.object,
                             plane: plane as u8,
                             light: number as u8,
                         };
                         // The projection magnifies the shadow; the eye's angle foreshortens it.
-                        let height = light.position.y - rectangle.centre.y;
                         let scale = -height / to.y;
                         let at = light.position + to * scale;
                         let far = self.eye.reach(at, node.radius * scale);

@@ -271,3 +271,39 @@ fn black_planes_have_no_shadows() {
     scene.planes[0].material.ks = 0.1;
     assert!(Bounds::of(&scene).number(is_shadow_of(0)).is_some());
 }
+
+#[test]
+fn clear_solids_have_no_soft_shadows() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut scene = scene(0.0, 0.0).new_tree(&mut runner).expect("no filter").current();
+    for (tint, diameter, is_listed) in
+        [(1.0, 0.5, false), (1.0, 0.0, true), (0.99, 0.5, true), (f32::NAN, 0.5, true)]
+    {
+        scene.spheres[0].material.tint = Vec3::new(1.0, tint, 1.0);
+        scene.lights[0].diameter = diameter;
+        let shadow = Bounds::of(&scene).number(is_shadow_of(0));
+        assert_eq!(shadow.is_some(), is_listed, "{tint}, {diameter}");
+    }
+}
+
+/// The light is above the floor.
+#[test]
+fn spots_aimed_away_have_no_shadows() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut scene = scene(0.0, 0.0).new_tree(&mut runner).expect("no filter").current();
+    let right_angle = core::f32::consts::FRAC_PI_2;
+    for (aim, angle, is_listed) in [
+        (Vec3::Y, 0.9, false),
+        (Vec3::Y, right_angle - 0.01, false),
+        (Vec3::Y, right_angle + 0.01, true),
+        (Vec3::ONE, 0.6, false),
+        (Vec3::ONE, 0.7, true),
+        (Vec3::X, 0.1, true),
+        (Vec3::NEG_Y, 0.9, true),
+    ] {
+        let Light { position, colour, .. } = scene.lights[0];
+        scene.lights[0] = Light::spotlight(position, aim, angle, colour);
+        let shadow = Bounds::of(&scene).number(is_shadow_of(0));
+        assert_eq!(shadow.is_some(), is_listed, "{aim}, {angle}");
+    }
+}

@@ -44,6 +44,13 @@ impl SpotCone {
         }
     }
 
+    /// Returns whether a plane `height` below the light, or above it if negative, gets no light.
+    pub fn misses_plane(&self, height: f32) -> bool {
+        // The squared chord from `aim` to the nearest horizontal direction.
+        let off2 = 2.0 - 2.0 * sqrt(1.0 - self.aim.y * self.aim.y);
+        self.aim.y * height > 0.0 && off2 >= self.outer2
+    }
+
     /// `d` has the length 1.
     pub fn share(&self, d: Vec3A) -> f32 {
         let off2 = d.distance_squared(self.aim.into());
@@ -141,7 +148,7 @@ impl ShadowCone {
         *self = Self {
             axis: to_light.normalize_or(Vec3A::Y).into(),
             // NaN if the light is inside.
-            chord2: chord2.min(ALL_AROUND),
+            chord2: if node.is_shadowless(diameter) { -1.0 } else { chord2.min(ALL_AROUND) },
             from,
             solids: node.solids,
             skip: node.skip,

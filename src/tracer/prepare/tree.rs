@@ -56,6 +56,8 @@ pub(crate) struct BvhNode {
     /// The number of a leaf's solids, which are the next nodes.
     pub solids: u8,
     pub is_block: bool,
+    /// Whether the solid lets all light of area lights pass.
+    pub is_clear: bool,
     /// Whether the eye is too near to a sphere to be classified in f32 as inside or outside.
     pub is_at_eye: bool,
     pub axis: Vec3A,
@@ -82,7 +84,7 @@ pub(crate) struct Tree {
 zero! {
     BvhNode {
         centre, r2, cull2, hit_error, r2_error, radius, groups, object, skip, is_bound, solids,
-        is_block, is_at_eye, axis, thin2
+        is_block, is_clear, is_at_eye, axis, thin2
     }
     Ball { centre, radius, object }
     Tree { eye, balls, solid_count, nodes, len, solid_node_end }
@@ -169,7 +171,9 @@ impl Tree {
                 let ball = self.balls[i];
                 let node = self.push(ball.centre, ball.radius, 1 << group(i));
                 node.object = ball.object;
-                if let Object::Block(block) = object::of(scene, ball.object).0 {
+                let (object, material) = object::of(scene, ball.object);
+                node.is_clear = material.tint.cmpge(Vec3::ONE).all();
+                if let Object::Block(block) = object {
                     node.set_block(block);
                 }
             }
@@ -259,6 +263,10 @@ fn partition(balls: &mut [Ball], middle: usize, axis: usize) {
 }
 
 impl BvhNode {
+    pub fn is_shadowless(&self, diameter: f32) -> bool {
+        self.is_clear && diameter > 0.0
+    }
+
     fn set_block(&mut self, block: &Block) {
         self.is_block = true;
         let (axis, radius2) = block::bounding_cylinder(block);
