@@ -5,7 +5,7 @@ use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around, fraction};
 use crate::sound::{THEME, Track};
-use eightfold_tracer::scene::{Ambience, Light, Material, Scene, Shape, Spot};
+use eightfold_tracer::scene::{Light, Material, Scene, Shape, Spot};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -14,7 +14,6 @@ static ENVIRONMENT: Environment = Environment {
     background: vec3(0.06, 0.17, 0.17),
     sky: vec3(-0.059, -0.167, -0.165),
     ambient: vec3(0.10, 0.12, 0.15),
-    ambience: Ambience { occlusion: 1.0, reach: 1.2, ground: vec3(0.05, 0.06, 0.06), bounce: 0.9 },
     haze: 0.03,
     vignette: 0.3,
     floor: Some(&LACQUER),
@@ -22,7 +21,7 @@ static ENVIRONMENT: Environment = Environment {
         Light { diameter: 25.0, ..point([45.0, 70.0, 20.0], [1.4, 1.1, 0.8]) },
         Light { glow: 0.2, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
     ],
-    softboxes: &[softbox([-4.0, 0.0, 8.0], [1.0, 1.3, 1.0], [2.6, 2.5, 2.4])],
+    softboxes: &[softbox([-4.0, 0.0, 8.0], [1.2, 1.2, 2.0], [2.6, 2.5, 2.4])],
     field_of_view: 0.75,
     add,
     ..Environment::EMPTY
@@ -61,7 +60,9 @@ static BRASS: Material = Material {
     anisotropy: 0.85,
     ..Material::matt(vec3(0.69, 0.355, 0.084), 0.3)
 };
-static BORE: Material = Material::matt(vec3(0.02, 0.008, 0.004), 0.8);
+// Of tint 1, since its shadow would lie in the pipe's.
+static BORE: Material =
+    Material { tint: Vec3::ONE, ..Material::matt(vec3(0.02, 0.008, 0.004), 0.8) };
 static EMBER: Material = Material { tint: Vec3::ONE, ..Material::matt(vec3(9.0, 2.6, 0.4), 1.0) };
 static BALL: Material = Material {
     ks: 0.5,
@@ -110,13 +111,13 @@ fn add(now: Now, scene: &mut Scene) {
         add_block(Shape::Cylinder, end - Vec3::Y * half.y, half, Mat3::IDENTITY, &BRASS, scene);
         let half = vec3(0.35, 0.004, 0.35);
         add_block(Shape::Cylinder, end, half, Mat3::IDENTITY, &bore, scene);
-        // Embers rise for four beats.
-        for number in 0..6 {
-            let number = (6 * note + number) as f32;
+        // Embers rise for two beats.
+        for number in 0..5 {
+            let number = (5 * note + number) as f32;
             let drift = around(number * 0.618) * (0.3 + 0.2 * age);
             let up = Vec3::Y * age * (0.6 + fraction(number * 0.755));
-            if age < 4.0 {
-                add_sphere(end + drift + up, 0.05 - 0.0124 * age, &EMBER, scene);
+            if age < 2.0 {
+                add_sphere(end + drift + up, 0.06 - 0.02 * age, &EMBER, scene);
             }
         }
     }
