@@ -49,7 +49,7 @@ impl Fold {
         (left + cut).saturating_sub(margin)
     }
 
-    /// Copies the drawn part to the rest, from the last pixel backwards: each half mirrors a finished one. Only the diagonal reads along
+    /// Copies the drawn part to the rest, from the last row backwards: each half mirrors a finished one. Only the diagonal reads along
     /// columns.
     pub fn copy(&self, picture: &mut Band<'_>) {
         let [left, top] = self.centre.map(|cells| cells * CELL);
@@ -58,17 +58,21 @@ impl Fold {
         }
         let (width, stride) = (picture.width, picture.stride);
         for y in (0..picture.height()).rev() {
-            for x in (0..width).rev() {
-                let from = if y < top {
-                    (2 * top - 1 - y) * stride + x
-                } else if x < left {
-                    y * stride + 2 * left - 1 - x
-                } else if self.has_diagonal && (x - left < y - top) == self.is_wide {
-                    (top + x - left) * stride + left + y - top
-                } else {
-                    continue;
-                };
-                picture.put(x, y, picture.pixels[from]);
+            let row = y * stride;
+            if y < top {
+                let from = (2 * top - 1 - y) * stride;
+                picture.pixels.copy_within(from..from + width, row);
+                continue;
+            }
+            if self.has_diagonal {
+                let column = left + y - top;
+                for x in if self.is_wide { left..column } else { column..width } {
+                    let from = (top + x - left) * stride + column;
+                    picture.pixels[row + x] = picture.pixels[from];
+                }
+            }
+            for x in 0..left {
+                picture.pixels[row + x] = picture.pixels[row + 2 * left - 1 - x];
             }
         }
     }
