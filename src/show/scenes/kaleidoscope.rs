@@ -1,31 +1,30 @@
-//! The kaleidoscope: balls and brass pipes on marble around the only light, folded into eight.
+//! The kaleidoscope: gems around the only light, whose shadows are beams of their colours, folded into eight.
 
-use super::planet::GIANT;
-use crate::show::environment::{Environment, Now, point, softbox};
+use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::{add_block, add_sphere, around};
+use crate::show::solids::{add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Ambience, Light, Material, Pattern, Scene, Shape};
-use glam::{Mat3, Vec3, vec3};
+use eightfold_tracer::scene::{Ambience, Light, Material, Scene};
+use glam::{Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.02, 0.03, 0.08),
-    ambient: vec3(0.02, 0.025, 0.05),
-    ambience: Ambience { occlusion: 1.0, reach: 2.0, ground: vec3(0.11, 0.08, 0.055), bounce: 1.0 },
-    vignette: 0.1,
-    floor: Some(&MARBLE),
+    // Seen only in the films.
+    background: vec3(0.9, 0.35, 1.1),
+    ambient: vec3(0.05, 0.02, 0.10),
+    ambience: Ambience { occlusion: 1.0, reach: 2.0, ground: vec3(0.2, 0.08, 0.055), bounce: 1.0 },
+    vignette: 0.3,
+    floor: Some(&FLOOR),
     lights: &[Light {
-        drawn_radius: 1.5,
-        diameter: 1.6,
-        core: 1.5,
-        glow: 0.12,
-        ..point([0.0, 8.0, 0.0], [1.9, 1.4, 0.9])
+        drawn_radius: 0.8,
+        diameter: 1.8,
+        core: 0.8,
+        glow: 0.2,
+        ..point([0.0, 5.0, 0.0], [3.2, 2.3, 1.8])
     }],
-    softboxes: &[softbox([0.3, 1.0, 0.0], [2.5, 2.5, 2.5], [2.2, 2.2, 2.2])],
     field_of_view: 0.9,
     add,
     present: |now, presentation| {
@@ -43,55 +42,45 @@ static SHOTS: &[Shot] = &[shot(
     ],
 )];
 
-static MARBLE: Material = Material {
-    pattern: Pattern {
-        waves: vec3(0.16, 0.0, 0.0),
-        depth: 1.0,
-        edge: 0.9,
-        grain: 0.16,
-        swirl: 0.3,
-        tint: vec3(0.14, 0.05, 0.16),
-        ..Pattern::NONE
-    },
-    ..Material::matt(vec3(0.02, 0.05, 0.3), 0.9)
-};
-static PEARL: Material =
-    Material { ks: 0.3, exponent: 40.0, ..Material::matt(vec3(0.8, 0.7, 0.6), 1.0) };
-// Matt: reflections of the other balls would move and pop.
-static RED: Material =
-    Material { ks: 0.25, exponent: 14.0, ..Material::matt(vec3(0.615, 0.02, 0.01), 0.95) };
-static BRASS: Material = Material {
-    ks: 1.0,
-    exponent: 12.0,
-    metallic: 1.0,
-    anisotropy: 0.9,
-    ..Material::matt(vec3(0.724, 0.34, 0.06), 0.35)
-};
+static FLOOR: Material = Material::matt(vec3(0.56, 0.35, 0.14), 0.9);
 
-// A thick film, whose colours repeat in rings.
-static OPAL: Material =
-    Material { kr: 0.8, film_thickness: 700.0, ..Material::matt(vec3(0.01, 0.05, 0.1), 1.0) };
+/// Returns a gem whose shadow has its colour. With a `kr` of 0.3 or more, gems would be a crowd of mirrors, of which every pixel is
+/// traced.
+const fn gem(red: f32, green: f32, blue: f32) -> Material {
+    let colour = vec3(red, green, blue);
+    Material {
+        ks: 0.6,
+        exponent: 30.0,
+        kr: 0.12,
+        fresnel: 0.4,
+        tint: colour,
+        ..Material::matt(colour, 0.9)
+    }
+}
+static GEMS: [Material; 3] = [gem(0.6, 0.0, 0.03), gem(0.0, 0.06, 0.9), gem(0.9, 0.32, 0.02)];
+
+/// Distances from the middle, radii, heights and directions of turning.
+static RINGS: [[f32; 4]; 3] = [[4.1, 1.45, 2.4, 1.0], [8.6, 1.3, 1.3, -1.0], [12.6, 2.0, 2.0, 1.0]];
 
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
-    // A sixteenth of a turn per kick: balls and pipes stop next to a mirror, or on it.
+    // A sixteenth of a turn per kick: gems stand next to a mirror, or on it.
     let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
-    // The marble of the floor moves along.
-    scene.planes[0].centre = around(turns) * 9.0;
-    // A gold ring around the lamp.
-    let half = vec3(3.3, 0.1, 3.3);
-    add_block(Shape::Cylinder, Vec3::ZERO, half, Mat3::IDENTITY, &BRASS, scene);
-    for number in 0..8 {
-        let part = number as f32 / 8.0;
-        // Pipes that end outside the picture are rays.
-        let half = vec3(0.7, 8.0, 0.7);
-        for i in [0.0, 0.0625] {
-            let at = around(part - turns + i) * (8.2 + 80.0 * i);
-            add_block(Shape::Cylinder, at + Vec3::Y * 8.0, half, Mat3::IDENTITY, &BRASS, scene);
+    // The lamp flares on each kick.
+    scene.lights[0].colour *= 1.3 - 0.3 * smooth_step(kick.since);
+    // Each of the first three booms adds a ring.
+    let rings = RINGS.iter().take(now.cue(Track::Boom).count as usize);
+    for (ring, &[distance, radius, height, direction]) in rings.enumerate() {
+        for number in 0..8 {
+            // Gems of the other rings stand between two of the first.
+            let part = (number * 2 + ring.min(1)) as f32 * 0.0625;
+            let at = around(part + turns * direction) * distance + Vec3::Y * height;
+            let gem = if ring == 1 { 2 } else { number % 2 };
+            add_sphere(at, radius, &GEMS[gem], scene);
         }
-        let at = around(part + turns) * 5.2;
-        add_sphere(at + Vec3::Y * 1.4, 1.4, [&RED, &PEARL][number % 2], scene);
-        let at = around(part - turns + 0.0625) * 8.2 + Vec3::Y * 1.8;
-        add_sphere(at, 1.8, [&GIANT, &OPAL][number % 2], scene);
+    }
+    // Films grow, so their colours change.
+    for gem in scene.spheres.iter_mut() {
+        gem.material.film_thickness = 330.0 + 9.0 * now.beat;
     }
 }
