@@ -76,9 +76,10 @@ const STRONG: f32 = 0.3;
 const LARGE: f32 = 0.2;
 
 fn is_strong(material: &Material) -> bool {
-    // A film does not move or resize the objects behind it.
+    // A film reflects softboxes only; at an index of 1 the objects behind it keep their places and sizes.
+    let mirrored = if material.film_thickness > 0.0 { 0.0 } else { material.kr };
     let bent = if material.index == 1.0 { 0.0 } else { material.kt };
-    material.kr + bent >= STRONG
+    mirrored + bent >= STRONG
 }
 
 pub(crate) fn is_crowd(scene: &Scene) -> bool {
@@ -107,7 +108,7 @@ mod tests {
     #[test]
     fn films_do_not_make_a_crowd() {
         let mut scene = Scene::default();
-        let film = Material { kr: 0.2, kt: 0.9, film_thickness: 300.0, ..Material::BLACK };
+        let film = Material { kr: 0.9, kt: 0.9, film_thickness: 300.0, ..Material::BLACK };
         scene.spheres.extend([Sphere::new(Vec3::ZERO, 1.0, film); CROWD]);
         assert!(!is_crowd(&scene));
         for sphere in scene.spheres.iter_mut() {
