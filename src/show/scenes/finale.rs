@@ -1,7 +1,7 @@
 //! The finale: the sun slips behind a glass ball and, with its reflection in the sea, becomes an 8.
 
 use crate::show::captions::Cue;
-use crate::show::environment::{Environment, Now, point};
+use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere};
@@ -30,6 +30,8 @@ static ENVIRONMENT: Environment = Environment {
         Light { drawn_radius: 21.0, glow: 11.0, ..point(SUN, [5.0, 2.9, 1.3]) },
         point([0.0, 28.0, -60.0], [7.0, 3.6, 1.5]),
     ],
+    // The blue night behind the camera.
+    softboxes: &[softbox([-3.0, 5.0, 8.0], [0.9, 0.8, 2.5], [1.6, 2.4, 4.0])],
     field_of_view: 0.75,
     add,
     present,
@@ -64,9 +66,15 @@ static GLASS: Material = Material {
     tint: vec3(0.8, 0.75, 0.8),
     ..Material::BLACK
 };
-/// No mirror: images of the sun in the balls are thinner than a square.
-static PLUM: Material =
-    Material { ks: 0.25, exponent: 10.0, ..Material::matt(vec3(0.476, 0.125, 0.193), 0.95) };
+/// A film, no mirror: images of the sun in the balls would be thinner than a square.
+static PLUM: Material = Material {
+    ks: 0.25,
+    exponent: 10.0,
+    kr: 0.5,
+    fresnel: 0.3,
+    film_thickness: 210.0,
+    ..Material::matt(vec3(0.476, 0.125, 0.193), 0.95)
+};
 
 /// The light of the gold square at the end, relative to the ambient light.
 const GOLD: Vec3 = vec3(5.25, 4.7, 0.34);
