@@ -25,7 +25,7 @@ static ENVIRONMENT: Environment = Environment {
     haze: 0.007,
     vignette: 0.25,
     floor: Some(&WATER),
-    swell: Waves { slope: 0.003, length: 10.0, phase: 0.1 },
+    swell: Waves { slope: 0.0015, length: 10.0, phase: 0.1 },
     lights: &[
         Light { drawn_radius: 21.0, glow: 11.0, ..point(SUN, [5.0, 2.9, 1.3]) },
         point([0.0, 28.0, -60.0], [7.0, 3.6, 1.5]),

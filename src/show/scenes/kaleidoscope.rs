@@ -57,7 +57,7 @@ const fn gem(red: f32, green: f32, blue: f32) -> Material {
         ..Material::matt(colour, 0.9)
     }
 }
-static GEMS: [Material; 3] = [gem(0.6, 0.0, 0.03), gem(0.0, 0.06, 0.9), gem(0.9, 0.32, 0.02)];
+static GEMS: [Material; 3] = [gem(0.6, 0.0, 0.03), gem(0.13, 0.01, 0.42), gem(0.9, 0.32, 0.02)];
 
 /// Distances from the middle, radii, heights and directions of turning.
 static RINGS: [[f32; 4]; 3] = [[4.1, 1.45, 2.4, 1.0], [8.6, 1.3, 1.3, -1.0], [12.6, 2.0, 2.0, 1.0]];

@@ -14,7 +14,7 @@ pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS)
 static ENVIRONMENT: Environment = Environment {
     background: vec3(0.001, 0.0012, 0.0025),
     sky: vec3(0.0, 0.0002, 0.002),
-    ambient: vec3(0.004, 0.006, 0.012),
+    ambient: vec3(0.012, 0.016, 0.03),
     vignette: 0.3,
     lights: &[
         Light { diameter: 8.5, ..point([-400.0, 140.0, 40.0], [3.2, 2.9, 2.5]) },
