@@ -6,11 +6,9 @@ mod still;
 mod tally;
 
 use eightfold::show;
-use eightfold_window::{
-    arguments::Arguments,
-    clock::SECOND,
-    line::{self, Writer},
-};
+use eightfold_window::arguments::Arguments;
+use eightfold_window::clock::SECOND;
+use eightfold_window::line::{self, Writer};
 use options::{Options, Task};
 
 const SHOW_NANOSECONDS: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;

@@ -1,15 +1,11 @@
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Preset};
-use eightfold_window::{
-    arguments::Arguments,
-    clock::SECOND,
-    cpu::{self, Isa},
-    line::Writer,
-};
+use eightfold_window::arguments::Arguments;
+use eightfold_window::clock::SECOND;
+use eightfold_window::cpu::{self, Isa};
+use eightfold_window::line::Writer;
 
-use super::{
-    SHOW_NANOSECONDS,
-    flags::{Flag, Switch},
-};
+use super::SHOW_NANOSECONDS;
+use super::flags::{Flag, Switch};
 
 /// The size of windows and frames in pixels, by default.
 pub const SIZE: (usize, usize) = (1024, 768);

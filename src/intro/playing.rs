@@ -1,24 +1,20 @@
 use core::time::Duration;
 use eightfold::sound::Synthesizer;
 use eightfold_tracer::{AccuracyGovernor, Counts, Frame, Governor, MAX_HEIGHT, MAX_WIDTH, Preset};
-use eightfold_window::{
-    clock::SECOND,
-    cpu::Isa,
-    enlarge::{self, Small},
-    line::{self, Writer},
-    render_target::{Headless, MOST_PIXELS, Next, RenderTarget, fit},
-    sound::{Player, Source},
-    static_cell::StaticCell,
-    terminal::Terminal,
-    window::Window,
-};
+use eightfold_window::clock::SECOND;
+use eightfold_window::cpu::Isa;
+use eightfold_window::enlarge::{self, Small};
+use eightfold_window::line::{self, Writer};
+use eightfold_window::render_target::{Headless, MOST_PIXELS, Next, RenderTarget, fit};
+use eightfold_window::sound::{Player, Source};
+use eightfold_window::static_cell::StaticCell;
+use eightfold_window::terminal::Terminal;
+use eightfold_window::window::Window;
 
-use super::{
-    SHOW_NANOSECONDS,
-    options::{Options, SIZE},
-    renderer::ShowRenderer,
-    tally::Tally,
-};
+use super::SHOW_NANOSECONDS;
+use super::options::{Options, SIZE};
+use super::renderer::ShowRenderer;
+use super::tally::Tally;
 
 struct Music(Synthesizer);
 

@@ -3,17 +3,13 @@ use eightfold::show;
 use eightfold_tracer::{
     Band, Counts, Frame, Job, Memory, Quality, Renderer, Worker, scene::Moment,
 };
-use eightfold_window::{
-    clock::SECOND,
-    cpu::{self, Isa},
-    pool::{self, Pool},
-    static_cell::StaticCell,
-};
+use eightfold_window::clock::SECOND;
+use eightfold_window::cpu::{self, Isa};
+use eightfold_window::pool::{self, Pool};
+use eightfold_window::static_cell::StaticCell;
 
-use super::{
-    SHOW_NANOSECONDS,
-    options::{MAX_THREADS, Options},
-};
+use super::SHOW_NANOSECONDS;
+use super::options::{MAX_THREADS, Options};
 
 struct Workspace {
     moment: Moment,

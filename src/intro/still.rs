@@ -1,17 +1,13 @@
 //! Binary PPM: a header with the size, then bytes for red, green and blue of every pixel.
 
 use eightfold_tracer::{Frame, Preset};
-use eightfold_window::{
-    cpu::Isa,
-    line::{self, Writer},
-    render_target::{Headless, RenderTarget},
-};
+use eightfold_window::cpu::Isa;
+use eightfold_window::line::{self, Writer};
+use eightfold_window::render_target::{Headless, RenderTarget};
 
-use super::{
-    MISUSE,
-    options::{Options, SIZE},
-    renderer::ShowRenderer,
-};
+use super::MISUSE;
+use super::options::{Options, SIZE};
+use super::renderer::ShowRenderer;
 
 /// Writes the frame at `time`, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options, isa: Isa, output: &mut Writer) -> i32 {

@@ -1,8 +1,6 @@
-use eightfold_window::{
-    clock::SECOND,
-    line::{self, Writer},
-    terminal::Terminal,
-};
+use eightfold_window::clock::SECOND;
+use eightfold_window::line::{self, Writer};
+use eightfold_window::terminal::Terminal;
 
 use eightfold_tracer::{Frame, Preset, Probes, scene::Caption};
 

@@ -8,10 +8,8 @@ use std::ops::Range;
 
 use object::{Object, ObjectSymbol};
 
-use crate::{
-    Error,
-    elf::{Section, number},
-};
+use crate::Error;
+use crate::elf::{Section, number};
 
 pub const ABORT: &str = "eightfold_abort";
 

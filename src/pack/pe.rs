@@ -2,18 +2,14 @@
 
 use std::ops::Range;
 
-use object::{
-    pe::{
-        self, IMAGE_SCN_CNT_CODE, IMAGE_SCN_CNT_UNINITIALIZED_DATA, IMAGE_SCN_MEM_EXECUTE,
-        IMAGE_SCN_MEM_READ, IMAGE_SCN_MEM_WRITE, SectionFlags,
-    },
-    write::pe::{NtHeaders, Writer},
+use object::pe::{
+    self, IMAGE_SCN_CNT_CODE, IMAGE_SCN_CNT_UNINITIALIZED_DATA, IMAGE_SCN_MEM_EXECUTE,
+    IMAGE_SCN_MEM_READ, IMAGE_SCN_MEM_WRITE, SectionFlags,
 };
+use object::write::pe::{NtHeaders, Writer};
 
-use crate::{
-    Error,
-    elf::{PAGE, number},
-};
+use crate::Error;
+use crate::elf::{PAGE, number};
 
 pub const BASE_ALIGNMENT: u64 = 1 << 16;
 const FILE_ALIGNMENT: u32 = 512;

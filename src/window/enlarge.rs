@@ -4,10 +4,8 @@
 //! bilinear interpolation. One thread enlarges to 3840x2160 in 7 ms; a copy takes 4 ms.
 
 pub use crate::backend::memory::small;
-use crate::{
-    pool::Pool,
-    render_target::{MAX_WIDTH, MOST_PIXELS},
-};
+use crate::pool::Pool;
+use crate::render_target::{MAX_WIDTH, MOST_PIXELS};
 
 /// The size of the memory for small pictures: the largest one has half the sides, and some more pixels are read, but not shown.
 pub const MOST_SMALL: usize = MOST_PIXELS / 4 + LANES;

@@ -103,11 +103,9 @@ pub fn ascii(bytes: &[u8]) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::Writer;
-    use std::{
-        io::{Read, pipe},
-        os::fd::AsRawFd,
-        string::String,
-    };
+    use std::io::{Read, pipe};
+    use std::os::fd::AsRawFd;
+    use std::string::String;
 
     fn written(write: impl FnOnce(&mut Writer)) -> String {
         let (mut read, file) = pipe().unwrap();

@@ -1,11 +1,9 @@
 //! Loads functions of libraries at run time, so that the program starts without them.
 
-use core::{
-    cell::UnsafeCell,
-    ffi::{CStr, c_void},
-    mem::MaybeUninit,
-    sync::atomic::{AtomicBool, Ordering::*},
-};
+use core::cell::UnsafeCell;
+use core::ffi::{CStr, c_void};
+use core::mem::MaybeUninit;
+use core::sync::atomic::{AtomicBool, Ordering::*};
 
 use crate::line::ascii;
 

@@ -1,15 +1,13 @@
 //! A thread pool for the work of a frame. A run costs a few atomic operations: the caller works too, closes the run when the last
 //! item is taken, and waits only for threads that have entered.
 
-use core::{
-    cell::UnsafeCell,
-    ffi::c_void,
-    hint::spin_loop,
-    mem::{MaybeUninit, transmute},
-    ptr::null_mut,
-    slice::from_raw_parts_mut,
-    sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering::*},
-};
+use core::cell::UnsafeCell;
+use core::ffi::c_void;
+use core::hint::spin_loop;
+use core::mem::{MaybeUninit, transmute};
+use core::ptr::null_mut;
+use core::slice::from_raw_parts_mut;
+use core::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering::*};
 
 pub use crate::backend::threads::processors;
 use crate::backend::threads::{Thread, spawn, wait, wake};

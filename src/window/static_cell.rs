@@ -1,7 +1,5 @@
-use core::{
-    cell::UnsafeCell,
-    sync::atomic::{AtomicBool, Ordering::AcqRel},
-};
+use core::cell::UnsafeCell;
+use core::sync::atomic::{AtomicBool, Ordering::AcqRel};
 
 /// A value in a `static` that is borrowed once, for the rest of the program.
 ///

@@ -1,12 +1,9 @@
 //! Acts as the linker: runs the real one, and packs its output.
 
-use std::{
-    env,
-    ffi::{OsStr, OsString},
-    fs,
-    path::{Path, PathBuf},
-    process::{Command, ExitStatus},
-};
+use std::ffi::{OsStr, OsString};
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitStatus};
+use std::{env, fs};
 
 use super::{at, order, redirect, variable};
 use crate::{Error, System, executable::packed_size, pack_executable};

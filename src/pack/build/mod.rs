@@ -9,11 +9,9 @@ mod order;
 mod redirect;
 mod toolchain;
 
-use std::{
-    env, fs, io,
-    path::{Path, PathBuf},
-    process::Command,
-};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs, io};
 
 use crate::Error;
 use linker::{LINKER_VARIABLE, STUB, SYSTEM_VARIABLE};

@@ -10,10 +10,8 @@
 //! | 2,700 | the packed second stage |
 
 use super::{Parts, Record};
-use crate::{
-    Error, checksum,
-    elf::{self, Segment},
-};
+use crate::elf::{self, Segment};
+use crate::{Error, checksum};
 
 /// The size of the headers, with padding to align the stub's constants.
 const HEAD: usize = (elf::HEADER_SIZE + 2 * Segment::SIZE).next_multiple_of(16);

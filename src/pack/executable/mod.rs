@@ -10,12 +10,9 @@ pub use strip::strip;
 
 use std::collections::HashMap;
 
-use crate::{
-    DAMAGED, Error, LONGEST, checksum, decode,
-    elf::{self, Segment},
-    encode, small,
-    stub::{FIRST, LOADER, STAGE, Stub},
-};
+use crate::elf::{self, Segment};
+use crate::stub::{FIRST, LOADER, STAGE, Stub};
+use crate::{DAMAGED, Error, LONGEST, checksum, decode, encode, small};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum System {

@@ -1,10 +1,7 @@
 use std::ops::Range;
 
-use crate::{
-    Error,
-    elf::{self, Section, Segment, number},
-    panics,
-};
+use crate::elf::{self, Section, Segment, number};
+use crate::{Error, panics};
 
 /// The dynamic section's flags, and the flag that binds all functions at the start.
 const FLAGS: u64 = 30;

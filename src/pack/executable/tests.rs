@@ -1,14 +1,9 @@
-use object::{
-    Architecture, BinaryFormat, Endianness, LittleEndian as LE, SectionKind, pe,
-    read::pe::{ImageNtHeaders, Import, PeFile64},
-    write,
-};
+use object::read::pe::{ImageNtHeaders, Import, PeFile64};
+use object::{Architecture, BinaryFormat, Endianness, LittleEndian as LE, SectionKind, pe, write};
 
 use super::{System, pack_executable, strip, unpack_executable, windows};
-use crate::{
-    checksum,
-    elf::{self, EXECUTE, HEADER_SIZE, READ, Segment, WRITE},
-};
+use crate::checksum;
+use crate::elf::{self, EXECUTE, HEADER_SIZE, READ, Segment, WRITE};
 
 const BASE: u64 = 0x41_0000;
 

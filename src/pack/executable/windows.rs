@@ -16,12 +16,9 @@
 use object::pe::{IMAGE_DIRECTORY_ENTRY_IAT, IMAGE_DIRECTORY_ENTRY_IMPORT};
 
 use super::{Memory, Parts, Record};
-use crate::{
-    Error, checksum,
-    elf::{PAGE, number},
-    pe::{BASE_ALIGNMENT, Executable, Imports, START},
-    small,
-};
+use crate::elf::{PAGE, number};
+use crate::pe::{BASE_ALIGNMENT, Executable, Imports, START};
+use crate::{Error, checksum, small};
 
 /// The stub's functions, in the order of `System` in `src/pack/stub/windows/system.rs`. The program receives the first two.
 pub const FUNCTIONS: [&str; 9] = [

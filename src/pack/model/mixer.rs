@@ -1,9 +1,7 @@
 //! Mixes probabilities with a neuron that learns their weights (logistic mixing).
 
-use super::{
-    lanes::Lanes,
-    machine_code::{KIND, KINDS, MORE_KINDS, OPCODE, Reader, before},
-};
+use super::lanes::Lanes;
+use super::machine_code::{KIND, KINDS, MORE_KINDS, OPCODE, Reader, before};
 
 pub const ROWS: usize = 3;
 

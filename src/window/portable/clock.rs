@@ -1,8 +1,6 @@
-use std::{
-    sync::LazyLock,
-    thread,
-    time::{Duration, Instant},
-};
+use std::sync::LazyLock;
+use std::thread;
+use std::time::{Duration, Instant};
 
 static START: LazyLock<Instant> = LazyLock::new(Instant::now);
 

@@ -1,11 +1,7 @@
-use std::{
-    ffi::c_void,
-    sync::{
-        Condvar, Mutex, PoisonError,
-        atomic::{AtomicU32, Ordering::SeqCst},
-    },
-    thread::{Builder, JoinHandle, available_parallelism},
-};
+use std::ffi::c_void;
+use std::sync::atomic::{AtomicU32, Ordering::SeqCst};
+use std::sync::{Condvar, Mutex, PoisonError};
+use std::thread::{Builder, JoinHandle, available_parallelism};
 
 use crate::system;
 

@@ -1,16 +1,12 @@
-use core::{
-    ffi::{CStr, c_uint},
-    mem::take,
-};
+use core::ffi::{CStr, c_uint};
+use core::mem::take;
 use std::env;
 
 use minifb::{ScaleMode, WindowOptions};
 
 use super::{keyboard::KeyQueue, memory::pixels, mouse::Mouse};
-use crate::{
-    input::{self, Input, Press},
-    render_target::{Next, RenderTarget},
-};
+use crate::input::{self, Input, Press};
+use crate::render_target::{Next, RenderTarget};
 
 /// For the intro's help.
 pub const KEYS: &str = "H hud, Esc or Q quit";

@@ -2,20 +2,16 @@
 //! draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Displays without MIT-SHM get
 //! frames through the socket.
 
-use core::{
-    ffi::{c_int, c_uint, c_ulong},
-    mem::{size_of, zeroed},
-    ops::Range,
-    ptr::{null, null_mut},
-    slice::from_raw_parts_mut,
-};
+use core::ffi::{c_int, c_uint, c_ulong};
+use core::mem::{size_of, zeroed};
+use core::ops::Range;
+use core::ptr::{null, null_mut};
+use core::slice::from_raw_parts_mut;
 
 use x11_dl::{xlib, xshm::XShmSegmentInfo};
 
-use super::{
-    memory::allocate,
-    x11::{Toplevel, XEXT, Xext},
-};
+use super::memory::allocate;
+use super::x11::{Toplevel, XEXT, Xext};
 use crate::render_target::MOST_PIXELS;
 
 pub struct Frames {

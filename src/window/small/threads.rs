@@ -1,8 +1,6 @@
-use core::{
-    ffi::c_void,
-    ptr::{null, null_mut},
-    sync::atomic::AtomicU32,
-};
+use core::ffi::c_void;
+use core::ptr::{null, null_mut};
+use core::sync::atomic::AtomicU32;
 
 use crate::system;
 

@@ -1,21 +1,15 @@
-use core::{
-    ffi::{CStr, c_int, c_uint},
-    mem::{take, zeroed},
-    ptr::null_mut,
-};
+use core::ffi::{CStr, c_int, c_uint};
+use core::mem::{take, zeroed};
+use core::ptr::null_mut;
 
 use x11_dl::xlib;
 
-use super::{
-    blit::Frames,
-    listener::{EVENTS, Note, note},
-    x11::{self, Place, Toplevel, keyboard},
-};
-use crate::{
-    input::{self, Input},
-    loading::why_not_loaded,
-    render_target::{Next, RenderTarget, fit},
-};
+use super::blit::Frames;
+use super::listener::{EVENTS, Note, note};
+use super::x11::{self, Place, Toplevel, keyboard};
+use crate::input::{self, Input};
+use crate::loading::why_not_loaded;
+use crate::render_target::{Next, RenderTarget, fit};
 
 /// For the intro's help.
 pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";

@@ -1,9 +1,7 @@
 //! ALSA, loaded at run time.
 
-use core::{
-    ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong, c_void},
-    ptr::null_mut,
-};
+use core::ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong, c_void};
+use core::ptr::null_mut;
 
 use crate::loading::{loaded, why_not_loaded};
 

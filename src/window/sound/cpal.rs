@@ -1,14 +1,10 @@
 //! Sound through `cpal`, on macOS, whose thread requests samples from the queue that [`Device::write`] fills.
 
-use std::{
-    collections::VecDeque,
-    sync::{Mutex, MutexGuard, PoisonError},
-};
+use std::collections::VecDeque;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use cpal::{
-    BufferSize, ErrorKind, Stream, StreamConfig,
-    traits::{DeviceTrait, HostTrait, StreamTrait},
-};
+use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
+use cpal::{BufferSize, ErrorKind, Stream, StreamConfig};
 
 use crate::clock::{self, Clock, SECOND};
 

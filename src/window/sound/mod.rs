@@ -11,21 +11,17 @@ mod device;
 mod heard;
 mod lead;
 
-use core::{
-    ffi::c_void,
-    ptr::null_mut,
-    sync::atomic::{AtomicI64, AtomicU64, Ordering::Relaxed},
-};
+use core::ffi::c_void;
+use core::ptr::null_mut;
+use core::sync::atomic::{AtomicI64, AtomicU64, Ordering::Relaxed};
 
 use device::Device;
 use heard::Heard;
 use lead::Lead;
 
-use crate::{
-    backend::threads::spawn,
-    clock::{self, Clock},
-    line, system,
-};
+use crate::backend::threads::spawn;
+use crate::clock::{self, Clock};
+use crate::{line, system};
 
 pub const RATE: u32 = 48_000;
 

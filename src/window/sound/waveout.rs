@@ -1,15 +1,11 @@
-use core::{
-    mem::{size_of, zeroed},
-    ptr::null_mut,
-};
+use core::mem::{size_of, zeroed};
+use core::ptr::null_mut;
 
-use windows_sys::Win32::{
-    Foundation::HANDLE,
-    Media::{
-        Audio::{WAVE_MAPPER, WAVEFORMATEX, WAVEHDR, WAVERR_BADFORMAT, WHDR_INQUEUE},
-        MMTIME, TIME_SAMPLES,
-    },
+use windows_sys::Win32::Foundation::HANDLE;
+use windows_sys::Win32::Media::Audio::{
+    WAVE_MAPPER, WAVEFORMATEX, WAVEHDR, WAVERR_BADFORMAT, WHDR_INQUEUE,
 };
+use windows_sys::Win32::Media::{MMTIME, TIME_SAMPLES};
 
 use crate::{
     backend::functions::{waveOutGetPosition, waveOutOpen, waveOutPrepareHeader, waveOutWrite},

@@ -1,12 +1,10 @@
 //! The terminal's mode and alternate screen, taken over and restored, also after signals.
 
-use core::{
-    cell::UnsafeCell,
-    ffi::c_int,
-    mem::{MaybeUninit, zeroed},
-    ptr::null_mut,
-    sync::atomic::{AtomicBool, AtomicI32, Ordering::*},
-};
+use core::cell::UnsafeCell;
+use core::ffi::c_int;
+use core::mem::{MaybeUninit, zeroed};
+use core::ptr::null_mut;
+use core::sync::atomic::{AtomicBool, AtomicI32, Ordering::*};
 
 use libc::{
     SIGABRT, SIGBUS, SIGCHLD, SIGCONT, SIGFPE, SIGILL, SIGPIPE, SIGSEGV, SIGSYS, SIGTRAP, SIGTSTP,

@@ -4,22 +4,18 @@
 mod keys;
 mod mode;
 
-use core::{
-    ffi::CStr,
-    mem::{take, zeroed},
-    sync::atomic::Ordering::Relaxed,
-};
+use core::ffi::CStr;
+use core::mem::{take, zeroed};
+use core::sync::atomic::Ordering::Relaxed;
 
 use keys::KeyParser;
 use mode::SAVED;
 pub(crate) use mode::{PATIENCE, SIGNAL, mode, on_signal, restore, resume};
 
-use crate::{
-    backend::memory::pixels,
-    line::{self, Writer},
-    render_target::{MAX_HEIGHT, MAX_WIDTH, Next, RenderTarget},
-    system,
-};
+use crate::backend::memory::pixels;
+use crate::line::{self, Writer};
+use crate::render_target::{MAX_HEIGHT, MAX_WIDTH, Next, RenderTarget};
+use crate::system;
 
 /// The upper half of a cell in the foreground colour; the lower half shows the background.
 const UPPER_HALF: &str = "\u{2580}";

@@ -1,9 +1,7 @@
-use core::{
-    ffi::{CStr, c_int, c_short},
-    mem::zeroed,
-    ptr::null_mut,
-    sync::atomic::{AtomicU32, Ordering::Relaxed},
-};
+use core::ffi::{CStr, c_int, c_short};
+use core::mem::zeroed;
+use core::ptr::null_mut;
+use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use crate::{line, terminal};
 

@@ -1,9 +1,7 @@
 //! Small pictures fill any canvas, with the same pixels for any number of threads.
 
-use eightfold_window::{
-    enlarge::{MOST_SMALL, Small},
-    pool::Pool,
-};
+use eightfold_window::enlarge::{MOST_SMALL, Small};
+use eightfold_window::pool::Pool;
 
 /// Sides that 2 and 3 divide, or not; single pixels, rows and columns; the widest and the largest.
 const SIZES: [[usize; 2]; 9] =

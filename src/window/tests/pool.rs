@@ -1,13 +1,11 @@
 //! The thread pool: every item is done once, and no wait hangs.
 
 use eightfold_window::pool::Pool;
-use std::{
-    fs,
-    panic::{AssertUnwindSafe, catch_unwind},
-    sync::atomic::{AtomicUsize, Ordering::Relaxed},
-    thread::{current, sleep},
-    time::Duration,
-};
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::thread::{current, sleep};
+use std::time::Duration;
 
 fn count(pool: &mut Pool, workers: usize, items: usize) {
     let mut workers = vec![0_usize; workers];

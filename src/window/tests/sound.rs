@@ -3,10 +3,8 @@
 //! A process reads ALSA's configuration once, so each case starts this program again.
 
 use eightfold_stage::{allocations::Counting, lacks};
-use eightfold_window::{
-    clock::{Clock, SECOND},
-    sound::{Player, RATE, Source},
-};
+use eightfold_window::clock::{Clock, SECOND};
+use eightfold_window::sound::{Player, RATE, Source};
 use std::{env, fs, path::Path, process::Command};
 
 #[global_allocator]

@@ -4,15 +4,11 @@
 
 use core::{cell::UnsafeCell, ffi::c_void, mem::MaybeUninit};
 
-use windows_sys::Win32::{
-    Foundation::{HANDLE, RECT},
-    Graphics::Gdi::{BITMAPINFO, MONITORINFO},
-    Media::{
-        Audio::{WAVEFORMATEX, WAVEHDR},
-        MMTIME,
-    },
-    UI::WindowsAndMessaging::{MSG, WINDOWPLACEMENT, WNDCLASSA},
-};
+use windows_sys::Win32::Foundation::{HANDLE, RECT};
+use windows_sys::Win32::Graphics::Gdi::{BITMAPINFO, MONITORINFO};
+use windows_sys::Win32::Media::Audio::{WAVEFORMATEX, WAVEHDR};
+use windows_sys::Win32::Media::MMTIME;
+use windows_sys::Win32::UI::WindowsAndMessaging::{MSG, WINDOWPLACEMENT, WNDCLASSA};
 
 pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> HANDLE;
 

@@ -1,11 +1,9 @@
 //! A bump allocator, which never frees, for the few objects that are created once.
 
-use core::{
-    alloc::{GlobalAlloc, Layout},
-    cell::UnsafeCell,
-    ptr::null_mut,
-    sync::atomic::{AtomicUsize, Ordering::Relaxed},
-};
+use core::alloc::{GlobalAlloc, Layout};
+use core::cell::UnsafeCell;
+use core::ptr::null_mut;
+use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use crate::pool::Pool;
 

@@ -1,8 +1,6 @@
-use core::{
-    ffi::c_void,
-    ptr::{null_mut, without_provenance_mut},
-    sync::atomic::AtomicU32,
-};
+use core::ffi::c_void;
+use core::ptr::{null_mut, without_provenance_mut};
+use core::sync::atomic::AtomicU32;
 
 use windows_sys::Win32::{Foundation::HANDLE, System::Threading::INFINITE};
 

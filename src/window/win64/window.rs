@@ -1,30 +1,24 @@
-use core::{
-    ffi::{CStr, c_char, c_void},
-    mem::{size_of, transmute, zeroed},
-    ptr::null_mut,
-    sync::atomic::{AtomicPtr, AtomicU32, Ordering::*},
+use core::ffi::{CStr, c_char, c_void};
+use core::mem::{size_of, transmute, zeroed};
+use core::ptr::null_mut;
+use core::sync::atomic::{AtomicPtr, AtomicU32, Ordering::*};
+
+use windows_sys::Win32::Foundation::{HANDLE, RECT};
+use windows_sys::Win32::Graphics::Gdi::{
+    BITMAPINFO, BITMAPINFOHEADER, MONITOR_DEFAULTTONEAREST, MONITORINFO, SRCCOPY,
+};
+use windows_sys::Win32::System::Power::{ES_CONTINUOUS, ES_DISPLAY_REQUIRED, ES_SYSTEM_REQUIRED};
+use windows_sys::Win32::UI::HiDpi::DPI_AWARENESS_CONTEXT_PER_MONITOR_AWARE_V2;
+use windows_sys::Win32::UI::Input::KeyboardAndMouse::{VK_CONTROL, VK_ESCAPE};
+use windows_sys::Win32::UI::WindowsAndMessaging::{
+    CS_OWNDC, CW_USEDEFAULT, GCLP_HCURSOR, GWL_STYLE, IDC_ARROW, PM_REMOVE, SWP_FRAMECHANGED,
+    SWP_NOMOVE, SWP_NOSIZE, SWP_NOZORDER, SWP_SHOWWINDOW, WINDOWPLACEMENT, WM_KEYDOWN, WNDCLASSA,
+    WNDPROC, WS_OVERLAPPEDWINDOW,
 };
 
-use windows_sys::Win32::{
-    Foundation::{HANDLE, RECT},
-    Graphics::Gdi::{BITMAPINFO, BITMAPINFOHEADER, MONITOR_DEFAULTTONEAREST, MONITORINFO, SRCCOPY},
-    System::Power::{ES_CONTINUOUS, ES_DISPLAY_REQUIRED, ES_SYSTEM_REQUIRED},
-    UI::{
-        HiDpi::DPI_AWARENESS_CONTEXT_PER_MONITOR_AWARE_V2,
-        Input::KeyboardAndMouse::{VK_CONTROL, VK_ESCAPE},
-        WindowsAndMessaging::{
-            CS_OWNDC, CW_USEDEFAULT, GCLP_HCURSOR, GWL_STYLE, IDC_ARROW, PM_REMOVE,
-            SWP_FRAMECHANGED, SWP_NOMOVE, SWP_NOSIZE, SWP_NOZORDER, SWP_SHOWWINDOW,
-            WINDOWPLACEMENT, WM_KEYDOWN, WNDCLASSA, WNDPROC, WS_OVERLAPPEDWINDOW,
-        },
-    },
-};
-
-use super::{
-    functions::*,
-    memory::pixels,
-    threads::{spawn, wait, wake},
-};
+use super::functions::*;
+use super::memory::pixels;
+use super::threads::{spawn, wait, wake};
 use crate::render_target::{Next, RenderTarget, fit};
 
 const CLASS: &CStr = c"Eightfold";

@@ -1,9 +1,7 @@
 //! Loads the program and its dynamic linker as `execve` does, and passes the program's addresses to the linker.
 
-use crate::{
-    elf::{FileHeader, LOAD, PAGE, ProgramHeader},
-    system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error},
-};
+use crate::elf::{FileHeader, LOAD, PAGE, ProgramHeader};
+use crate::system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error};
 
 const INTERPRETER: u32 = 3;
 const PROGRAM_HEADERS: u32 = 6;

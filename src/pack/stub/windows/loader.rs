@@ -1,9 +1,7 @@
 //! Copies the program to its addresses and protects them, as Windows' loader does.
 
-use crate::{
-    elf::{FileHeader, LOAD, ProgramHeader},
-    system::{READ, READ_EXECUTE, READ_WRITE, System, protect},
-};
+use crate::elf::{FileHeader, LOAD, ProgramHeader};
+use crate::system::{READ, READ_EXECUTE, READ_WRITE, System, protect};
 
 #[inline(always)]
 fn protection(header: &ProgramHeader) -> u32 {

@@ -14,10 +14,8 @@ mod model;
 mod packed;
 mod system;
 
-use core::{
-    arch::{asm, global_asm},
-    mem::transmute,
-};
+use core::arch::{asm, global_asm};
+use core::mem::transmute;
 use model::Model;
 use packed::fail;
 use system::{COMMIT_RESERVE, READ_EXECUTE, READ_WRITE, RELEASE, System, protect};

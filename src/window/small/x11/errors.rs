@@ -1,7 +1,5 @@
-use core::{
-    ffi::c_int,
-    sync::atomic::{AtomicBool, Ordering::Relaxed},
-};
+use core::ffi::c_int;
+use core::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use x11_dl::xlib;
 

@@ -1,12 +1,10 @@
 //! Fullscreen through the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window
 //! covers its monitor and follows the monitor's changes.
 
-use core::{
-    ffi::{c_int, c_long, c_uint},
-    mem::zeroed,
-    ptr::null_mut,
-    slice::from_raw_parts,
-};
+use core::ffi::{c_int, c_long, c_uint};
+use core::mem::zeroed;
+use core::ptr::null_mut;
+use core::slice::from_raw_parts;
 
 use x11_dl::xlib;
 

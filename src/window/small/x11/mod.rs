@@ -3,12 +3,10 @@ mod fullscreen;
 mod functions;
 pub mod keyboard;
 
-use core::{
-    ffi::{CStr, c_int, c_long, c_void},
-    mem::zeroed,
-    ptr::{null, null_mut, with_exposed_provenance_mut},
-    sync::atomic::{AtomicU64, Ordering::Release},
-};
+use core::ffi::{CStr, c_int, c_long, c_void};
+use core::mem::zeroed;
+use core::ptr::{null, null_mut, with_exposed_provenance_mut};
+use core::sync::atomic::{AtomicU64, Ordering::Release};
 
 use x11_dl::xlib;
 
