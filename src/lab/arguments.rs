@@ -64,12 +64,11 @@ where
     }
 }
 
-pub fn png_file(name: &str) -> Result<PathBuf, String> {
+pub fn png_file(name: &str) -> Result<PathBuf, &'static str> {
     let path = PathBuf::from(name);
     let is_png = |end: &OsStr| end.eq_ignore_ascii_case("png");
     let is_valid = !name.is_empty() && path.extension().is_none_or(is_png);
-    let path = Some(path).filter(|_| is_valid);
-    path.ok_or_else(|| "must be a .png file or -".to_owned())
+    is_valid.then_some(path).ok_or("must be a .png file or -")
 }
 
 pub fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {

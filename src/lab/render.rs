@@ -4,9 +4,8 @@ use crate::scenes::FrameArguments;
 use anyhow::Result;
 use clap::Args;
 use eightfold_harness::picture;
-use eightfold_harness::threaded_renderer::ThreadedRenderer;
+use eightfold_harness::threaded_renderer::drawn;
 use eightfold_tracer::Preset;
-use eightfold_window::cpu;
 use std::path::PathBuf;
 
 /// Draws a frame to a PNG file
@@ -30,11 +29,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<()> {
     let FrameArguments { scene, time, size } = arguments.frame;
     scene.check(time)?;
-    let scene = scene.at(time);
-    let mut pixels = vec![0; size.area()];
     let mut quality = *arguments.quality.quality();
     quality.antialias &= !arguments.jagged;
-    let mut renderer = ThreadedRenderer::new(arguments.threads);
-    renderer.draw(cpu::best().level, &scene, &quality, size.width, &mut pixels);
+    let pixels = drawn(arguments.threads, &scene.at(time), &quality, size);
     output::write(&arguments.out, &picture::png(size.width, &pixels)?)
 }

@@ -18,12 +18,11 @@ const H264: &str = "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -
 const AAC: &str = "-map 0:v -map 1:a -c:a aac -b:a 192k";
 const WEBP: &str = "-c:v libwebp_anim -quality 70 -loop 0";
 
-pub fn file(name: &str) -> Result<PathBuf, String> {
+pub fn file(name: &str) -> Result<PathBuf, &'static str> {
     let path = PathBuf::from(name);
     let end = path.extension().unwrap_or_default();
     let is_known = ["mp4", "mkv", "webp"].iter().any(|known| end == *known);
-    let path = is_known.then_some(path);
-    path.ok_or_else(|| "must be a .mp4, .mkv or .webp file".to_owned())
+    is_known.then_some(path).ok_or("must be a .mp4, .mkv or .webp file")
 }
 
 pub fn write(recorder: &mut Recorder<'_>, frames: Range<usize>, name: &Path) -> Result<()> {

@@ -68,12 +68,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         arguments.size,
         rows[0].frames
     );
-    const TITLES: &str = "quality, speed-up, traced";
-    let table = if arguments.ladder {
-        row::table(TITLES, &rows)
-    } else {
-        row::table(TITLES, from_the_slowest(&rows))
-    };
+    let listed = if arguments.ladder { rows.iter().collect() } else { from_the_slowest(&rows) };
+    let table = row::table("quality, speed-up, traced", listed);
     output::write(Path::new("-"), format!("{heading}\n\n{table}").as_bytes())?;
     if !arguments.ladder {
         let trade = Trade {

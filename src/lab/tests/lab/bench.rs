@@ -1,8 +1,6 @@
-use super::{cells, lab, printed, render, stderr};
+use super::{cells, lab, picture, printed, stderr};
 use eightfold_harness::error::Difference;
-use eightfold_stage::reader::read_png;
 use serde_json::Value;
-use std::path::Path;
 
 fn bench(more: &str) -> (String, Vec<Value>) {
     let output = lab(&format!("bench --frames 3 --views 2 --json - {more}"));
@@ -78,11 +76,9 @@ fn figures_are_consistent() {
 
 #[test]
 fn errors_match_rendered_pictures() {
-    let picture = |quality| {
-        let output = render(Path::new("-"), &format!("--jagged --quality {quality}"));
-        read_png(&output.stdout).1
-    };
-    let difference = Difference::between(&picture("exhaustive"), &picture("default"));
+    let [exhaustive, default] = ["exhaustive", "default"]
+        .map(|name| picture(&format!("render --size 40x30 --out - --jagged --quality {name}")).1);
+    let difference = Difference::between(&exhaustive, &default);
     let line = "bench --jagged --size 40x30 --frames 1 --views 1 --quality default --json -";
     let rows: Vec<Value> = serde_json::from_str(&printed(line)).expect("JSON");
     assert!((number(&rows[1], "psnr_worst_db") - difference.psnr).abs() < 1e-6);

@@ -1,4 +1,4 @@
-use super::{assert_one_line, command, lab, printed, signal, signalled, stderr};
+use super::{assert_one_line, command, picture, printed, signal, signalled, stderr};
 use eightfold::show;
 use eightfold::sound::RATE;
 use eightfold_harness::error::{Difference, worst_channel};
@@ -34,11 +34,8 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 fn rendered(times: &[f64], size: &str) -> Vec<u32> {
-    let picture = |time: &f64| {
-        let output = lab(&format!("render --size {size} --time {time} --out -"));
-        read_png(&output.stdout).1
-    };
-    times.iter().flat_map(picture).collect()
+    let line = |time: &f64| format!("render --size {size} --time {time} --out -");
+    times.iter().flat_map(|time| picture(&line(time)).1).collect()
 }
 
 #[test]
@@ -69,8 +66,7 @@ fn supersampled_pixel_is_mean_of_parts() {
     let more = "--to 1 --quality exhaustive --supersample 2";
     captured("--png", folder.path(), more);
     let (_, mean) = read_png(&files(folder.path())[0].1);
-    let twice = lab("render --size 96x64 --out - --quality exhaustive");
-    let (width, twice) = read_png(&twice.stdout);
+    let (width, twice) = picture("render --size 96x64 --out - --quality exhaustive");
     let far = (0..mean.len()).filter(|i| {
         let (x, y) = (2 * (i % 48), 2 * (i / 48));
         let parts =
@@ -148,7 +144,7 @@ fn aperture_blurs_out_of_focus() {
 #[test]
 fn sheet_shows_frames_at_even_intervals() {
     let more = "--frames 6 --fps 4 --from 8 --to 32";
-    let (width, sheet) = read_png(&lab(&line(&format!("--sheet - {more}"))).stdout);
+    let (width, sheet) = picture(&line(&format!("--sheet - {more}")));
     let rows: Vec<&[u32]> = sheet.chunks_exact(width).collect();
     assert_eq!(width, 12 + 3 * (48 + 12));
     for time in [2.5, 3.5, 4.5, 5.5, 6.5, 7.5] {

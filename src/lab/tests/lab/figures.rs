@@ -1,27 +1,22 @@
-use super::{lab, stderr};
+use super::picture;
 use eightfold_harness::Size;
 use eightfold_harness::patches::{lost, patches};
 use eightfold_harness::threaded_renderer::drawn;
 use eightfold_lab::bitmap::{Tile, sheet};
 use eightfold_lab::overlay::{draw_error, heat};
 use eightfold_scenes::artists::{KINDS, ON_FLOORS};
-use eightfold_stage::reader::read_png;
 use eightfold_tracer::Quality;
 
 #[test]
 fn sheet_has_six_distinct_pictures() {
-    let output = lab("figures --size 200x150 --out -");
-    assert!(output.status.success(), "{}", stderr(&output));
-    let (width, sheet) = read_png(&output.stdout);
-    let place = |i: usize| [12 + i % 2 * 212, 12 + i / 2 * (150 + 40 + 12)];
-    let picture = |i: usize| {
-        let [x, y] = place(i);
+    let (width, sheet) = picture("figures --size 200x150 --out -");
+    let tile = |i: usize| {
+        let (x, y) = (12 + i % 2 * 212, 12 + i / 2 * (150 + 40 + 12));
         let rows = (y..y + 150).flat_map(|y| &sheet[y * width + x..][..200]);
         rows.copied().collect::<Vec<u32>>()
     };
-    let rendered = lab("render --size 200x150 --out -");
-    let pictures: Vec<Vec<u32>> = (0..6).map(picture).collect();
-    assert!(pictures[1] == read_png(&rendered.stdout).1);
+    let pictures: Vec<Vec<u32>> = (0..6).map(tile).collect();
+    assert!(pictures[1] == picture("render --size 200x150 --out -").1);
     for (i, picture) in pictures.iter().enumerate() {
         assert!(!pictures[..i].contains(picture), "picture {i}");
     }
@@ -29,9 +24,8 @@ fn sheet_has_six_distinct_pictures() {
 
 #[test]
 fn close_up_shows_what_the_guard_finds() {
-    let output = lab("figures --scene ../../docs/guard/ball.ron --size 160x120 --at 84,52 --out -");
-    assert!(output.status.success(), "{}", stderr(&output));
-    let (width, sheet) = read_png(&output.stdout);
+    let line = "figures --scene ../../docs/guard/ball.ron --size 160x120 --at 84,52 --out -";
+    let (width, sheet) = picture(line);
     let is_red = |&pixel: &u32| pixel >> 16 > 100 && pixel & 0xff < 60 && pixel >> 8 & 0xff < 60;
     let red = [0, 1, 2].map(|tile| {
         let left = 12 + tile * (384 + 12);

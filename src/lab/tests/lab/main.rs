@@ -35,6 +35,12 @@ fn printed(line: &str) -> String {
     String::from_utf8(printed_bytes(line)).expect("text")
 }
 
+/// Returns the width and the pixels of a printed PNG file.
+#[track_caller]
+fn picture(line: &str) -> (usize, Vec<u32>) {
+    read_png(&printed_bytes(line))
+}
+
 #[track_caller]
 fn printed_bytes(line: &str) -> Vec<u8> {
     let output = lab(line);
