@@ -42,15 +42,10 @@ impl Segment {
     pub const SIZE: usize = 56;
 
     fn read(bytes: &[u8]) -> Segment {
-        Segment {
-            kind: number(bytes, 0, 4) as u32,
-            flags: number(bytes, 4, 4) as u32,
-            offset: number(bytes, 8, 8),
-            address: number(bytes, 16, 8),
-            physical_address: number(bytes, 24, 8),
-            file_size: number(bytes, 32, 8),
-            size: number(bytes, 40, 8),
-        }
+        let [kind, flags] = [0, 4].map(|place| number(bytes, place, 4) as u32);
+        let [offset, address, physical_address, file_size, size] =
+            [8, 16, 24, 32, 40].map(|place| number(bytes, place, 8));
+        Segment { kind, flags, offset, address, physical_address, file_size, size }
     }
 
     pub fn to_bytes(self) -> Vec<u8> {

@@ -95,7 +95,8 @@ impl Moving {
                     let name = String::deserialize(&*material)?;
                     let message = format!("material is {name:?}; must be in materials");
                     let mistake = Mistake::new(material.at, message);
-                    material.copy(materials.get(&name).ok_or(mistake)?);
+                    let named = materials.get(&name).ok_or(mistake)?.clone();
+                    *material = Node { name: "material".to_owned(), ..named };
                 }
                 if list == "blocks" {
                     turn(object)?;

@@ -45,9 +45,7 @@ impl Node {
     }
 
     fn new(name: String, at: usize, kind: Kind) -> Self {
-        let mut node = Self::default();
-        (node.name, node.at, node.kind) = (name, at, kind);
-        node
+        Self { name, at, kind, parts: Vec::new() }
     }
 
     pub fn set(&mut self, numbers: &[f32]) {
@@ -58,12 +56,6 @@ impl Node {
         if self.parts.len() == 1 {
             self.kind = self.parts.remove(0).kind;
         }
-    }
-
-    pub fn copy(&mut self, other: &Self) {
-        let name = std::mem::take(&mut self.name);
-        *self = other.clone();
-        self.name = name;
     }
 
     pub fn get(&self, name: &str) -> Option<&Self> {

@@ -53,37 +53,20 @@ impl KeyParser {
 mod tests {
     use super::KeyParser;
 
+    /// `^` is Esc, and `|` separates reads.
+    const ENDINGS: &str =
+        "q fwq ^OAq ^| ^^| ^|x ab\x03 ^[A^| x^[A^[27uy x^[A^[99;5uy x^[A^[27;5;99~y";
+    /// Alt and a letter, the keypad's 1, other keys with modifiers, letters, an arrow and a function key, an arrow in two parts.
+    const OTHERS: &str = "^x| ^q| ^Oq| ^|Oq| ^[99u^[27;5;98~^[27~| |fw| ^[A^OP| ^|[A|";
+
     #[test]
     fn escape_and_q_end_show_and_sequences_do_not() {
-        let endings: [&[&[u8]]; 11] = [
-            &[b"q"],
-            &[b"fwq"],
-            &[b"\x1bOAq"],
-            &[b"\x1b", b""],
-            &[b"\x1b\x1b", b""],
-            &[b"\x1b", b"x"],
-            &[b"\x1b[A\x1b", b""],
-            &[b"ab\x03"],
-            &[b"x\x1b[A\x1b[27uy"],
-            &[b"x\x1b[A\x1b[99;5uy"],
-            &[b"x\x1b[A\x1b[27;5;99~y"],
-        ];
-        // Alt and a letter, the keypad's 1, other keys with modifiers, letters, an arrow and a function key, an arrow in two parts.
-        let others: [&[&[u8]]; 8] = [
-            &[b"\x1bx", b""],
-            &[b"\x1bq", b""],
-            &[b"\x1bOq", b""],
-            &[b"\x1b", b"Oq", b""],
-            &[b"\x1b[99u\x1b[27;5;98~\x1b[27~", b""],
-            &[b"", b"fw", b""],
-            &[b"\x1b[A\x1bOP", b""],
-            &[b"\x1b", b"[A", b""],
-        ];
-        for (reads, expected) in
-            endings.map(|reads| (reads, true)).into_iter().chain(others.map(|reads| (reads, false)))
-        {
-            let mut keys = KeyParser::default();
-            assert_eq!(reads.iter().any(|typed| keys.ends(typed)), expected, "{reads:?}");
+        for (rows, expected) in [(ENDINGS, true), (OTHERS, false)] {
+            for row in rows.split(' ') {
+                let (mut keys, reads) = (KeyParser::default(), row.replace('^', "\x1b"));
+                let is_end = reads.split('|').any(|typed| keys.ends(typed.as_bytes()));
+                assert_eq!(is_end, expected, "{row}");
+            }
         }
     }
 
