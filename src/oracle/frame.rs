@@ -1,4 +1,4 @@
-use super::{Oracle, Traced, pixel, pixel_like};
+use super::{Oracle, Traced, pixel_like};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Film, Scene};
 use rayon::prelude::*;
@@ -29,10 +29,6 @@ impl Frame {
     fn map_pixels<T>(&self, of: impl Fn(usize, usize) -> T) -> Vec<T> {
         let pixels = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
         pixels.map(|(x, y)| of(x, y)).collect()
-    }
-
-    pub fn picture(&self) -> Vec<u32> {
-        self.map_pixels(|x, y| pixel(self.at(x, y).colour, self.film.dither, x, y))
     }
 
     pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {

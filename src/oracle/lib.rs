@@ -142,11 +142,6 @@ const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 
 /// A ray tree's sum is off by up to 1/100 of a step, a square's corner by 1/128, a filled square's last pixel by 8/256.
 const TIE: f64 = 1.0 / 16.0;
 
-pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
-    let [red, green, blue] = steps(colour, dither, x, y).map(|step| step.floor() as u32);
-    red << 16 | green << 8 | blue
-}
-
 /// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, both are right; the nearer to `drawn` is
 /// returned.
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {

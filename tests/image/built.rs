@@ -3,11 +3,10 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::{draw, shown};
 use crate::golden::{assert_golden, hold};
-use eightfold_stage::{linked_intro, reader::read_ppm};
+use eightfold_stage::still;
 use eightfold_tracer::Preset;
 use eightfold_tracer::scene::Moment;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
-use std::process::Command;
 
 /// `time` is in milliseconds.
 #[derive(Debug)]
@@ -23,18 +22,11 @@ impl Still {
     }
 
     fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {
-        let (seconds, milliseconds, [width, height]) =
-            (self.time / 1000, self.time % 1000, self.size);
-        let output = Command::new(linked_intro())
-            .args(["--still", &format!("{seconds}.{milliseconds:03}")])
-            .args(["--size", &format!("{width}x{height}")])
-            .args(["--quality", self.quality.name(), "--isa", isa.name])
-            .args(["--threads", &threads.to_string()])
-            .output()
-            .expect("the intro starts");
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success() && errors.is_empty(), "{errors}");
-        let (read, pixels) = read_ppm(&output.stdout);
+        let (seconds, [width, height]) = (f64::from(self.time) / 1000.0, self.size);
+        let (isa, quality) = (isa.name, self.quality);
+        let frame = format!("--still {seconds:.3} --size {width}x{height}");
+        let (read, pixels) =
+            still(&format!("{frame} --quality {quality} --isa {isa} --threads {threads}"));
         assert_eq!([read, pixels.len()], [width, width * height]);
         pixels
     }

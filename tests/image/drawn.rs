@@ -4,11 +4,13 @@
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::{Shown, ThreadedRenderer};
 use eightfold::show;
+use eightfold_scene_file::SceneFile;
 use eightfold_tracer::observe::{Observer, Split};
 use eightfold_tracer::scene::{Moment, Scene};
 use eightfold_tracer::{Counts, Preset, Quality};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
+use std::fs;
 use std::sync::Mutex;
 
 pub const TILE: [usize; 2] = [512, 32];
@@ -99,6 +101,13 @@ pub fn draw_by_all<'a>(
 /// Returns a scene of the show without its presentation.
 pub fn of_the_show(time: f32) -> Scene {
     shown(time).scene
+}
+
+/// Returns a scene of `examples/scenes` at its start.
+pub fn example(name: &str) -> Scene {
+    let path = format!("{}/examples/scenes/{name}.ron", env!("CARGO_MANIFEST_DIR"));
+    let text = fs::read_to_string(path).expect("a scene file");
+    SceneFile::parse(name, &text).expect("a scene").at(0.0).scene
 }
 
 pub fn shown(time: f32) -> Moment {

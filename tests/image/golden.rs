@@ -2,12 +2,11 @@
 //!
 //!     UPDATE_GOLDEN=1 cargo test --test image golden
 
-use crate::drawn::draw_by_all;
+use crate::drawn::{draw_by_all, example};
 use crate::error::{Difference, worst_channel};
 use crate::picture::png;
 use crate::threaded_renderer::Shown;
 use eightfold::show;
-use eightfold_scene_file::SceneFile;
 use eightfold_scenes::between_corners;
 use eightfold_stage::reader::read_png;
 use eightfold_tracer::Quality;
@@ -65,24 +64,18 @@ pub fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
     }
 }
 
-fn scene_of(text: &str) -> Scene {
-    SceneFile::parse("", text).expect("a scene").at(0.0).scene
-}
-
 type Row = (&'static str, fn() -> Scene, Quality, [usize; 2]);
 
 #[test]
 fn scenes_match_golden_pictures() {
-    // Thin rods, which were once dashed.
-    let fence = || scene_of(include_str!("../../examples/scenes/fence.ron"));
-    let bubbles = || scene_of(include_str!("../../examples/scenes/bubbles.ron"));
     let scenes: [Row; 6] = [
         ("model", || show::model_scene(2.0), Quality::EXHAUSTIVE, [640, 360]),
         ("squares", || show::model_scene(1.0), Quality::THESIS, [320, 240]),
         ("field", || show::field(64, 1.0), Quality::THESIS, [320, 240]),
         ("between", || between_corners().scene, Quality::DEFAULT, [320, 240]),
-        ("fence", fence, Quality::DEFAULT, [640, 360]),
-        ("bubbles", bubbles, Quality::DEFAULT, [640, 360]),
+        // Thin rods, which were once dashed.
+        ("fence", || example("fence"), Quality::DEFAULT, [640, 360]),
+        ("bubbles", || example("bubbles"), Quality::DEFAULT, [640, 360]),
     ];
     for (name, scene, quality, size) in scenes {
         hold(name, &scene(), &quality, size);

@@ -6,7 +6,7 @@ use crate::error::worst_channel;
 use crate::shown::{Effect, Tally, pixels, sized};
 use eightfold_harness::patches::patches;
 use eightfold_oracle::geometry::{PicturePlane, Shape};
-use eightfold_scenes::{View, cases, known, materials_of, shiny};
+use eightfold_scenes::{Kinds, Random, View, cases, known, lights, materials, materials_of};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Light;
 use glam::{DMat2, DVec2, DVec3, dvec2};
@@ -68,9 +68,15 @@ fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
 #[test]
 fn highlights_of_five_pixels_are_shown() {
     for are_blocks in [false, true] {
+        let (spheres, blocks) = if are_blocks { (0, 14) } else { (14, 0) };
+        let (planes, material) = (1, materials::shiny as fn(&mut _) -> _);
+        let light =
+            |random: &mut Random| Light { parallel: random.below(7) == 0, ..lights::point(random) };
+        let kinds =
+            Kinds { spheres, blocks, planes, material, light, smallest: -1.3, ..Kinds::SPHERES };
         let mut tally = Tally::new(named());
         let known = (0..3).flat_map(|_| known("thin highlights")).filter(|_| are_blocks);
-        let random = cases(15).map(|mut random| sized(shiny(&mut random, are_blocks)));
+        let random = cases(24).map(|mut random| sized(kinds.scene(&mut random)));
         for (seed, view) in (0..).zip(known.chain(random)) {
             let isa = isa_of(seed);
             tally.add(isa, &view, 8, |exhaustive| highlights(isa, &view, exhaustive));

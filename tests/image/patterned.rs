@@ -1,6 +1,5 @@
-use crate::drawn::{draw_best, isa_of, jagged};
+use crate::drawn::{draw_best, example, isa_of, jagged};
 use crate::patches::compared;
-use eightfold_scene_file::SceneFile;
 use eightfold_scenes::{Random, cases, materials, materials_of, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
@@ -71,13 +70,8 @@ fn long_patterns_are_right_at_any_distance() {
 /// Swirls, the rim of air, low fog, films and the soft edges of softboxes are smooth enough for squares.
 #[test]
 fn smooth_examples_match_exhaustive_frames() {
-    for (name, file, least) in [
-        ("planet", include_str!("../../examples/scenes/planet.ron"), 55.0),
-        ("city", include_str!("../../examples/scenes/city.ron"), 55.0),
-        ("bubbles", include_str!("../../examples/scenes/bubbles.ron"), 50.0),
-    ] {
-        let scene = SceneFile::parse(name, file).expect("a scene").at(0.0).scene;
-        let (psnr, _) = compared(isa_of(0), &scene, Quality::DEFAULT, [960, 540]);
+    for (name, least) in [("planet", 55.0), ("city", 55.0), ("bubbles", 50.0)] {
+        let (psnr, _) = compared(isa_of(0), &example(name), Quality::DEFAULT, [960, 540]);
         assert!(psnr > least, "{name}: {psnr:.1} dB");
     }
 }

@@ -3,7 +3,8 @@ use crate::drawn::{TILE, draw, draw_by_all, jagged};
 use crate::error::Difference;
 use crate::patches::compared;
 use eightfold::show;
-use eightfold_scenes::{Random, cases, crowd, lights};
+use eightfold_scenes::artists::LIGHTS;
+use eightfold_scenes::{Random, cases, crowd};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 
@@ -64,8 +65,7 @@ fn random_crowds_have_42_db() {
         let mut scene = crowd(&mut random, count, shares);
         if shares == [0.0; 2] {
             for light in scene.lights.iter_mut() {
-                let [sun, spotlight, area] = lights::others(*light, 0.5);
-                *light = [*light, sun, area, spotlight][random.seed as usize % 4];
+                *light = LIGHTS[random.seed as usize % LIGHTS.len()].1(&mut random);
             }
         }
         let psnr = psnr(&scene, Quality::DEFAULT, [640, 480]);

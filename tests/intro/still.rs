@@ -1,13 +1,5 @@
 use eightfold::show;
-use eightfold_stage::{headless, intro, needs, reader::read_ppm, run, texts, tool};
-
-fn still(options: &str) -> (usize, Vec<u32>) {
-    let (output, _) = run(&mut headless(options));
-    let (_, errors) = texts(&output);
-    assert!(output.status.success(), "{options}: {errors}");
-    assert_eq!(errors, "", "{options}");
-    read_ppm(&output.stdout)
-}
+use eightfold_stage::{intro, needs, run, still, tool};
 
 #[test]
 fn frame_has_the_size_of_the_options() {

@@ -1,6 +1,6 @@
 //! Without a display the intro plays in a terminal (tmux), and restores it at the end.
 
-use eightfold_stage::{linked_intro, needs, run, tool, try_for, wait_for};
+use eightfold_stage::{linked_intro, needs, run, succeed, tool, try_for, wait_for};
 use std::{
     env, fs,
     path::PathBuf,
@@ -43,10 +43,8 @@ impl Terminal {
 
     fn tmux(&self, words: &[&str]) -> String {
         let mut tmux = tool("tmux");
-        tmux.args(["-f", "/dev/null", "-u", "-S"]).arg(&self.socket).args(words);
-        let (output, text) = run(&mut tmux);
-        assert!(output.status.success(), "tmux {words:?}: {output:?}");
-        text
+        tmux.args(["-f", "/dev/null", "-u", "-S"]);
+        succeed(tmux.arg(&self.socket).args(words))
     }
 
     fn value(&self, name: &str) -> String {
@@ -98,8 +96,7 @@ impl Terminal {
 }
 
 fn sh(command: &str) {
-    let (output, _) = run(process::Command::new("sh").args(["-c", command]));
-    assert!(output.status.success(), "{command}: {output:?}");
+    succeed(process::Command::new("sh").args(["-c", command]));
 }
 
 impl Drop for Terminal {
@@ -185,9 +182,7 @@ const SCREEN: &str = "cols 60 rows 20";
 fn played(variables: &str, size: &str, options: &str) -> String {
     let play = format!("stty {size}; {} --silent {options}", linked_intro().display());
     let pairs = variables.split(' ').map(|word| word.split_once('='));
-    let (output, text) = run(script(&play).envs(pairs.map(|pair| pair.expect("a value"))));
-    assert!(output.status.success(), "{variables}: {:?}", output.status);
-    text
+    succeed(script(&play).envs(pairs.map(|pair| pair.expect("a value"))))
 }
 
 #[test]

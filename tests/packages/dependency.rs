@@ -1,5 +1,6 @@
 //! Dependencies between the packages, and a dependent of the tracer outside the workspace.
 
+use eightfold_stage::succeed;
 use serde_json::Value;
 use std::{
     collections::BTreeSet,
@@ -15,18 +16,10 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("dependency")
 }
 
-fn run(command: &mut Command) -> String {
-    let output = command.output().expect("it starts");
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command:?}: {text}{errors}");
-    text
-}
-
 fn cargo(directory: impl AsRef<Path>, arguments: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO"));
     let command = command.current_dir(directory).args(arguments);
-    run(command.env("CARGO_TARGET_DIR", folder().join("target")))
+    succeed(command.env("CARGO_TARGET_DIR", folder().join("target")))
 }
 
 fn package() -> PathBuf {
@@ -34,7 +27,7 @@ fn package() -> PathBuf {
     cargo(ROOT, &[&package[..], &["--allow-dirty", "--no-verify"]].concat());
     let name = concat!("eightfold-tracer-", env!("CARGO_PKG_VERSION"));
     let archive = folder().join(format!("target/package/{name}.crate"));
-    run(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(folder()));
+    succeed(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(folder()));
     folder().join(name)
 }
 

@@ -1,5 +1,5 @@
 use eightfold_harness::cargo::Build;
-use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, texts, wait_for};
+use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, succeed, texts, wait_for};
 use std::{collections::BTreeSet, fs, path::Path, process::Command, sync::LazyLock};
 use tempfile::TempDir;
 
@@ -12,8 +12,7 @@ fn example(name: &str) -> Command {
 /// Returns the folder and the output. All files are inside `target`, which git ignores.
 fn output(name: &str, arguments: &[&str]) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a folder");
-    let (output, text) = run(example(name).args(arguments).current_dir(&folder));
-    assert!(output.status.success(), "{}", texts(&output).1);
+    let text = succeed(example(name).args(arguments).current_dir(&folder));
     let written = fs::read_dir(&folder).expect("a folder");
     let names: Vec<_> = written.map(|entry| entry.expect("an entry").file_name()).collect();
     assert_eq!(names, ["target"]);
@@ -92,13 +91,11 @@ fn window_shows_a_picture_until_esc() {
     needs!(DISPLAY);
     let mut git = Command::new("git");
     let git = git.current_dir(env!("CARGO_MANIFEST_DIR"));
-    let (ignored, _) = run(git.args(["check-ignore", "examples/window/target"]));
-    assert!(ignored.status.success(), "{ignored:?}");
+    succeed(git.args(["check-ignore", "examples/window/target"]));
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--release", "--locked"]);
     cargo.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/window"));
-    let (output, _) = run(cargo.env("CARGO_TARGET_DIR", &target));
-    assert!(output.status.success(), "{}", texts(&output).1);
+    succeed(cargo.env("CARGO_TARGET_DIR", &target));
     assert_shows(&mut Command::new(target.join("release/window")), "Ring");
 }

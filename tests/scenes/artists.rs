@@ -1,6 +1,7 @@
 //! Scenes as artists draw them first: bars in order, on a floor, in front of a mirror, behind glass, or casting shadows.
 
-use crate::bars::{Bars, add_turned};
+use crate::bars::Bars;
+use crate::kinds::add;
 use crate::{Random, lights, materials, solids};
 use eightfold_tracer::scene::{
     Block, Camera, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Waves,
@@ -109,8 +110,7 @@ fn patterned(random: &mut Random) -> Material {
 }
 
 fn add_box(scene: &mut Scene, centre: Vec3, half: Vec3, material: Material) {
-    let solid = Block::new(Shape::Box, centre, half, material);
-    add_turned(scene, solid, Mat3::IDENTITY);
+    add(&mut scene.blocks, Block::new(Shape::Box, centre, half, material));
 }
 
 /// A vertical plane at a random place and angle, `x` to the right and `y` up.
@@ -259,8 +259,7 @@ fn shelves(scene: &mut Scene, random: &mut Random) {
             let shape = random.one_of(solids::SHAPES);
             let half = solids::fitting(shape, half.with_z(half.z.min(deep)));
             let centre = board + vec3(wide.min(left + half.x), 0.015 + half.y, 0.0);
-            let thing = Block::new(shape, centre, half, matt(random));
-            add_turned(scene, thing, Mat3::IDENTITY);
+            add(&mut scene.blocks, Block::new(shape, centre, half, matt(random)));
             left += 2.0 * half.x + random.between(0.002, 0.2);
         }
     }
@@ -305,7 +304,7 @@ fn glass(scene: &mut Scene, random: &mut Random) {
         let half = random.vector(vec3(0.3, 0.4, 0.05), vec3(1.5, 0.8, 0.3));
         let block = solids::block(random, centre, half, glass);
         let axes = [block.axes, Mat3::from_rotation_y(random.between(-0.6, 0.6))];
-        add_turned(scene, block, random.one_of(axes));
+        add(&mut scene.blocks, Block { axes: random.one_of(axes), ..block });
     }
 }
 
@@ -323,9 +322,9 @@ fn boxes(scene: &mut Scene, random: &mut Random) {
     for _ in 0..1 + random.below(4) {
         let half = random.vector(Vec3::splat(0.2), Vec3::splat(0.8));
         let at = random.vector(vec3(-2.0, 0.0, -2.5), vec3(2.0, 0.0, -0.5));
-        let turn = Mat3::from_rotation_y(random.between(0.0, PI));
+        let axes = Mat3::from_rotation_y(random.between(0.0, PI));
         let solid = Block::new(Shape::Box, at + Vec3::Y * half.y, half, matt);
-        add_turned(scene, solid, turn);
+        add(&mut scene.blocks, Block { axes, ..solid });
     }
 }
 

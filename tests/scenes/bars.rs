@@ -1,6 +1,7 @@
 use crate::artists::matt;
+use crate::kinds::add;
 use crate::{Random, solids};
-use eightfold_tracer::scene::{Block, MAX_BLOCKS, Material, Scene, Shape};
+use eightfold_tracer::scene::{Block, Material, Scene, Shape};
 use glam::{Mat3, Quat, Vec3, vec3};
 
 /// Bars of one shape, radius and material.
@@ -53,12 +54,6 @@ impl Bars {
         let half = solids::fitting(self.shape, half);
         let turn = Quat::from_rotation_arc(Vec3::Y, along.normalize_or(Vec3::Y));
         let bar = Block::new(self.shape, 0.5 * (from + to), half, self.material);
-        add_turned(scene, bar, Mat3::from_quat(turn));
-    }
-}
-
-pub fn add_turned(scene: &mut Scene, block: Block, axes: Mat3) {
-    if scene.blocks.len() < MAX_BLOCKS {
-        scene.blocks.push(Block { axes, ..block });
+        add(&mut scene.blocks, Block { axes: Mat3::from_quat(turn), ..bar });
     }
 }

@@ -195,7 +195,7 @@ fn add_groups(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-fn add<T: Copy + Default, const N: usize>(list: &mut List<T, N>, item: T) {
+pub(crate) fn add<T: Copy + Default, const N: usize>(list: &mut List<T, N>, item: T) {
     if list.len() < N {
         list.push(item);
     }

@@ -8,7 +8,6 @@
 //! | [`hidden()`] | forty small objects that are easily missed |
 //! | [`artists`] | bars in the order of words, nets, fences and shelves |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
-//! | [`shiny()`] | highlights of all sizes |
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known()`] | scenes that once failed |
 //!
@@ -25,7 +24,6 @@ pub mod lights;
 pub mod materials;
 mod placed;
 mod random;
-mod shiny;
 pub mod solids;
 pub mod text;
 mod thin;
@@ -36,7 +34,6 @@ pub use kinds::{Kinds, presented};
 pub use known::known;
 pub use placed::{between_corners, placed, placed_blocks};
 pub use random::{Random, cases};
-pub use shiny::shiny;
 pub use thin::Seen;
 
 use eightfold_tracer::scene::{MIN_LENGTH, Material, Scene};
@@ -63,13 +60,12 @@ impl View {
 
 pub fn any(random: &mut Random) -> Scene {
     let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
-    match random.below(8) {
+    match random.below(7) {
         0 => hidden(random, [true; 2], GREY),
         1 => random.one_of(Seen::ALL).view(random)[0].scene.clone(),
         2 => crowd(random, [8, 8], [0.3, 0.3]),
-        3 => shiny(random, true),
-        4 => shiny_blocks.scene(random),
-        5 => artists::artists(random),
+        3 => shiny_blocks.scene(random),
+        4 => artists::artists(random),
         _ => Kinds::EXTREME.scene(random),
     }
 }

@@ -25,9 +25,3 @@ pub fn any(random: &mut Random) -> Light {
 pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
     Light { spot: Some(Spot { aim: -light.position, inner_angle, outer_angle }), ..light }
 }
-
-pub fn others(light: Light, diameter: f32) -> [Light; 3] {
-    let sun = Light { parallel: true, ..light };
-    let area = Light { diameter, ..light };
-    [sun, spotlight(light, 0.8, 1.05), area]
-}

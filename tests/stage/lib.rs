@@ -53,6 +53,23 @@ pub fn run(command: &mut Command) -> (Output, String) {
     (output, text)
 }
 
+/// Returns the standard output of a command that ends successfully.
+#[track_caller]
+pub fn succeed(command: &mut Command) -> String {
+    let (output, text) = run(command);
+    assert!(output.status.success(), "{command:?}: {text}{}", texts(&output).1);
+    text
+}
+
+/// Returns the width and the pixels of a frame that the intro writes without an error.
+#[track_caller]
+pub fn still(options: &str) -> (usize, Vec<u32>) {
+    let (output, _) = run(&mut headless(options));
+    let (_, errors) = texts(&output);
+    assert!(output.status.success() && errors.is_empty(), "{options}: {errors}");
+    reader::read_ppm(&output.stdout)
+}
+
 /// Waits for a value.
 ///
 /// # Panics
@@ -105,12 +122,11 @@ impl Drop for Process {
 }
 
 pub struct Server {
-    process: Process,
+    pub process: Process,
     pub display: String,
     manager: Option<Process>,
     /// The window manager's settings, which it reads late.
     settings: Option<TempDir>,
-    focuses_new_windows: bool,
 }
 
 impl Server {
@@ -131,13 +147,7 @@ impl Server {
         let output = process.0.stdout.take().expect("a pipe");
         BufReader::new(output).read_line(&mut number).expect("Xvfb writes its display's number");
         assert!(!number.trim().is_empty(), "Xvfb does not start");
-        Server {
-            process,
-            display: format!(":{}", number.trim()),
-            manager: None,
-            settings: None,
-            focuses_new_windows: false,
-        }
+        Server { process, display: format!(":{}", number.trim()), manager: None, settings: None }
     }
 
     pub fn start_managed(width: usize, height: usize) -> Server {
@@ -145,19 +155,8 @@ impl Server {
         let mut openbox = tool("openbox");
         openbox.env("DISPLAY", &server.display);
         server.manager = Some(Process::start(&mut openbox));
-        server.focuses_new_windows = true;
-        wait_for("the window manager", || {
-            let mut xprop = server.tool("xprop");
-            let (_, text) = run(xprop.args(["-root", "_NET_SUPPORTED"]));
-            text.contains("FULLSCREEN").then_some(())
-        });
-        // It answers requests after its start, during which it moves no windows onto the screen.
-        server.xdotool("set_num_desktops 1");
-        wait_for("the window manager's answer", || {
-            let mut xprop = server.tool("xprop");
-            let (_, text) = run(xprop.args(["-root", "_NET_NUMBER_OF_DESKTOPS"]));
-            text.ends_with("= 1\n").then_some(())
-        });
+        // It ignores requests during its start, in which it moves no windows onto the screen.
+        server.wait_for_text("xdotool", "set_num_desktops 1 get_num_desktops", "1\n");
         server
     }
 
@@ -171,12 +170,15 @@ impl Server {
         let twm = twm.env("LC_ALL", "C").arg("-f").arg(&settings);
         server.manager = Some(Process::start(twm));
         server.settings = Some(folder);
-        wait_for("the window manager", || {
-            let mut xwininfo = server.tool("xwininfo");
-            let (_, text) = run(xwininfo.args(["-root", "-events"]));
-            text.contains("SubstructureRedirect").then_some(())
-        });
+        server.wait_for_text("xwininfo", "-root -events", "SubstructureRedirect");
         server
+    }
+
+    fn wait_for_text(&self, tool: &str, words: &str, text: &str) {
+        wait_for(text, || {
+            let (_, written) = run(self.tool(tool).args(words.split(' ')));
+            written.contains(text).then_some(())
+        });
     }
 
     pub fn tool(&self, name: &str) -> Command {
@@ -197,11 +199,9 @@ impl Server {
         let cheap = ["--silent", "--quality", "thesis", "--fps", "20"];
         command.args(cheap).args(options.split_whitespace());
         let intro = self.open(&mut command, || self.window());
-        if self.focuses_new_windows {
-            wait_for("the focus of the window", || {
-                let name = self.xdotool("getwindowfocus getwindowname");
-                (name.trim() == "Eightfold").then_some(())
-            });
+        // openbox focuses new windows. twm, which has settings, does not.
+        if self.manager.is_some() && self.settings.is_none() {
+            self.wait_for_text("xdotool", "getwindowfocus getwindowname", "Eightfold\n");
         }
         intro
     }
@@ -235,12 +235,9 @@ impl Server {
             rest.split_whitespace().next()?.parse().ok()
         };
         text.contains("IsViewable").then_some(())?;
-        Some([
-            number("Absolute upper-left X:")?,
-            number("Absolute upper-left Y:")?,
-            number("Width:")?,
-            number("Height:")?,
-        ])
+        let labels = ["Absolute upper-left X:", "Absolute upper-left Y:", "Width:", "Height:"];
+        let [x, y, width, height] = labels.map(number);
+        Some([x?, y?, width?, height?])
     }
 
     pub fn wait_for_window(&self, wanted: [i32; 4]) {
@@ -256,11 +253,6 @@ impl Server {
     /// Returns the window's contents by its own colour table.
     pub fn window_screenshot(&self) -> Vec<u32> {
         import(&self.display, &["-window", "Eightfold"])
-    }
-
-    pub fn kill(&mut self) {
-        self.process.0.kill().expect("it runs");
-        self.process.0.wait().expect("it has ended");
     }
 }
 
@@ -288,14 +280,9 @@ pub fn on_displays(servers: &[&[&str]], work: fn()) {
     let test = thread::current().name().expect("a test").to_owned();
     for arguments in servers {
         let server = Server::start_with(1280, 1024, arguments);
-        let output = Command::new(env::current_exe().expect("this program"))
-            .args([&test, "--exact", "--nocapture"])
-            .env("DISPLAY", &server.display)
-            .env(INSIDE, "1")
-            .output()
-            .expect("this program starts");
-        let said = String::from_utf8_lossy(&output.stdout);
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "it fails on a server with {arguments:?}: {said}{errors}");
+        println!("a server with {arguments:?}");
+        let mut inside = Command::new(env::current_exe().expect("this program"));
+        inside.args([&test, "--exact", "--nocapture"]);
+        succeed(inside.env("DISPLAY", &server.display).env(INSIDE, "1"));
     }
 }

@@ -1,5 +1,5 @@
 use super::{SCREEN, end_by_key, on_screen, servers};
-use eightfold_stage::{DISPLAY, Server, needs, run, wait_for};
+use eightfold_stage::{DISPLAY, Server, needs, run, succeed, wait_for};
 use std::{thread::sleep, time::Duration};
 
 #[test]
@@ -139,10 +139,7 @@ fn fullscreen_option_starts_fullscreen() {
 fn fullscreen_follows_the_mode_of_the_display() {
     needs!(DISPLAY, &["xrandr"]);
     let server = on_screen(Server::start);
-    let xrandr = |words: &str| {
-        let (output, _) = run(server.tool("xrandr").args(words.split(' ')));
-        assert!(output.status.success(), "{words}: {output:?}");
-    };
+    let xrandr = |words: &str| succeed(server.tool("xrandr").args(words.split(' ')));
     xrandr("--newmode small 40 800 840 968 1056 600 601 605 628");
     xrandr("--addmode screen small");
     let intro = server.play("--size 400x300 --seconds 60");

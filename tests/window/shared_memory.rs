@@ -1,6 +1,6 @@
 //! Shared memory with the X server, which fails in containers.
 
-use eightfold_stage::{DISPLAY, Process, Server, intro, needs, run, wait_for};
+use eightfold_stage::{DISPLAY, Process, Server, intro, needs, succeed, wait_for};
 use std::{
     env, fs,
     path::{Path, PathBuf},
@@ -15,9 +15,8 @@ fn build(folder: &Path) -> PathBuf {
     let (source, library) = (folder.join("library.rs"), folder.join("no_addresses.so"));
     fs::write(&source, NO_ADDRESSES).expect("a file");
     let mut rustc = Command::new(env::var_os("RUSTC").unwrap_or("rustc".into()));
-    let rustc = rustc.args(["--edition", "2024", "--crate-type", "cdylib", "-o"]);
-    let (output, _) = run(rustc.arg(&library).arg(source));
-    assert!(output.status.success(), "{output:?}");
+    rustc.args(["--edition", "2024", "--crate-type", "cdylib", "-o"]);
+    succeed(rustc.arg(&library).arg(source));
     library
 }
 

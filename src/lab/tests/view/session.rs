@@ -60,7 +60,7 @@ fn escape_ends_the_viewer() {
 #[test]
 fn lost_server_is_reported_by_the_viewer() {
     let Some(mut view) = View::new() else { return };
-    view.server.kill();
+    view.server.process.0.kill().expect("it runs");
     let (_, code, _, errors) = view.process.end();
     assert_eq!(code, Some(1), "{errors}");
     assert!(errors.ends_with("display is lost\n"), "{errors}");
