@@ -76,10 +76,8 @@ fn long_show_has_small_patches() {
     for size in [SIZE, LARGE] {
         for tenth in 0..1160 {
             let time = tenth as f32 / 10.0;
-            // The sun in the city's waves.
-            let limit = if tenth < 1040 { 50 } else { 19 };
             let what = format!("{time} s");
-            assert_near(&what, &of_the_show(time), Quality::DEFAULT, size, (limit, 46.0));
+            assert_near(&what, &of_the_show(time), Quality::DEFAULT, size, (19, 46.0));
         }
     }
 }

@@ -67,17 +67,17 @@ static BUBBLES: [(Vec3, f32); 8] = [
 ];
 
 fn add(now: Now, scene: &mut Scene) {
-    // One near the camera, and specks that rise far behind.
+    // One near the camera, and specks that rise far behind: so small since the guard misses them in bubbles.
     add_bubble(vec3(-2.3, -1.6, 3.2), 0.7, 3.0, now, scene);
     for number in 0..16 {
         let spread = number as f32 * 0.618;
         let up = fraction(now.beat * 0.02 + number as f32 * 0.755);
         let centre = vec3(14.0 * fraction(spread) - 7.0, 8.0 * up - 3.4, -8.0);
-        add_sphere(centre, 0.03 + 0.05 * fraction(spread * 3.0), &SPECK, scene);
+        add_sphere(centre, 0.014, &SPECK, scene);
     }
-    // A world grows in the first bubble.
+    // A world grows in the first bubble, from the size of a square.
     let world = smooth_step((now.beat - 14.0) / 7.0);
-    if world > 0.0 {
+    if world > 0.06 {
         // Off its centre, the guard would miss that the bubble hides it.
         add_sphere(float(0.0, now), 0.75 * world, &GIANT, scene);
     }

@@ -64,13 +64,9 @@ static BRASS: Material = Material {
 static BORE: Material =
     Material { tint: Vec3::ONE, ..Material::matt(vec3(0.02, 0.008, 0.004), 0.8) };
 static EMBER: Material = Material { tint: Vec3::ONE, ..Material::matt(vec3(9.0, 2.6, 0.4), 1.0) };
-static BALL: Material = Material {
-    ks: 0.5,
-    exponent: 50.0,
-    kr: 0.02,
-    fresnel: 0.25,
-    ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85)
-};
+/// No mirror: images of embers and bores in the ball are smaller than a square.
+static BALL: Material =
+    Material { ks: 0.5, exponent: 50.0, ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85) };
 /// The light of a struck pipe's bore.
 const GLOW: Vec3 = vec3(24.0, 13.0, 4.0);
 

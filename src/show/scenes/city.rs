@@ -4,7 +4,7 @@ use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{Size, add_letter, add_sphere};
-use eightfold_tracer::scene::{Light, Material, Scene, Waves};
+use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Mat3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -20,7 +20,6 @@ static ENVIRONMENT: Environment = Environment {
     scatter: 0.1,
     vignette: 0.1,
     floor: Some(&WATER),
-    swell: Waves { slope: 0.002, length: 9.0, phase: 0.08 },
     lights: &[Light { drawn_radius: 25.0, glow: 11.0, ..point(SUN, [4.0, 3.3, 2.3]) }],
     field_of_view: 0.88,
     add,
@@ -44,8 +43,9 @@ static SHOTS: &[Shot] = &[
 ];
 
 static TOWER: Material = Material::matt(vec3(0.06, 0.045, 0.05), 0.9);
+/// Calm: the guard has no bounds of images in waves. Without diffuse light, which costs shadows.
 static WATER: Material =
-    Material { kr: 0.15, fresnel: 0.7, ..Material::matt(vec3(0.035, 0.048, 0.084), 0.05) };
+    Material { kr: 0.15, fresnel: 0.7, ..Material::matt(vec3(0.035, 0.048, 0.084), 0.0) };
 static RED: Material =
     Material { ks: 0.4, exponent: 40.0, ..Material::matt(vec3(11.5, 0.57, 0.14), 0.85) };
 
