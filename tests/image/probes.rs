@@ -8,7 +8,7 @@ use eightfold_tracer::{Probes, Quality};
 const SIZE: (usize, usize) = (200, 149);
 
 fn scenes() -> impl Iterator<Item = Moment> {
-    [20.0, 50.0, 62.0, 110.0].into_iter().map(|time| {
+    [6.0, 20.0, 72.0, 106.0].into_iter().map(|time| {
         let mut moment = shown(time);
         moment.presentation.captions.clear();
         moment
