@@ -1,8 +1,8 @@
 //! The highlights of lights on objects in direct view, as ellipses in the picture.
 //!
 //! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the mirrored ray r minus the direction l to the light. Around
-//! the point where d = 0, d is nearly linear in the pixels x and y, so the lobe is `ks e^-u` with the decay
-//! `u = a x^2 + 2 b x y + c y^2`. Grooves, which widen a lobe, are ignored.
+//! the point where d = 0, d is nearly linear in the pixels x and y, so the lobe is `ks e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`.
+//! `Material::anisotropy`, which widens a lobe, is ignored.
 
 use super::Coverage;
 use super::mirror::Mirror;
@@ -40,7 +40,7 @@ pub(crate) struct Highlight {
     pub object: ObjectId,
     /// In pixels.
     middle: Vec2,
-    /// In pixels: the least x and y, and the greatest negated.
+    /// In pixels: the least x and y, then the greatest x and y, negated.
     pub bounds: Vec4,
     decay: [f32; 3],
     /// The peak, of 255.
@@ -54,9 +54,11 @@ impl Highlight {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
-    /// Returns whether any square of `side` pixels whose corners all show the object is nearly as bright at a corner as anywhere inside.
+    /// Returns whether every square of `side` pixels whose corners all show the object is nearly as bright at one of its corners as at its
+    /// brightest point.
     ///
-    /// From its minimum in a square to the nearest corner, the decay grows at most by its value at half a side across and down.
+    /// From a square's brightest point, the nearest corner is at most half a side across and down. Up to there, the decay grows at most by
+    /// its value at this offset from the highlight's centre.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * to_f32(side);
@@ -75,7 +77,7 @@ impl Highlight {
         (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)
     }
 
-    /// Returns the least and greatest x between two rows of the part of the highlight whose decay is at most `reach`.
+    /// Returns the least and greatest x between the rows `top` and `bottom` at which the decay is at most `reach`.
     pub fn columns(&self, top: f32, bottom: f32, reach: f32) -> [f32; 2] {
         let [a, b, c] = self.decay;
         let [top, bottom] = [top, bottom].map(|y| y - self.middle.y);
@@ -108,7 +110,8 @@ impl Highlight {
         self.strength * (corner - min).min(1.0) > threshold * (1.0 + min + 0.5 * min * min)
     }
 
-    /// Returns whether the highlight fits between corners: 4 pixels across and down, u is at most 64 times the larger of a and c.
+    /// Returns whether a square of 8 pixels may miss the highlight. From its middle to a corner, 4 pixels across and down, u grows to at
+    /// most 64 times the larger of a and c.
     fn is_small(&self, visible: f32) -> bool {
         let [a, _, c] = self.decay;
         self.strength * a.max(c) * SQUARE * SQUARE > visible

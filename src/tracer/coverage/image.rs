@@ -1,4 +1,4 @@
-//! The images of solids and lights in the first plane: the mirrored camera sees the object in the image's outline.
+//! Bounds of the images of solids and lights in the first plane. An image's outline is its object's, as seen by the mirrored camera.
 
 use super::screen::ScreenBounds;
 use super::view::View;

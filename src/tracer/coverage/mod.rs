@@ -1,37 +1,39 @@
 //! Conservative bounds of the features that a square may show between its corners: objects, shadows on planes, images in the first plane,
 //! and highlights. `docs/guard.md` has a picture of each.
 //!
-//! A square is split while it meets the bound of a feature that no corner shows. An outline of one and a half sides or more covers a
-//! corner of each part that it crosses, so one corner clears the square. A thinner outline needs all four corners, down to pixels.
+//! A square is split while it meets the bound of a feature that no corner shows. An outline at least one and a half sides wide contains a
+//! corner of some square, even if partly hidden: a square may be filled if one corner shows the feature. A thinner outline may pass between
+//! corners: a square is split, down to pixels, unless all four corners show the feature.
 //!
 //! | kind | bound | the square may be filled if | file |
 //! | --- | --- | --- | --- |
 //! | object | the cone of rays from the eye that meet it | a corner (all, if it is thin) shows it, or the corners show an occluder that hides it | `object` |
-//! | image | the cone of rays from the mirrored eye | no corner shows the plane; or a corner (all, if it is thin) shows the plane inside; or all corners show the plane, and one side of a wide bound cuts the square | `image` |
+//! | image | the cone of rays from the mirrored eye | no corner shows the plane; or a corner (all, if it is thin) shows the plane inside the bound; or all corners show the plane, and only one side of a wide bound cuts the square | `image` |
 //! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow covers the square | `shadow` |
-//! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as the brightest point inside | `highlight` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as the brightest point in the square | `highlight` |
 //!
 //! # Guarantees
 //!
 //! - Each object has at least one pixel: a square that shows it meets its outline, and is filled only if a corner shows it or an occluder
-//!   covers the square. An average of two points counts as showing the objects of both points.
+//!   covers the square. A pixel whose colour is the mean of two points counts as showing the objects of both.
 //! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
-//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The corner may be as dark
-//!   without the shadow.
-//! - A frame shows every image in the first plane of 2x2 pixels or more that no other image covers in part. A corner inside its outline
-//!   shows the image or a nearer one.
-//! - Thin bars, their shadows from a point light on a plane and their images have no holes (`tests/image/thin.rs`): an outline's width is
-//!   a lower bound, the object's least extent at its farthest distance.
+//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The shadow is invisible
+//!   there if the corner is as dark without it.
+//! - A frame shows every image in the first plane of at least 2x2 pixels that no other image partly covers. A corner that shows the plane
+//!   inside the outline shows this image or a nearer one.
+//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). An
+//!   outline's width is a lower bound: the object's least extent at its farthest distance.
 //!
 //! # Best effort
 //!
-//! - An area light counts as its centre, and a spotlight shines everywhere. The shadow of a capsule counts as its bounding cylinder's,
-//!   and a cylinder from above as a hexagonal prism. A corner is certainly dark in the hexagonal prism inside a cylinder, or inside a
-//!   capsule without its round ends.
-//! - A square stays open for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some and
-//!   an object hides all others.
+//! - An area light counts as its centre, and a spotlight shines everywhere. The shadow of a capsule counts as its bounding cylinder's, and
+//!   the round end of a cylinder as the hexagon around it. A corner is certainly dark in the shadow of a hexagonal prism inside the
+//!   cylinder, or inside the capsule's straight part.
+//! - A square is split for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some corners
+//!   and an object hides all others.
 //! - Images of cylinders and capsules count as prisms.
-//! - Phong's lobe is nearly a Gaussian, but a corner may be in shadow or on another face.
+//! - A highlight's bound is a Gaussian, which is nearly Phong's lobe. The highlight may be missed if a corner is darker than its bound: in
+//!   shadow, or on another face.
 //!
 //! # Light without a bound
 //!
@@ -145,7 +147,7 @@ impl Coverage {
             }
         };
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
-        // The rays of a part beyond the plane meet the plane, but the part has no image or shadow.
+        // Part of the object is beyond the plane: rays to it meet the plane, but show no image or shadow of it.
         if let Some((plane, viewer)) = shown
             && self.heights(id, &world.planes()[plane], viewer)[0] < 0.0
         {

@@ -42,8 +42,8 @@ impl ObjectBounds {
         [self.min.y - height, self.max.y - height]
     }
 
-    /// Returns whether a plane across an axis separates the object from the eye and from `points` of the object `front`: vectors from the
-    /// eye, and forward distances.
+    /// Returns whether a plane perpendicular to an axis separates the object from the eye and from points of the object `front`. `points`
+    /// returns their vectors from the eye, and their forward distances.
     pub fn is_beyond(
         &self,
         front: &Self,
@@ -128,7 +128,7 @@ impl Coverage {
         }
         for (i, plane) in world.planes().iter().enumerate() {
             let id = ObjectId::new(world.first_plane() + i);
-            // Planes have no order: the forward extent is unbounded.
+            // An unbounded forward extent: planes have no order along the view.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
             let [min, max] = ends(plane.centre.into(), extent);
             self.objects[id.index()] =

@@ -86,7 +86,7 @@ impl Axes {
         self.middle.xy() + Vec2::new(u, v) / self.pixel
     }
 
-    /// With its fraction.
+    /// Converts `u` to columns of pixels, without rounding.
     #[inline(always)]
     pub fn column<S: Isa>(&self, u: F<S>) -> F<S> {
         u / self.pixel + self.middle.x

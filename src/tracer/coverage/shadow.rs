@@ -1,4 +1,4 @@
-//! The shadows of solids on planes. An area light counts as its centre, whose shadow is inside the penumbra.
+//! Bounds of the shadows of solids on planes. An area light counts as a point light at its centre, whose shadow ends inside the penumbra.
 
 use super::view::View;
 use super::{Coverage, Outline};

@@ -1,12 +1,12 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
-//! Each test is about a ray w from the viewpoint. In direct view, w is the eye's ray `d = (u, v, 1)`. For a shadow, w leads from the
-//! light to the point where d meets the plane. It is linear in d, so a shadow is a cone in the picture, too. `view` computes w as a
-//! vector from the object's centre plus a share of the vector to the centre.
+//! Each test is about a ray w from a viewpoint. In direct view, w is the eye's ray `d = (u, v, 1)`. For a shadow, w leads from the light to
+//! the point where d meets the plane. It is scaled to be linear in d, so the shadow of a sphere is a cone of rays d, too. `view` computes w
+//! as a vector from the object's centre plus a share of the vector from the viewpoint to the centre.
 //!
-//! A ray w meets a sphere if `sin (a . w) >= cos |a x w|`, where a is the axis of the sphere's bounding cone, and the angle is half the
-//! cone's. The left side minus the right side is concave in u and v, so each of its tangent planes is an upper bound: rays are outside
-//! where it is negative. Blocks and planes are bounded by planes through the viewpoint.
+//! Let a be the axis of a sphere's bounding cone, and `sin` and `cos` the sine and cosine of half its opening angle. A ray w meets the
+//! sphere if `sin (a . w) >= cos |a x w|`. The left side minus the right side is concave in u and v, so each of its tangent planes is an
+//! upper bound: rays miss the sphere where it is negative. Blocks and planes are bounded by planes through the viewpoint.
 
 use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
@@ -20,7 +20,8 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// Cuts at each end of a row's range. The first tangent touches the cone at the end's side, later tangents inside the rectangle.
+/// The number of tangents that cut each end of a row's range: the first at the rectangle's own end, each later one at the end that the
+/// previous cut left.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -28,12 +29,12 @@ pub(crate) type Terms = [Vec4; 3];
 
 #[derive(Clone, Copy)]
 pub(crate) enum Sides {
-    /// All rays: the origin is inside the object, or may be.
+    /// All rays, because the viewpoint may be inside the object.
     All,
     /// The rays in a cone: `cos (a x w)` in three lanes, `sin (a . w)` in the last.
     Round {
         terms: Terms,
-        /// The margin, relative to the last lane, beyond which rays certainly meet the sphere. The hit error widens the cone.
+        /// The depth, relative to the last lane, beyond which rays certainly meet the sphere: the hit error widens the cone.
         unsure: f32,
     },
     /// The rays inside eight planes around the object, and inside eight planes within it.
@@ -41,8 +42,8 @@ pub(crate) enum Sides {
 }
 
 impl Sides {
-    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. Each of `rays` is a
-    /// vector from the centre, and a share of `to`.
+    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. Each of `rays` is the
+    /// sum of a vector from the centre and a share of `to`.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
         let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
@@ -87,7 +88,7 @@ impl Sides {
         Self::Flat { outer: terms, inner: terms }
     }
 
-    /// Clips rectangles to the range of u whose rays may be inside, by a margin. Tangent planes at both ends clip a cone.
+    /// Clips each rectangle to the range of u whose rays may be at least `margin` deep inside. A cone's tangent planes clip both ends.
     #[inline(never)]
     fn narrow<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
         let simd = rects.left.token();
@@ -103,7 +104,7 @@ impl Sides {
                     }
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
-                        // On the axis any direction across is valid, even zero.
+                        // On the cone's axis, (x, y, z) is 0. Any direction across the axis gives a valid bound there, and so does 0.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
                         [side(right), side(down), side(origin) - length * margin]
@@ -125,7 +126,8 @@ impl Sides {
         }
     }
 
-    /// A cone counts as two.
+    /// Returns the number of inner sides that may cut the rectangle. A cone counts as two: the rule for one straight side does not hold for
+    /// it.
     #[inline(always)]
     pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
         let Self::Flat { inner, .. } = self else {
@@ -143,7 +145,7 @@ impl Sides {
         cuts[0] + cuts[1]
     }
 
-    /// Lower bounds; negative if rays may be outside.
+    /// Returns lower bounds of the rays' depths inside, negative if a ray may be outside.
     #[inline(always)]
     fn depth(&self, u: F<Baseline>, v: F<Baseline>) -> F<Baseline> {
         let at = |terms: &Terms| -> [F<Baseline>; 4] {
@@ -215,10 +217,11 @@ impl Region {
     }
 }
 
-/// Returns the depths of rays inside the planes through the edges of a block's silhouette from the origin, in the block's axes.
+/// Returns the depths of rays inside the planes through the origin and an edge of the block's silhouette, as seen from there. Vectors are
+/// in the block's axes.
 ///
-/// Each lane is an axis: along it the block is a rectangle with two silhouette corners. Along its own axis a cylinder or capsule is a
-/// circle; from the side it is a hexagonal prism with an inner radius of `hexagon` radii.
+/// Each lane projects the block along an axis to a rectangle, which has two corners on the silhouette. Along its own axis, a cylinder or
+/// capsule becomes a circle; in other lanes, its round end counts as a hexagon with an inner radius of `hexagon` radii.
 #[inline(never)]
 fn silhouette_terms(
     shape: Shape,
@@ -248,7 +251,7 @@ fn silhouette_terms(
         let scale = Vec4::select(has_none, Vec4::ZERO, sign / (x.abs() + y.abs()));
         let mut terms = rays.map(|([across_a, across_b], share)| {
             let depth = across_b * x - across_a * y + (b * right - a * up) * share;
-            // NaN inside a cylinder.
+            // If the origin is inside a cylinder's circle, `depth` is NaN.
             Vec4::select(has_none, Vec4::ZERO, depth * scale)
         });
         terms[2] += Vec4::select(has_none, Vec4::ONE, Vec4::ZERO);
@@ -259,7 +262,8 @@ fn silhouette_terms(
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Returns the two coordinates of a vector across each axis: a box's axes, or a cylinder's and three across it, 60 degrees apart.
+/// Returns the two coordinates of a vector that are perpendicular to each axis: to a box's axes, or to a cylinder's axis and to three axes
+/// across it, 60 degrees apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     match shape {

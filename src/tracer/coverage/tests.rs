@@ -38,8 +38,8 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// A sphere and a block between a floor and a light, seen from above the floor. The light and the camera are up to 10 to the power
-/// `light` and `telescope` times as far away.
+/// Draws scenes of a sphere and a block between a floor and a light, seen from above the floor. The light is up to `10^light` times as far
+/// away as usual, the camera up to `10^telescope` times.
 fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
@@ -118,7 +118,7 @@ fn is_shadow_of(solid: usize) -> impl Fn(Outline) -> bool {
     move |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid)
 }
 
-/// Returns the segment's least distance from a block's centre, relative to the surface's.
+/// Returns the least distance of a segment from a block's centre, in units that put the block's surface at 1.
 fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
     let inward = block.axes.as_dmat3().transpose();
     let half = block.half.as_dvec3();
@@ -188,7 +188,8 @@ proptest! {
     }
 }
 
-/// The hexagon inside a cylinder's end allows 1.087 radii, where its silhouette ends between two corners.
+/// A certain point's shadow ray may pass a cylinder at up to 1.087 radii: where the silhouette turns from the round side to the hexagon
+/// inside the end, between two corners of the hexagon.
 #[test]
 fn certain_points_are_in_shadow() {
     let mut runner = TestRunner::deterministic();
@@ -257,7 +258,7 @@ fn planes_have_outlines_but_no_images() {
     assert_eq!(outlines.len(), 2);
 }
 
-/// The light is above the floor.
+/// A shadow is unseen if the plane is black, the solid is clear, or the spotlight above the floor does not shine on it.
 #[test]
 fn unseen_shadows_are_not_listed() {
     let plain = draw(&scene(0.0, 0.0), &mut TestRunner::deterministic());

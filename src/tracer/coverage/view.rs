@@ -41,10 +41,10 @@ impl View {
         Self { from: eye, eye, axes, above: 1.0, height: 1.0, corner, rounding: 1.0, ..Self::ZERO }
     }
 
-    /// Returns the view of a light from points on a plane.
+    /// Returns the view from a light whose shadows on `plane` the eye sees.
     pub fn light(light: &PreparedLight, plane: &Plane, eye: &Self) -> Self {
         let (height, to_light) = (eye.eye.y - plane.centre.y, light.position - eye.eye);
-        // Points towards the plane.
+        // Negative if the eye is below the plane, so that `above` is positive if the light is on the eye's side.
         let scale = (1.0 / to_light.extend(height).length()).copysign(height);
         Self {
             from: light.position,
@@ -87,7 +87,7 @@ impl View {
         let [u, v] = [right, down].map(|(normal, across)| {
             let between = forward * across - normal * ahead;
             let shared = normal.cross(forward) * radius;
-            // NaN inside the sphere.
+            // Inside the sphere this is NaN, which sets no bound.
             let apart = sqrt(between.length_squared() - shared.length_squared());
             let [a, c] = [normal, forward].map(|normal| normal.dot(between) * radius);
             Vec4::new(a, apart * across, c, apart * ahead)

@@ -1,8 +1,8 @@
 //! Finds the squares of a tile that may show a feature between their corners.
 //!
-//! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. Samples have the object
-//! at a corner, but not its shadows and images: a corner that shows the plane inside an outline shows the shadow or the image, or an
-//! occluder of it.
+//! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. A sample records the object
+//! at its corner, but not the shadows and images there: a corner that shows the plane inside an outline shows the shadow or image, or
+//! another one that covers it.
 
 mod highlights;
 mod objects;
@@ -93,9 +93,9 @@ struct Search<'a> {
     squares: &'a Squares<'a>,
     open: [Bits; TILE_HEIGHT],
     light: Option<u8>,
-    /// The least corner mask that clears a square: 1 (any corner), or [`ALL`] for a thin outline.
+    /// The least mask of corners that must show a feature, or the square is opened: 1 (any corner), or [`ALL`] for a thin outline.
     enough: u64,
-    /// The corners in each row of squares that shadows from `light`, or images, cover.
+    /// For each row of squares, the corners that shadows from `light` cover; without a light, the corners that images cover.
     covered: [Covered; SQUARE_ROWS],
 }
 
@@ -144,8 +144,8 @@ impl Search<'_> {
     }
 }
 
-/// The width limit of thin outlines, in halves of a square's side. A whole outline wider than a side covers a corner; a partly hidden one
-/// needs another half.
+/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side contains a corner; a partly hidden one must
+/// be half a side wider.
 const THIN: usize = 3;
 
 const ALL: u64 = 0b1111;

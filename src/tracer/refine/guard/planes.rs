@@ -7,10 +7,10 @@ use crate::picture::TILE_HEIGHT;
 
 pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// The corners in a row of squares that the shadows of one light, or the images, cover.
+/// For a row of squares, the corners that shadows from one light cover, or that images cover.
 ///
-/// Two outlines that each cover some corners may leave a slit: the square stays open. A convex outline around all corners covers the
-/// square.
+/// Two outlines that each cover some corners may leave a slit between them: the square is opened. A convex outline around all corners
+/// covers the square.
 #[derive(Clone, Copy)]
 pub(super) struct Covered {
     /// One outline covers all corners.
@@ -44,7 +44,7 @@ impl Search<'_> {
             _ => region.corners(rect),
         };
         let covered = &mut self.covered[y % SQUARE_ROWS];
-        // The plane may show between the object at the hidden corners and the region.
+        // All corners outside the region are hidden: between their occluder and the region, the plane may be visible.
         let is_between = shown != ALL && shown & !inside == 0;
         let is_open = is_between || shown & inside < self.enough;
         if inside == ALL {

@@ -27,7 +27,7 @@ pub(crate) struct Squares<'a> {
     first: Vec4,
 }
 
-/// Rows that a region is clipped to at once.
+/// The number of rows that `Squares::ranges` tests at once.
 const ROWS: usize = 4;
 
 impl<'a> Squares<'a> {
@@ -105,7 +105,7 @@ impl<'a> Squares<'a> {
         Sample::labels(&self.grid[start..start + self.stride + 2])
     }
 
-    /// Returns a bit for each corner of a square that is inside the picture and shows an object.
+    /// Returns the mask of a square's corners that are inside the picture and show `object`.
     #[inline(always)]
     pub(super) fn shown(&self, x: usize, y: usize, object: ObjectId) -> u64 {
         let label = object.index() as u32 + 1;

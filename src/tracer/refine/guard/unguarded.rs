@@ -70,7 +70,8 @@ impl Squares<'_> {
     }
 }
 
-/// The bulge of the surface between four corners: a right-angled edge is 1.42 times as far from their middle as they are.
+/// The radius of a sphere around the surface between four corners, relative to their greatest distance from their middle. A right-angled
+/// edge may be 1.42 times as far from it.
 const BULGE: f32 = 1.5;
 
 /// A bound of the shadow rays from a square to a light.
