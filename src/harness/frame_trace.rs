@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 pub struct FrameTrace {
     pub width: usize,
     height: usize,
-    /// Per pixel, with shadow rays; 0 without a point.
+    /// Each pixel's number of rays, including shadow rays; 0 if it was not traced.
     rays: Vec<AtomicU32>,
     squares: Mutex<Vec<Drawn>>,
 }

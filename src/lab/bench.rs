@@ -29,8 +29,8 @@ pub struct Arguments {
     /// Draws all frames with jagged edges; by default all are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Adds frames enlarged from 0.3 to 0.9 of the width, a checkerboard of traced pixels, and `default` without its guard, and prints the
-    /// dB to 64 samples that a quality gains at equal time
+    /// Adds rivals: frames drawn at 0.3 to 0.9 of the width and then enlarged, a checkerboard of traced pixels, and `default` without its
+    /// guard. Also prints by how many dB (to 64 samples) each quality beats an enlarged frame of equal time
     #[arg(long)]
     rivals: bool,
     /// Frames of each setting, at even intervals

@@ -1,8 +1,8 @@
 //! Blanks panic locations, records of 24 bytes in `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column.
 //! This saves 1,091 of 66,047 bytes.
 //!
-//! Only panic messages read them, and `build::redirect` has replaced their code. A record has an address in `.rodata`, a name there that
-//! ends in `.rs`, a line and a column of 1 or more.
+//! Only the code of panic messages reads these records, and `build::redirect` has replaced this code. In a record, the name ends in `.rs`,
+//! and line and column are at least 1.
 
 use std::ops::Range;
 

@@ -112,7 +112,7 @@ fn set_checksum(file: &mut [u8]) {
 }
 
 pub struct Imports {
-    /// Of the functions' names; Windows replaces them with the functions'.
+    /// The addresses of the functions' names. Windows overwrites each with its function's address.
     pub addresses: Vec<u8>,
     pub names: Vec<u8>,
 }

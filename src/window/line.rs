@@ -44,7 +44,7 @@ impl Writer {
         self
     }
 
-    /// Adds up to 60 bytes from the user. `?` replaces all but printable ASCII, which could control the terminal.
+    /// Adds up to 60 bytes from the user. `?` replaces bytes that are not printable ASCII: they could control the terminal.
     pub fn printable(&mut self, bytes: &[u8]) -> &mut Writer {
         for &byte in bytes.iter().take(60) {
             let is_printable = byte == b' ' || byte.is_ascii_graphic();

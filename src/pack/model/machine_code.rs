@@ -6,8 +6,9 @@ use super::operands::operands_by_runs;
 pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
-/// The opcode so far, plus 0x100 times its map, plus 0x400 times VEX's `pp` for its prefix: an operation has one number in SSE2 and AVX2.
-/// The three previous instructions' opcodes follow at distances of [`STEP`], the first two with their next three features.
+/// The opcode as far as it is parsed, plus 0x100 times its map, plus 0x400 times its prefix, numbered like VEX's `pp`: an operation's
+/// number is the same in SSE2 and AVX2. The three previous instructions' opcodes, newest first, are at one to three times [`STEP`] after
+/// this one, the newer two with their ModRM, prefixes and destination.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
@@ -25,13 +26,13 @@ pub const EXTENSION: usize = 21;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 22;
 pub const LENGTH: usize = 23;
-/// The match length before [`AFTER_MATCH`], at most [`LONGEST_MATCH`], times 0x100.
+/// 0x100 times the number of bytes before [`AFTER_MATCH`] that equal the newest bytes, at most [`LONGEST_MATCH`].
 pub const MATCH: usize = 24;
 /// The last two bytes of this kind after the same opcode, the newer in the lower bits.
 pub const SAME_OPCODE: usize = 25;
 /// The last two bytes after the same operand.
 pub const SAME_OPERAND: usize = 26;
-/// The byte that followed the last occurrence of the last bytes.
+/// The byte that followed the newest bytes at their previous occurrence.
 pub const AFTER_MATCH: usize = 27;
 
 pub const fn before(feature: usize, instructions: usize) -> usize {
@@ -54,7 +55,7 @@ pub const KINDS: usize = 32;
 
 /// Features that, with the kind, identify a field.
 const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
-/// The number of fields: each map, `pp` and opcode by each kind. Operands lose the upper bits of SIB.
+/// The number of fields: one per value of [`OPCODE`] and kind. Values of [`OPERAND`] lose the upper bits of SIB.
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
 const FAR: u32 = 7;
@@ -93,7 +94,7 @@ impl Reader {
         self.features[number % FEATURES]
     }
 
-    /// Returns once the position of a finished instruction's four-byte relative offset.
+    /// Returns the position of the four-byte relative offset in the instruction that has just ended. A second call returns `None`.
     #[inline(always)]
     pub fn ended_offset(&mut self) -> Option<usize> {
         if self.feature(KIND) != START {
