@@ -65,7 +65,8 @@ impl Sample {
     /// Returns the mean colour, and the object if the points show the same one.
     pub fn mean(self, other: Self) -> Self {
         // Sums do not carry into the next channel.
-        let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
+        let sums = (self.0 & Self::COLOUR) + (other.0 & Self::COLOUR);
+        let colour = (sums >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
         let object = if self.object() == other.object() { self.0 & !Self::COLOUR } else { 0 };
         Self(colour | object)
     }
@@ -91,4 +92,18 @@ fn limited<S: Isa>(simd: S, first: i32x4<S>, second: i32x4<S>) -> [u64; 2] {
     let channels = first.saturating_narrow(second);
     let channels = channels.max(i16x8::splat(simd, 0)).min(i16x8::splat(simd, 255 * STEP as i16));
     (channels.bitcast::<u64x2<S>>() & Sample::COLOUR).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sample;
+
+    #[test]
+    fn means_of_unguarded_points_have_the_mean_colour() {
+        let [dark, bright] = [0, 0x7f80_7f80_7f80].map(|colour| Sample(colour).showing(5));
+        let [a, b] = [dark, bright].map(|point| Sample(point.patterned().0 | Sample::UNGUARDED));
+        let flags = a.0 & !Sample::COLOUR;
+        assert_eq!(a.mean(b), Sample(0x3fc0_3fc0_3fc0 | flags));
+        assert_eq!(a.mean(dark.showing(9)).0 & Sample::COLOUR, 0);
+    }
 }
