@@ -44,8 +44,7 @@ static SHOTS: &[Shot] = &[shot(
 
 static FLOOR: Material = Material::matt(vec3(0.56, 0.35, 0.14), 0.9);
 
-/// Returns a gem whose shadow has its colour. With a `kr` of 0.3 or more, gems would be a crowd of mirrors, of which every pixel is
-/// traced.
+/// Returns a gem whose shadow has its colour.
 const fn gem(red: f32, green: f32, blue: f32) -> Material {
     let colour = vec3(red, green, blue);
     Material {

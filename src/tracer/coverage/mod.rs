@@ -26,7 +26,7 @@
 //!
 //! # Best effort
 //!
-//! - An area light counts as its centre, and a spotlight shines everywhere. The shadow of a capsule counts as its bounding cylinder's, and
+//! - An area light counts as its centre, and a spotlight shines on all of a plane that its cone may meet. The shadow of a capsule counts as its bounding cylinder's, and
 //!   the round end of a cylinder as the hexagon around it. A corner is certainly dark in the shadow of a hexagonal prism inside the
 //!   cylinder, or inside the capsule's straight part.
 //! - A square is split for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some corners

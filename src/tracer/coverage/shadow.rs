@@ -11,14 +11,14 @@ impl Coverage {
                 continue;
             }
             for (number, light) in world.lights().iter().enumerate() {
-                let view = View::light(light, rectangle, &self.eye);
-                self.shadows[plane][number] = view;
                 let height = light.position.y - rectangle.centre.y;
                 if light.cone.misses_plane(height) {
                     continue;
                 }
+                let view = View::light(light, rectangle, &self.eye);
+                self.shadows[plane][number] = view;
                 for (_, node) in world.tree.solids() {
-                    // A sphere around the light and a solid beyond the plane cast no shadow.
+                    // A sphere around the light, a clear solid and a solid beyond the plane cast no shadow.
                     let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
                     let casts = is_outside && !node.is_shadowless(light.diameter);

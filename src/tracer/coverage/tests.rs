@@ -287,6 +287,8 @@ fn unseen_shadows_are_not_listed() {
         (Vec3::ONE, 0.6, false),
         (Vec3::ONE, 0.7, true),
         (Vec3::NEG_Y, 0.9, true),
+        (Vec3::new(1.0, 2.5e-4, 0.0), 2.6e-4, true),
+        (Vec3::new(1.0, 2.7e-4, 0.0), 2.6e-4, false),
     ] {
         assert_listed(is_listed, "a spotlight", &|scene| {
             let Light { position, colour, .. } = scene.lights[0];

@@ -6,14 +6,14 @@ use crate::rounding::{BOUND, COSINE, hit_error};
 use crate::scene::{Block, Light, Spot};
 use glam::{Mat3A, Vec3, Vec3A};
 
+/// A light for shading and shadow rays. Lengths are in scene units, multiplied by [`Light::far`].
 pub(crate) struct PreparedLight {
-    /// In scene units, like all lengths: times [`Light::far`].
     pub position: Vec3A,
     pub colour: Vec3A,
     pub is_cone: bool,
     pub cone: SpotCone,
     pub diameter: f32,
-    /// The square of [`Light::glow`].
+    /// The squared radius of the glow.
     pub glow2: f32,
     pub core: f32,
     pub max_penumbra: f32,
@@ -44,10 +44,11 @@ impl SpotCone {
         }
     }
 
-    /// Returns whether a plane `height` below the light, or above it if negative, gets no light.
+    /// Returns whether a horizontal plane gets no light. `height` is the light's height above the plane, negative below it.
     pub fn misses_plane(&self, height: f32) -> bool {
-        // The squared chord from `aim` to the nearest horizontal direction.
-        let off2 = 2.0 - 2.0 * sqrt(1.0 - self.aim.y * self.aim.y);
+        let rise2 = self.aim.y * self.aim.y;
+        // The squared chord from `aim` to the nearest horizontal direction; 2 - 2 sqrt(1 - rise2) would cancel.
+        let off2 = 2.0 * rise2 / (1.0 + sqrt(1.0 - rise2));
         self.aim.y * height > 0.0 && off2 >= self.outer2
     }
 
@@ -64,7 +65,7 @@ impl SpotCone {
 pub(crate) struct ShadowCone {
     /// The direction from the centre to the light, of length 1.
     pub axis: Vec3,
-    /// The squared chord between the axis and the side of the cone, on the unit sphere.
+    /// The squared chord between the axis and the side of the cone, on the unit sphere; -1 without a shadow.
     pub chord2: f32,
     /// The least distance of the shadow from the light.
     pub from: f32,
@@ -147,7 +148,7 @@ impl ShadowCone {
         let side = node.axis.cross(to_light);
         *self = Self {
             axis: to_light.normalize_or(Vec3A::Y).into(),
-            // NaN if the light is inside.
+            // `min` replaces NaN: the light is inside.
             chord2: if node.is_shadowless(diameter) { -1.0 } else { chord2.min(ALL_AROUND) },
             from,
             solids: node.solids,

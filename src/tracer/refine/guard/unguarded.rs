@@ -59,7 +59,8 @@ impl Squares<'_> {
             let beam = Beam::to_light(world.eye + middle, radius, light);
             let mut i = 0;
             while let Some(node) = nodes.get(i) {
-                let is_met = (node.is_bound || node.object != id) && beam.meets(node);
+                let may_shade = node.object != id && !node.is_shadowless(light.diameter);
+                let is_met = (node.is_bound || may_shade) && beam.meets(node);
                 if is_met && !node.is_bound {
                     return true;
                 }
