@@ -138,6 +138,16 @@ mod tests {
         show::at(100.0, &mut scene);
         let rows = [0..64, 64..HEIGHT].map(|rows| rows_of(&scene.presentation, rows, HEIGHT));
         assert_eq!(rows, [0..HEIGHT, 0..0]);
+        let [mut first, mut second, mut whole] = [Part::new(), Part::new(), Part::new()];
+        // Without antialiasing a frame has one pass.
+        let quality = Preset::Fastest.quality();
+        first.draw(&scene, quality, 0..64, 0, Counts::NONE);
+        let (_, _, points) = second.draw(&scene, quality, 64..HEIGHT, 0, Counts::NONE);
+        assert_eq!(points, 0);
+        let frame = Frame::new(WIDTH, HEIGHT, &mut whole.pixels);
+        let frame = frame.with_presentation(&scene.presentation);
+        whole.renderer.render_valid(&scene.scene, quality, frame, &mut *whole.worker);
+        assert!(first.pixels == whole.pixels);
     }
 
     #[test]

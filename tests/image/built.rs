@@ -1,4 +1,4 @@
-//! The built intro draws the bits of the library. These tests come first by name, since the build takes longest.
+//! The built intro draws the bits of the library. These tests come early by name, since the build takes longest.
 
 use crate::cpu::{self, Isa};
 use crate::drawn::{draw, shown};

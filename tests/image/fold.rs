@@ -116,6 +116,7 @@ fn lamp_is_the_centre_of_folds_at_all_aspects() {
             let bright = column.split(|pixel| pixel & 255 <= 215).map(<[u32]>::len);
             bright.max().expect("a lamp")
         });
+        // The lamp's bright middle is an eighth of the height.
         let is_lamp = whole > width.min(height) / 9;
         assert!(is_lamp && whole.abs_diff(folded) <= 1, "{width}x{height}: {whole}, {folded}");
     }

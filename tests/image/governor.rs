@@ -2,7 +2,6 @@
 
 use eightfold_scenes::{Random, cases};
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Preset, Probes};
-use std::collections::BTreeSet;
 use std::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
@@ -176,7 +175,8 @@ fn sides_are_halved_then_divided_by_three() {
         governor.frame(late);
         (rung(governor.preset()), governor.divisor())
     });
-    let seen: BTreeSet<_> = seen.collect();
+    let mut seen: Vec<_> = seen.collect();
+    seen.dedup();
     let smaller = [(PRESETS - 1, 2), (PRESETS - 1, 3)];
     assert!(seen.into_iter().eq((0..PRESETS).map(|preset| (preset, 1)).chain(smaller)));
     let mut full = Governor::new(Duration::from_nanos(SECOND / 60));
@@ -255,11 +255,11 @@ impl Show {
     }
 }
 
-/// One show in 250 may end 2 dB below its target instead of 1, see [`AccuracyGovernor`].
+/// One show in 500 may end 2 dB below its target instead of 1, see [`AccuracyGovernor`].
 #[test]
 fn constant_accuracy_selects_fastest_preset() {
     let mut worse = 0;
-    for mut random in cases(250) {
+    for mut random in cases(500) {
         let room = between(&mut random, -5.0, 15.0);
         let mut show = Show::new(random, room);
         show.run(60);
@@ -269,13 +269,13 @@ fn constant_accuracy_selects_fastest_preset() {
         let is_fastest = preset + 1 == PRESETS || show.room(preset + 1) < 1.5;
         assert!(is_fastest, "{room}, {:?}", show.losses);
         worse += u32::from(preset > 0 && room < -1.0);
-        if show.random.seed < 50 {
+        if show.random.seed < 100 {
             show.steps.clear();
             show.run(60);
             assert!(show.steps.len() <= 4, "{:?}", show.steps);
         }
     }
-    assert!(worse <= 1, "{worse} of 250");
+    assert!(worse <= 1, "{worse} of 500");
 }
 
 #[test]

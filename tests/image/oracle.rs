@@ -106,13 +106,13 @@ fn show_matches_the_oracle() {
         let scene = of_the_show(time as f32 / 1000.0);
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 240, 135);
         let silhouettes = frame.silhouettes();
+        // Otherwise the tolerance for silhouettes would hide errors.
+        let on = silhouettes.iter().filter(|&&on| on).count();
+        assert!(on < 240 * 135 / 4, "{time} ms: {on} pixels");
         let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 240, 135);
         for (isa, drawn_by) in &drawn {
             let what = format!("{time} ms by {}", isa.name);
             assert_as_traced(drawn_by, &frame, &what);
-            // Otherwise the tolerance for silhouettes would hide errors.
-            let on = silhouettes.iter().filter(|&&on| on).count();
-            assert!(on < 240 * 135 / 2, "{what}: {on} pixels");
             for (i, &on) in silhouettes.iter().enumerate() {
                 let off = worst_channel(drawn[0].1.pixels[i], drawn_by.pixels[i]);
                 assert!(off <= 1 || on, "{what}: pixel {i} differs by {off}");
@@ -239,7 +239,8 @@ fn pictures_of_any_size_are_right() {
             let most = most_points(side, width, height) as u64;
             assert!(counts.points <= most, "{side}: {counts:?}");
             let wrong = Difference::between(&exhaustive, &pixels).over_8;
-            assert!(wrong < pixels.len() / 30, "{side}: {wrong}");
+            // 2.1 % of the narrow picture at side 32.
+            assert!(wrong < pixels.len() / 40, "{side}: {wrong}");
         }
     }
 }

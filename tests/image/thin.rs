@@ -4,6 +4,7 @@ use eightfold_harness::patches::largest_of;
 use eightfold_scenes::{Seen, cases};
 use std::collections::HashMap;
 
+/// The least difference, of 255, that shows a bar or a wrong pixel.
 const VISIBLE: u32 = 24;
 
 /// Returns the number of pixels that show bars, and asserts that no hole has 4 or more of them.

@@ -17,10 +17,12 @@ try_exe() {
 
 # No instruction accesses memory below the stack pointer; `lea` does not access memory.
 try_code() {
-    local linked code_of
-    linked=$(ls -t "${CARGO_TARGET_DIR:-target}"/exe/deps/eightfold-*.unpacked | head -n 1)
-    for code_of in "$linked" "${linked%/*}/linker/stub.o"; do
-        ! objdump -d --no-show-raw-insn "$code_of" | grep -v '\<lea ' | grep -e '-0x[0-9a-f]*(%rsp' || fail "memory below the stack pointer is used"
+    local folder=${CARGO_TARGET_DIR:-target}/exe linked stub code_of code
+    linked=$(ls -t "$folder"/deps/eightfold-*.unpacked | head -n 1)
+    stub=$(ls -t "$folder"/build/eightfold-*/out/linker/stub.o | head -n 1)
+    for code_of in "$linked" "$stub"; do
+        code=$(objdump -d --no-show-raw-insn "$code_of") || fail "objdump cannot read $code_of"
+        ! grep -v '\<lea ' <<< "$code" | grep -e '-0x[0-9a-f]*(%rsp' || fail "memory below the stack pointer is used"
     done
 }
 

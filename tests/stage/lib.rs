@@ -155,7 +155,7 @@ impl Server {
         let mut openbox = tool("openbox");
         openbox.env("DISPLAY", &server.display);
         server.manager = Some(Process::start(&mut openbox));
-        // It ignores requests during its start, in which it moves no windows onto the screen.
+        // Until its event loop runs, openbox ignores requests, so this one is repeated, and does not place windows.
         server.wait_for_text("xdotool", "set_num_desktops 1 get_num_desktops", "1\n");
         server
     }
@@ -175,7 +175,7 @@ impl Server {
     }
 
     fn wait_for_text(&self, tool: &str, words: &str, text: &str) {
-        wait_for(text, || {
+        wait_for(&format!("{text:?} from {tool} {words}"), || {
             let (_, written) = run(self.tool(tool).args(words.split(' ')));
             written.contains(text).then_some(())
         });
