@@ -3,7 +3,7 @@
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
 use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
-use eightfold_window::render_target::{Next, RenderTarget};
+use eightfold_window::render_target::{InnerSize, Next, RenderTarget};
 use eightfold_window::sound::{Player, RATE, Source};
 use eightfold_window::{clock::SECOND, static_cell::StaticCell, window::Window};
 use std::{error::Error, process::ExitCode};
@@ -54,7 +54,7 @@ fn main() -> ExitCode {
 }
 
 fn play() -> Result<(), Box<dyn Error>> {
-    let mut window = Window::open(c"Ten seconds", (640, 360), false)?;
+    let mut window = Window::open(c"Ten seconds", InnerSize::Exactly(640, 360))?;
     let mut renderer = Renderer::detect();
     let mut threads = ScopedThreads::new();
     let mut player = Player::start(KICK.take());

@@ -57,6 +57,7 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
     Flag { switch, name, value, help }
 }
 
+/// The width of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
 // Check the number of flags, the column's width, and the show's length in the help.

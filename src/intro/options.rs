@@ -9,6 +9,8 @@ use super::flags::{Flag, Switch};
 
 /// The size of windows and frames in pixels, by default.
 pub const SIZE: (usize, usize) = (1024, 768);
+/// Frames per second, by default.
+pub const FPS: u64 = 60;
 
 /// Limited by the memory for workers.
 pub const MAX_THREADS: usize = 64;
@@ -33,7 +35,7 @@ pub enum Task {
 #[derive(Default)]
 pub struct Options {
     pub task: Task,
-    /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
+    /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`]; `None` means at most [`SIZE`], by the monitor.
     pub size: Option<(usize, usize)>,
     pub is_fullscreen: bool,
     /// 1 to [`MAX_THREADS`]; `None` means one for each processor.
@@ -43,7 +45,7 @@ pub struct Options {
     /// In nanoseconds, above 0; `None` means the show's length.
     pub length: Option<u64>,
     pub is_looping: bool,
-    /// 1 to [`MAX_FPS`].
+    /// 1 to [`MAX_FPS`]; `None` means [`FPS`].
     pub fps: Option<u64>,
     /// In dB to exhaustive frames, 1 to [`MAX_PSNR`].
     pub psnr: Option<u64>,

@@ -5,14 +5,14 @@ use eightfold_window::clock::SECOND;
 use eightfold_window::cpu::Isa;
 use eightfold_window::enlarge::{self, Small};
 use eightfold_window::line::{self, Writer};
-use eightfold_window::render_target::{Headless, MOST_PIXELS, Next, RenderTarget, fit};
+use eightfold_window::render_target::{Headless, InnerSize, MOST_PIXELS, Next, RenderTarget, fit};
 use eightfold_window::sound::{Player, Source};
 use eightfold_window::static_cell::StaticCell;
 use eightfold_window::terminal::Terminal;
 use eightfold_window::window::Window;
 
 use super::SHOW_NANOSECONDS;
-use super::options::{Options, SIZE};
+use super::options::{FPS, Options, SIZE};
 use super::renderer::ShowRenderer;
 use super::tally::Tally;
 
@@ -38,7 +38,11 @@ impl Source for Music {
 pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
     // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
     let size = options.size.unwrap_or(SIZE);
-    let window = Window::open(c"Eightfold", size, options.size.is_none());
+    let inner = match options.size {
+        Some((width, height)) => InnerSize::Exactly(width, height),
+        None => InnerSize::AtMost(SIZE.0, SIZE.1),
+    };
+    let window = Window::open(c"Eightfold", inner);
     if let Err(why) = &window {
         let place = if Terminal::is_there() {
             "; playing in the terminal"
@@ -93,7 +97,7 @@ impl Playing<'_> {
         let kept = options.quality.or(is_default.then_some(Preset::Default));
         let length =
             options.length.unwrap_or(if options.is_looping { u64::MAX } else { SHOW_NANOSECONDS });
-        let interval = SECOND / options.fps.unwrap_or(60);
+        let interval = SECOND / options.fps.unwrap_or(FPS);
         let mut by_rate = Governor::new(Duration::from_nanos(interval));
         // A target accuracy counts for frames of full size.
         if options.psnr.is_none() && kept.is_none() {

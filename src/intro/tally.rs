@@ -10,6 +10,7 @@ use super::{options::Options, renderer::ShowRenderer};
 #[derive(Default)]
 pub struct Tally {
     pub frames: u64,
+    /// From the start to the last frame, or to the end.
     pub time: u64,
     /// Frames in the slowest complete second.
     slowest: Option<u64>,
@@ -19,6 +20,7 @@ pub struct Tally {
     /// All probes, and recent ones, whose weight halves every second.
     probes: Probes,
     recent: Probes,
+    /// The last frame's size, and its divisor.
     size: (usize, usize),
     divisor: usize,
     used: [u64; Preset::ALL.len()],

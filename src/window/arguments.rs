@@ -1,4 +1,6 @@
-pub use crate::backend::arguments::{Arguments, First, Second, end};
+pub use crate::backend::arguments::Arguments;
+#[doc(hidden)]
+pub use crate::backend::arguments::{First, Second, end};
 
 /// Defines the entry point of a crate with `#![no_main]`, which calls a `fn(Arguments) -> i32` for the exit code.
 ///

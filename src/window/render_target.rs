@@ -1,8 +1,30 @@
 use crate::backend::memory::pixels;
 
+/// The largest frame, in pixels.
 pub const MAX_WIDTH: usize = 3840;
+/// In pixels.
 pub const MAX_HEIGHT: usize = 2160;
+/// The number of pixels of the largest frame.
 pub const MOST_PIXELS: usize = MAX_WIDTH * MAX_HEIGHT;
+
+/// The inner size of a new window, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub enum InnerSize {
+    Exactly(usize, usize),
+    /// Smaller on a small monitor, with the same aspect ratio; `minifb` does not know the monitor.
+    AtMost(usize, usize),
+}
+
+impl InnerSize {
+    /// Returns width and height, and whether the window may be smaller.
+    #[inline(always)]
+    pub(crate) fn parts(self) -> ((usize, usize), bool) {
+        match self {
+            Self::Exactly(width, height) => ((width, height), false),
+            Self::AtMost(width, height) => ((width, height), true),
+        }
+    }
+}
 
 /// A target for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or [`Headless`].
 pub trait RenderTarget {

@@ -17,6 +17,7 @@ impl<T> StaticCell<T> {
         StaticCell { taken: AtomicBool::new(false), value: UnsafeCell::new(value) }
     }
 
+    /// Borrows the value for the rest of the program.
     ///
     /// # Panics
     /// If it was taken before.

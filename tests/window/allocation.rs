@@ -4,7 +4,7 @@ use eightfold_stage::{allocations::Counting, on_displays};
 use eightfold_tracer::Quality;
 use eightfold_window::{
     cpu,
-    render_target::{Next, RenderTarget},
+    render_target::{InnerSize, Next, RenderTarget},
     window::Window,
 };
 
@@ -14,7 +14,8 @@ static ALLOCATOR: Counting = Counting::new();
 #[test]
 fn frames_and_window_allocate_nothing() {
     on_displays(&[&[]], || {
-        let mut window = Window::open(c"Eightfold", (320, 240), false).expect("there is a display");
+        let mut window =
+            Window::open(c"Eightfold", InnerSize::Exactly(320, 240)).expect("there is a display");
         let mut renderer = ThreadedRenderer::new(3);
         let mut frames = |range: std::ops::Range<u32>| {
             for frame in range {

@@ -8,6 +8,7 @@ mod shown;
 use eightfold_stage::{Process, Server};
 use std::time::Duration;
 
+/// Larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
 
 fn on_screen(start: fn(usize, usize) -> Server) -> Server {

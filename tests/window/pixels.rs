@@ -1,6 +1,6 @@
 use eightfold_stage::{on_displays, run, screenshot, tool};
 use eightfold_window::{
-    render_target::{Next, RenderTarget},
+    render_target::{InnerSize, Next, RenderTarget},
     window::Window,
 };
 use std::{env, thread::sleep, time::Duration};
@@ -20,7 +20,8 @@ fn window_shows_the_pixels_drawn_at_any_size() {
 
 fn check_all_sizes() {
     let display = env::var("DISPLAY").expect("there is a display");
-    let mut window = Window::open(c"Eightfold", (301, 203), false).expect("there is a display");
+    let mut window =
+        Window::open(c"Eightfold", InnerSize::Exactly(301, 203)).expect("there is a display");
     let sizes = [(301, 203), (1280, 1024), (1, 1), (17, 1), (640, 480)];
     for (round, size) in sizes.into_iter().enumerate() {
         let mut xdotool = tool("xdotool");

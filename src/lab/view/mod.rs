@@ -12,6 +12,7 @@ use controls::{Controls, FPS, Overlay};
 use eightfold_harness::Size;
 use eightfold_tracer::Preset;
 use eightfold_window::cpu;
+use eightfold_window::render_target::InnerSize;
 use eightfold_window::window::Window;
 use frame_viewer::FrameViewer;
 use session::Session;
@@ -40,7 +41,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
-    let window = Window::open(c"Eightfold", (width, height), false);
+    let window = Window::open(c"Eightfold", InnerSize::Exactly(width, height));
     let window = window.map_err(|why| anyhow!("view: {why}"))?;
     eprintln!("view: the key ? lists the keys");
     let subject = Subject::new(arguments.scene);

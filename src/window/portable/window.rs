@@ -6,7 +6,7 @@ use minifb::{ScaleMode, WindowOptions};
 
 use super::{keyboard::KeyQueue, memory::pixels, mouse::Mouse};
 use crate::input::{self, Input, Press};
-use crate::render_target::{Next, RenderTarget};
+use crate::render_target::{InnerSize, Next, RenderTarget};
 
 /// For the intro's help.
 pub const KEYS: &str = "H hud, Esc or Q quit";
@@ -22,12 +22,8 @@ pub struct Window {
 }
 
 impl Window {
-    /// `minifb` does not know the monitor's size, so that the window never shrinks.
-    pub fn open(
-        title: &CStr,
-        (width, height): (usize, usize),
-        _shrinks: bool,
-    ) -> Result<Window, &'static str> {
+    pub fn open(title: &CStr, size: InnerSize) -> Result<Window, &'static str> {
+        let ((width, height), _) = size.parts();
         // On X `minifb` fails if this variable names an input method that is not running.
         // SAFETY: no other thread of this crate reads the environment.
         unsafe { env::remove_var("XMODIFIERS") };

@@ -2,6 +2,7 @@ use core::ffi::{CStr, c_char, c_int};
 
 use crate::system;
 
+/// The entry point's parameters: `argc` and `argv`; for Windows, `LoadLibraryA` and `GetProcAddress`.
 pub type First = c_int;
 pub type Second = *const *const c_char;
 
@@ -25,6 +26,7 @@ impl Arguments {
     }
 }
 
+/// Returns the exit code to the caller of `main`. On Windows, ends the process.
 #[doc(hidden)]
 #[must_use]
 pub fn end(code: i32) -> i32 {

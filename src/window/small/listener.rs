@@ -5,14 +5,13 @@ use x11_dl::xlib;
 use super::x11::{self, Xlib};
 use crate::input::{Action, Button, Input, Mouse, Press};
 
-pub const EVENTS: c_long = xlib::StructureNotifyMask
-    | xlib::KeyPressMask
-    | xlib::KeyReleaseMask
-    | xlib::ButtonPressMask
-    | xlib::ButtonReleaseMask
-    | xlib::PointerMotionMask;
+pub const EVENTS: c_long =
+    BASIC | xlib::ButtonPressMask | xlib::ButtonReleaseMask | xlib::PointerMotionMask;
 
-/// [`note`], for windows that listen. Programs that never do so do not link it.
+/// The events of windows that do not listen.
+pub const BASIC: c_long = xlib::StructureNotifyMask | xlib::KeyPressMask | xlib::KeyReleaseMask;
+
+/// A pointer to [`note`], which [`Window::listen`](super::window::Window::listen) stores: programs that never call it do not link `note`.
 pub type Note = fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool);
 
 /// Records an event of a window; auto-repeat sets `is_repeated`.

@@ -5,11 +5,11 @@ use core::ptr::null_mut;
 use x11_dl::xlib;
 
 use super::blit::Frames;
-use super::listener::{EVENTS, Note, note};
+use super::listener::{BASIC, EVENTS, Note, note};
 use super::x11::{self, Place, Toplevel, keyboard};
 use crate::input::{self, Input};
 use crate::loading::why_not_loaded;
-use crate::render_target::{Next, RenderTarget, fit};
+use crate::render_target::{InnerSize, Next, RenderTarget, fit};
 
 /// For the intro's help.
 pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
@@ -35,8 +35,9 @@ const TITLE_BAR: c_int = 32;
 const MAX_SIDE: c_int = 32_767;
 
 impl Window {
-    /// Opens a window with an inner size in pixels, or returns the reason for a failure. If it `shrinks`, it fits the monitor.
-    pub fn open(title: &CStr, size: (usize, usize), shrinks: bool) -> Result<Window, &'static str> {
+    /// Opens a window, or returns the reason for a failure.
+    pub fn open(title: &CStr, size: InnerSize) -> Result<Window, &'static str> {
+        let (size, shrinks) = size.parts();
         let x = x11::XLIB.open().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;
         // SAFETY: the display is open.
@@ -68,7 +69,7 @@ impl Window {
         window.set_title(title);
         window.top.set_program();
         let Toplevel { display, window: id, .. } = window.top;
-        window.top.select(xlib::StructureNotifyMask | xlib::KeyPressMask | xlib::KeyReleaseMask);
+        window.top.select(BASIC);
         // SAFETY: the window exists, and the atom outlives the call.
         unsafe { (x.XSetWMProtocols)(display, id, &mut window.delete, 1) };
         window.place(shrinks);

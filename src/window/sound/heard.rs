@@ -19,7 +19,8 @@ const LOST: u64 = 50_000_000;
 const MAX_UNHEARD: i64 = 50_000_000;
 
 impl Heard {
-    /// Returns the sound's time in nanoseconds. `ahead` is the device's lead over the clock, `written` the end of the written sound.
+    /// Returns the sound's time at the time `clock`. `ahead` is the device's lead over the clock, `written` the end of the written sound.
+    /// All are in nanoseconds.
     pub fn time(&mut self, clock: i64, ahead: i64, written: i64) -> u64 {
         let step = ahead - self.ahead;
         let pull = if step.unsigned_abs() > LOST { 1 } else { PULL };

@@ -15,7 +15,7 @@ const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 /// the lead is left; waking up for each chunk takes four times as long as the synthesis.
 const SLACK: u64 = LATENCY as u64 * 1500;
 
-/// The inverse of a device's maximum lead over the clock, more than any quartz. A null device reports everything as played.
+/// A device may lead the clock by 1 / `FASTEST` of the time, more than by any quartz. A null device reports everything as played.
 const FASTEST: u64 = 1024;
 
 #[derive(Default)]
@@ -41,6 +41,7 @@ impl Lead {
         (heard - now as i64).min((now / FASTEST) as i64)
     }
 
+    /// Returns the time to sleep until, if the lead is too long. Both times are in nanoseconds.
     pub fn due(&mut self, now: u64) -> Option<u64> {
         self.paced = self.paced.max(now);
         (self.paced > now + SLACK).then(|| self.paced - SLACK / 2)

@@ -62,8 +62,8 @@ impl Player {
         Player { clock, heard: Heard::default(), last: 0, stops: system::stops(), stopped: 0 }
     }
 
-    /// Plays a source until the process ends, on the default device. If the device does not open
-    /// within three seconds, the clock sets the time, and standard error has the reason.
+    /// Plays a source until the process ends, on the default device. If the device does not open within three seconds, the clock sets the
+    /// time, and standard error has the reason.
     pub fn start(source: &'static mut dyn Source) -> Player {
         let source = Box::leak(Box::new(source));
         // SAFETY: the box is never freed, and only this thread uses it.

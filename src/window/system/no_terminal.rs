@@ -1,5 +1,6 @@
 //! On Windows, frames are not shown in a console: windows are always available.
 
+// Never opened; it only has to be a `RenderTarget`.
 pub use crate::render_target::Headless as Terminal;
 
 impl Terminal {

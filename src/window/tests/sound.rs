@@ -172,6 +172,7 @@ fn time_continues_without_sound(folder: &Path) {
     hold(folder, "", &command, Some(&why));
 }
 
+/// A named pipe opens when somebody reads it.
 fn time_starts_with_the_device(folder: &Path) {
     let pipe = folder.join("pipe");
     let name = pipe.display();

@@ -6,6 +6,7 @@ eightfold_start:
     push rax
     mov rdi, rcx
     mov rsi, rdx
+    # It ends the process, and does not return.
     call main
 .globl memcpy
 memcpy:

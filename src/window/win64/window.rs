@@ -19,7 +19,7 @@ use windows_sys::Win32::UI::WindowsAndMessaging::{
 use super::functions::*;
 use super::memory::pixels;
 use super::threads::{spawn, wait, wake};
-use crate::render_target::{Next, RenderTarget, fit};
+use crate::render_target::{InnerSize, Next, RenderTarget, fit};
 
 const CLASS: &CStr = c"Eightfold";
 
@@ -110,7 +110,7 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     none
 }
 
-/// The fullscreen state. The window's thread changes it, or Wine may keep the old size.
+/// The fullscreen state. Only the window's thread may change it: after another thread's change, Wine may keep the old size.
 struct Cover {
     window: HANDLE,
     before: Option<WINDOWPLACEMENT>,
@@ -171,7 +171,8 @@ fn inside(window: HANDLE) -> Option<RECT> {
 }
 
 impl Window {
-    pub fn open(title: &CStr, size: (usize, usize), shrinks: bool) -> Result<Window, &'static str> {
+    pub fn open(title: &CStr, size: InnerSize) -> Result<Window, &'static str> {
+        let (size, shrinks) = size.parts();
         const NONE: &str = "desktop is missing";
         // SAFETY: zero is valid for all other fields, and pointers outlive the calls.
         let (pointers, thread) = unsafe {

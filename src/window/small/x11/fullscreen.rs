@@ -125,7 +125,8 @@ impl Toplevel {
         }
     }
 
-    /// Returns a window's position in its parent, and its clients' events. An ended window manager may leave properties, but no events.
+    /// Returns a window's position in its parent, and the events that clients select on it. A window manager that has ended may leave
+    /// properties, but selects no events.
     #[inline(never)]
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is valid for all fields, and the window exists.

@@ -16,6 +16,7 @@ const EVENT: u64 = 30 * SECOND;
 const LATE: u64 = 7 * SECOND / 10;
 const STOP: u64 = 3 * SECOND / 2;
 
+/// The maximum distance between picture and sound.
 const DRIFT: u64 = SECOND / 50;
 
 struct Device {
