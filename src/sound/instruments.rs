@@ -33,7 +33,7 @@ pub(super) struct Instrument {
     pub sweep: Sweep,
     /// The oscillators' factors on the cutoff.
     pub formants: Vec4,
-    pub tone: Tone,
+    pub timbre: Timbre,
     /// The share of each side that the other one also plays; at 1 left and right are equal.
     pub centre: f32,
     pub effects: Effects,
@@ -72,7 +72,7 @@ pub(super) struct Sweep {
     pub end: f32,
 }
 
-pub(super) struct Tone {
+pub(super) struct Timbre {
     /// The increase of the cutoff at the bar's full brightness, as a fraction.
     pub light: f32,
     /// 2 has no resonance, values towards 0 whistle.
@@ -112,7 +112,7 @@ const SILENT: Instrument = Instrument {
     envelope: Envelope { attack: 0.0, decay: 0.0, release: 0.0, gate: 0.0 },
     sweep: Sweep { rate: 0.0, start: 0.0, end: 0.0 },
     formants: Vec4::ONE,
-    tone: Tone { light: 0.0, damping: 0.0, high: 0.0 },
+    timbre: Timbre { light: 0.0, damping: 0.0, high: 0.0 },
     centre: 0.3,
     effects: Effects { echo: 0.0, room: 0.0, duck: 0.0 },
 };
@@ -124,7 +124,7 @@ const PAD: Instrument = Instrument {
     glide: 0.03,
     envelope: Envelope { attack: s(0.6), decay: s(10.0), release: s(0.1), gate: 4.0 },
     sweep: Sweep { rate: s(1.5), start: hz(700.0), end: hz(900.0) },
-    tone: Tone { light: 7.0, damping: 1.2, high: 0.15 },
+    timbre: Timbre { light: 7.0, damping: 1.2, high: 0.15 },
     centre: 0.25,
     effects: Effects { echo: 0.0, room: 0.2, duck: 0.6 },
     ..SILENT
@@ -138,7 +138,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         bend: 7.0,
         envelope: Envelope { attack: STROKE, decay: s(0.17), release: s(0.04), gate: 0.5 },
         sweep: Sweep { rate: s(0.016), start: hz(9000.0), end: hz(120.0) },
-        tone: Tone { light: 0.0, damping: 1.4, high: 0.0 },
+        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 1.0,
         effects: Effects { echo: 0.0, room: 0.01, duck: 0.0 },
         ..SILENT
@@ -150,7 +150,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         bend: 0.8,
         envelope: Envelope { attack: STROKE, decay: s(0.09), release: s(0.06), gate: 0.5 },
         sweep: Sweep { rate: s(0.02), start: hz(1100.0), end: hz(900.0) },
-        tone: Tone { light: 0.0, damping: 0.9, high: 0.9 },
+        timbre: Timbre { light: 0.0, damping: 0.9, high: 0.9 },
         effects: Effects { echo: 0.0, room: 0.125, duck: 0.0 },
         ..SILENT
     },
@@ -160,7 +160,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         source: Source { saw: 0.0, sine: 0.0, noise: 0.22 },
         envelope: Envelope { attack: STROKE, decay: s(0.025), release: s(0.02), gate: 0.25 },
         sweep: Sweep { rate: s(0.02), start: hz(7000.0), end: hz(7000.0) },
-        tone: Tone { light: 0.0, damping: 1.2, high: 1.0 },
+        timbre: Timbre { light: 0.0, damping: 1.2, high: 1.0 },
         effects: Effects { echo: 0.0, room: 0.025, duck: 0.1 },
         ..SILENT
     },
@@ -170,7 +170,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         source: Source { saw: 0.0, sine: 0.0, noise: 0.18 },
         envelope: Envelope { attack: STROKE, decay: s(0.12), release: s(0.03), gate: 0.4 },
         sweep: Sweep { rate: s(0.02), start: hz(6000.0), end: hz(6000.0) },
-        tone: Tone { light: 0.0, damping: 1.2, high: 1.0 },
+        timbre: Timbre { light: 0.0, damping: 1.2, high: 1.0 },
         effects: Effects { echo: 0.04, room: 0.025, duck: 0.1 },
         ..SILENT
     },
@@ -181,7 +181,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         bend: 1.5,
         envelope: Envelope { attack: STROKE, decay: s(0.18), release: s(0.06), gate: 0.7 },
         sweep: Sweep { rate: s(0.05), start: hz(4000.0), end: hz(300.0) },
-        tone: Tone { light: 0.0, damping: 1.2, high: 0.0 },
+        timbre: Timbre { light: 0.0, damping: 1.2, high: 0.0 },
         centre: 0.6,
         effects: Effects { echo: 0.0, room: 0.1, duck: 0.0 },
         ..SILENT
@@ -193,7 +193,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         modulation: Modulation { index: 0.1, ratio: 1.0 },
         envelope: Envelope { attack: s(0.003), decay: s(0.4), release: s(0.03), gate: 0.4 },
         sweep: Sweep { rate: s(0.1), start: hz(900.0), end: hz(160.0) },
-        tone: Tone { light: 3.0, damping: 0.9, high: 0.0 },
+        timbre: Timbre { light: 3.0, damping: 0.9, high: 0.0 },
         centre: 1.0,
         effects: Effects { echo: 0.0, room: 0.01, duck: 0.9 },
         ..SILENT
@@ -204,7 +204,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         source: Source { saw: 0.077, sine: 0.05, noise: 0.0 },
         envelope: Envelope { attack: s(0.05), decay: s(3.0), release: s(0.1), gate: 3.5 },
         sweep: Sweep { rate: s(1.0), start: hz(300.0), end: hz(300.0) },
-        tone: Tone { light: 1.0, damping: 1.4, high: 0.0 },
+        timbre: Timbre { light: 1.0, damping: 1.4, high: 0.0 },
         centre: 1.0,
         effects: Effects { echo: 0.0, room: 0.02, duck: 0.0 },
         ..SILENT
@@ -214,7 +214,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         source: Source { saw: 0.185, noise: 0.24, ..PAD.source },
         sweep: Sweep { start: hz(300.0), end: hz(300.0), ..PAD.sweep },
         formants: vec4(1.0, 2.6, 2.6, 1.0),
-        tone: Tone { light: 0.35, damping: 0.35, high: 0.22 },
+        timbre: Timbre { light: 0.35, damping: 0.35, high: 0.22 },
         ..PAD
     },
     PAD,
@@ -227,7 +227,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         detune: 0.004,
         envelope: Envelope { attack: s(0.002), decay: s(0.18), release: s(0.06), gate: 0.5 },
         sweep: Sweep { rate: s(0.07), start: hz(1800.0), end: hz(350.0) },
-        tone: Tone { light: 6.0, damping: 0.5, high: 0.0 },
+        timbre: Timbre { light: 6.0, damping: 0.5, high: 0.0 },
         effects: Effects { echo: 0.4, room: 0.125, duck: 0.5 },
         ..SILENT
     },
@@ -238,7 +238,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         detune: 0.004,
         envelope: Envelope { attack: s(0.12), decay: s(8.0), release: s(0.15), gate: 5.0 },
         sweep: Sweep { rate: s(1.0), start: hz(4000.0), end: hz(6000.0) },
-        tone: Tone { light: 1.0, damping: 1.2, high: 0.5 },
+        timbre: Timbre { light: 1.0, damping: 1.2, high: 0.5 },
         effects: Effects { echo: 0.0, room: 0.2, duck: 0.0 },
         ..SILENT
     },
@@ -251,7 +251,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         glide: 0.1,
         envelope: Envelope { attack: s(0.006), decay: s(1.2), release: s(0.15), gate: 1.5 },
         sweep: Sweep { rate: s(0.4), start: hz(4000.0), end: hz(1800.0) },
-        tone: Tone { light: 2.0, damping: 0.9, high: 0.6 },
+        timbre: Timbre { light: 2.0, damping: 0.9, high: 0.6 },
         centre: 0.2,
         effects: Effects { echo: 0.3, room: 0.12, duck: 0.1 },
         ..SILENT
@@ -264,7 +264,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         detune: 0.001,
         envelope: Envelope { attack: STROKE, decay: s(0.5), release: s(0.5), gate: 4.0 },
         sweep: Sweep { rate: s(0.1), start: hz(12000.0), end: hz(6000.0) },
-        tone: Tone { light: 0.0, damping: 1.4, high: 0.0 },
+        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.2,
         effects: Effects { echo: 0.2, room: 0.15, duck: 0.2 },
         ..SILENT
@@ -278,7 +278,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         modulation: Modulation { index: 0.35, ratio: 4.0 },
         envelope: Envelope { attack: STROKE, decay: s(0.22), release: s(0.01), gate: 2.0 },
         sweep: Sweep { rate: s(0.03), start: hz(9000.0), end: hz(3000.0) },
-        tone: Tone { light: 0.0, damping: 1.4, high: 0.0 },
+        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.0,
         effects: Effects { echo: 0.2, room: 0.12, duck: 0.0 },
         ..SILENT
@@ -291,7 +291,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         modulation: Modulation { index: 0.35, ratio: 2.0 },
         envelope: Envelope { attack: STROKE, decay: s(0.3), release: s(0.05), gate: 0.25 },
         sweep: Sweep { rate: s(0.3), start: hz(12000.0), end: hz(9000.0) },
-        tone: Tone { light: 0.0, damping: 1.4, high: 0.0 },
+        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.25,
         effects: Effects { echo: 0.15, room: 0.05, duck: 0.0 },
         ..SILENT
@@ -304,7 +304,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         bend: -0.6,
         envelope: Envelope { attack: STROKE, decay: s(0.2), release: s(0.05), gate: 1.0 },
         sweep: Sweep { rate: s(0.012), start: hz(9000.0), end: hz(6000.0) },
-        tone: Tone { light: 0.0, damping: 1.4, high: 0.0 },
+        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.0,
         effects: Effects { echo: 0.25, room: 0.15, duck: 0.0 },
         ..SILENT
@@ -315,7 +315,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         source: Source { saw: 0.0, sine: 0.0, noise: 0.3 },
         envelope: Envelope { attack: s(2.0), decay: s(10.0), release: s(0.02), gate: 7.5 },
         sweep: Sweep { rate: s(2.0), start: hz(150.0), end: hz(6000.0) },
-        tone: Tone { light: 0.0, damping: 0.5, high: 0.3 },
+        timbre: Timbre { light: 0.0, damping: 0.5, high: 0.3 },
         effects: Effects { echo: 0.02, room: 0.12, duck: 0.5 },
         ..SILENT
     },
@@ -326,7 +326,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         bend: 2.0,
         envelope: Envelope { attack: s(0.002), decay: s(0.7), release: s(0.7), gate: 4.0 },
         sweep: Sweep { rate: s(0.12), start: hz(900.0), end: hz(120.0) },
-        tone: Tone { light: 0.0, damping: 1.4, high: 0.0 },
+        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 1.0,
         effects: Effects { echo: 0.0, room: 0.05, duck: 0.0 },
         ..SILENT

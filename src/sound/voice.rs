@@ -95,6 +95,7 @@ impl Voice {
             Notes::Tone(up) => [tone(first) + up; 4],
             Notes::Chord(up) => [0, 1, 2, 3].map(|i| tone(first + i) + up),
         };
+        // A loop is smaller than a power.
         let pitch = notes
             .map(|note| (0..note).fold(LOWEST / super::RATE as f32, |pitch, _| pitch * SEMITONE));
         let pitch = Vec4::from_array(pitch) * instrument.partials;
@@ -109,7 +110,7 @@ impl Voice {
     }
 
     pub fn play(&mut self, instrument: &Instrument, mood: &Mood, mixes: &mut [Mix; CHUNK]) {
-        const BEAT: f32 = (super::STEP * 4) as f32 / CHUNK as f32;
+        const BEAT: f32 = (super::STEP * super::STEPS_PER_BEAT) as f32 / CHUNK as f32;
         /// The attack lasts for two time constants: the level rises to 1 - 1/e^2 of its peak.
         const ATTACK: f32 = 2.0 / CHUNK as f32;
         let Instrument { source, modulation, envelope, sweep, effects, .. } = instrument;
@@ -183,12 +184,12 @@ impl Filter {
     #[inline(always)]
     fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
         let Sweep { start, end, .. } = instrument.sweep;
-        let light = light * instrument.tone.light + 1.0;
+        let light = light * instrument.timbre.light + 1.0;
         let angle = (end + (start - end) * sweep) * light * instrument.formants;
         // The cutoff is at most 15 kHz. The tangent is accurate to 4 %.
         let x = angle.min(Vec4::ONE);
         let g = x / (1.0 + x * x * (-1.0 / 3.0));
-        let damping = instrument.tone.damping;
+        let damping = instrument.timbre.damping;
         let a1 = (1.0 + g * (g + damping)).recip();
         Filter { a1, a2: g * a1, a3: g * g * a1 }
     }
@@ -200,6 +201,6 @@ impl Filter {
         let v2 = voice.low + voice.band * self.a2 + rest * self.a3;
         voice.band = v1 + v1 - voice.band;
         voice.low = v2 + v2 - voice.low;
-        v2 + (sound - v1 * instrument.tone.damping - v2 - v2) * instrument.tone.high
+        v2 + (sound - v1 * instrument.timbre.damping - v2 - v2) * instrument.timbre.high
     }
 }
