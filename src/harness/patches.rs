@@ -22,6 +22,7 @@ pub fn largest(exact: &[u32], drawn: &[u32], width: usize) -> usize {
     largest_of(&lost(exact, drawn, width), width)
 }
 
+/// Returns the number of pixels of the largest patch of `pixels`, which ascend.
 pub fn largest_of(pixels: &[usize], width: usize) -> usize {
     patches(pixels, width).iter().map(Vec::len).max().unwrap_or(0)
 }

@@ -10,6 +10,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     pub o: DVec3,
+    /// Of length 1.
     pub d: DVec3,
     /// The rounding error of the origin, in scene units. Outward rays do not hit surfaces within it; inward rays hit their far
     /// sides.
@@ -98,6 +99,7 @@ pub enum Shape {
 #[derive(Clone, Copy, Debug)]
 pub struct Met {
     pub t: f64,
+    /// Outward, of length 1.
     pub normal: DVec3,
 }
 

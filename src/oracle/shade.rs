@@ -19,6 +19,7 @@ pub struct Hit<'a> {
     /// The ray from this point on, in the same direction.
     pub ray: Ray,
     pub t: f64,
+    /// The normal towards the ray, of length 1.
     pub n: DVec3,
     pub(super) is_inside: bool,
     groove: DVec3,
@@ -113,7 +114,7 @@ impl Oracle<'_> {
         let lights = self.scene.lights.iter().map(|light| self.lit(light, &hit, traced));
         let (states, lights): (Vec<State>, Vec<DVec3>) = lights.unzip();
         let ambient = self.ambient(&hit, weight, path) * hit.painted;
-        let colour = lights.into_iter().fold(ambient, |sum, light| sum + light);
+        let colour = ambient + lights.into_iter().sum::<DVec3>();
         self.note(object, &states, weight, path, traced);
         let transmittance = self.transmittance(ray, t);
         let own = self.behind(ray.d).lerp(colour, transmittance) + glow;

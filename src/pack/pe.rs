@@ -101,7 +101,7 @@ impl Executable {
     }
 }
 
-/// The one's complement sum of all 16-bit words, plus the length.
+/// Sets the header's checksum: the one's complement sum of all 16-bit words, plus the length.
 fn set_checksum(file: &mut [u8]) {
     let sum = file.chunks(2).fold(0, |sum, pair| {
         let sum = sum + number(pair, 0, pair.len()) as u32;

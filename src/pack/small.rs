@@ -67,7 +67,7 @@ impl Encoder {
         for (i, bit) in self.bits.iter().skip(1).enumerate() {
             words[i / 32] ^= u32::from(!bit) << (i % 32);
         }
-        // The decoder reads words. The last bit is 1, so every cut changes the file's memory.
+        // The decoder reads words. The last bit is 1: cutting off final zeros would not change the file in memory.
         words.into_iter().flat_map(u32::to_le_bytes).collect()
     }
 }

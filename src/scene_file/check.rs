@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 /// Samples between two keys or extremes. Between them, a distance of two splines has few minima.
 const STEPS: u8 = 8;
-/// The maximum of seconds that commands draw after a scene's length.
+/// Commands draw at most this many seconds after a scene's length.
 const AFTER: f32 = 1.0;
 
 /// Returns the end and the start of each direction, which must not vanish.
@@ -144,7 +144,8 @@ impl Moving {
         }
     }
 
-    /// Refuses a direction that turns back within 1e-5 of a window in seconds: up to rounding it passes 0.
+    /// Refuses a direction that reverses between two times around `time`: up to rounding it passes 0. They are 1e-5 of `window` before and
+    /// after it, or 4 roundings of `time` if that is more; both are in seconds.
     fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
         let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
         let direction = |time| {

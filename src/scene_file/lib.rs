@@ -23,6 +23,7 @@ const LENGTH: f32 = 8.0 * std::f32::consts::PI;
 /// Some editors begin a text with it, without a column.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
+/// A scene file. An error of its functions is one line: file, line and column, then the value and its range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneFile {
     pub name: String,
@@ -32,6 +33,7 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
+    /// Decodes a file's bytes, which must be UTF-8.
     pub fn decode(name: &str, bytes: Vec<u8>) -> Result<String, String> {
         String::from_utf8(bytes).map_err(|error| {
             let (bytes, at) = (error.as_bytes(), error.utf8_error().valid_up_to());
@@ -88,7 +90,7 @@ impl SceneFile {
         moment.expect("a file that was read is a scene at all times")
     }
 
-    /// Checks the scene at any time.
+    /// Checks the scene at a time, which may be before the start or after the end.
     pub fn check(&self, time: f32) -> Result<(), String> {
         let scene = self.moving.valid(time);
         scene.map_or_else(|mistake| Err(place(&self.name, &self.text, &mistake)), |_| Ok(()))

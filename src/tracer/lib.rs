@@ -44,8 +44,8 @@
 //! # Quality
 //!
 //! [`Preset::LADDER`] has seven presets, from almost [`Quality::EXHAUSTIVE`] to one for slow machines. A [`Governor`] selects the preset,
-//! and optionally a smaller size, that holds a frame rate; an [`AccuracyGovernor`] the preset that holds an accuracy, measured by
-//! [`Frame::with_probes`], in figures in [`limits`].
+//! and optionally a smaller size, that holds a frame rate. An [`AccuracyGovernor`] selects the preset that holds an accuracy, measured by
+//! [`Frame::with_probes`]. [`limits`] has the accuracy of the presets in figures.
 //!
 //! # Memory and threads
 //!

@@ -3,7 +3,7 @@
 //! # Guarantees
 //!
 //! Tests check these figures on random scenes, with every preset and at 320x240 unless a row differs. Figures in dB are minimums, all
-//! others maximums. A pixel is lost if no drawn pixel up to 2 pixels away differs from the exhaustive colour by 32/255 or less.
+//! others maximums. A pixel is lost if its exhaustive colour differs by more than 32/255 from all drawn pixels up to 2 pixels away.
 //!
 //! | property | figure |
 //! | --- | --- |
@@ -26,7 +26,7 @@
 //! | darkening of white objects in uniform white light (a white furnace), at any depth and least contribution | 5/255 |
 //! | black pixels in facing mirrors, unless the background and the ambient light are black | 0 |
 //! | rays of a point, each with one shadow ray per light | `2^(depth + 1) - 1` |
-//! | rays of a scene made [invalid](crate::scene::Scene::validate), relative to the same scene while valid (its bits do not depend on the threads) | 2.5 times |
+//! | rays of a scene made [invalid](crate::scene::Scene::validate), relative to the same scene while valid (the invalid scene's bits do not depend on the threads) | 2.5 times |
 //! | traced points with a sun 5e4 and 1e6 units away, relative to the sun 1e3 units away | 1.05 and 1.2 times |
 //! | traced points through a telescope from 1e2 and 1e3 times the distance, relative to the view from nearby | 1.3 and 1.75 times |
 //!

@@ -114,9 +114,8 @@ impl Quality {
         Self { antialias: self.antialias, edge: self.edge, ..Self::EXHAUSTIVE }
     }
 
-    /// Returns the quality with squares of at least `side` pixels, 0 to [`Quality::MAX_SQUARE`], rounded down to a power of two.
-    #[must_use]
-    pub fn coarser(self, side: usize) -> Self {
+    /// Returns the quality with squares of at least `side` pixels, rounded down to a power of two, 1 to [`Quality::MAX_SQUARE`].
+    pub(crate) fn coarser(self, side: usize) -> Self {
         let side = 1 << side.clamp(1, Self::MAX_SQUARE).ilog2();
         Self { square: self.square.max(side), ..self }
     }

@@ -110,7 +110,7 @@ pub(crate) fn within_pixel(margin: f32, pixel: f32) -> f32 {
 /// The error of an object's point recomputed from the picture, relative to the largest coordinate: far above some `u`.
 pub(crate) const SURFACE_POINT: f32 = 1e-5;
 
-/// The distance from a sphere, in hit errors, at which rounding decides whether the eye is inside.
+/// The distance from a sphere, in hit errors, up to which rounding decides whether the eye is inside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
 /// The least height of a light above a plane, relative to the light's distance from the eye, at which bounds of shadows are reliable.

@@ -1,4 +1,4 @@
-//! Fresh memory: all bits are zero, so a `static` takes no space in an executable file. Other default values.
+//! Constants for new memory, all bits zero, so that a `static` takes no space in an executable file; and a short form of `Default`.
 
 use glam::{Vec2, Vec3, Vec3A, Vec4};
 

@@ -2,6 +2,7 @@ use crate::{Random, solids};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};
 
+/// Half the side of the cube above the floor that contains the objects.
 const REACH: f32 = 5.0;
 
 fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {

@@ -16,7 +16,7 @@ use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Measures the gain in speed and the cost in accuracy of each field of `Quality`
+/// Measures the gain in speed and the cost in accuracy of the fields of `Quality`
 ///
 /// Writes trade.json and SVG plots. Prints a Markdown table of the Pareto front in speed, FLIP and pops, of the settings that compare
 /// colours, objects and lights, relative to exhaustive frames on one thread. Also measures frames enlarged from 0.3 to 0.9 of the width,

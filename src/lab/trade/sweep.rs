@@ -1,4 +1,4 @@
-//! Varies each field of `Quality` by itself, then combinations.
+//! Varies the fields of `Quality`, except `key_weight` and those of antialiasing, each by itself, then combinations.
 
 use crate::technique::{Sampling, Technique};
 use eightfold_tracer::{Preset, Quality};

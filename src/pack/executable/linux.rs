@@ -54,7 +54,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         size: size as u64,
         ..Segment::default()
     };
-    // Linux reads only this header's flags.
+    // Linux reads only this header's flags; the unpacker reads the other fields as the record.
     let stack = Segment {
         kind: elf::STACK,
         flags: elf::READ | elf::WRITE,

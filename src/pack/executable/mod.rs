@@ -46,7 +46,8 @@ impl Memory {
     }
 }
 
-/// The packed bytes' offset and length, the unpacked length, the checked bytes' offset and end, and the checksum.
+/// In order: the offset and length of the packed bytes, their length once unpacked, the start and end of the bytes under the checksum, and
+/// the checksum. Offsets are in the file.
 type Record = [usize; 6];
 
 /// The parts of a packed file.

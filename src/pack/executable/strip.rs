@@ -85,7 +85,8 @@ fn blank(program: &[u8], blanked: &mut [u8]) -> Result<Vec<Range<usize>>, Error>
     Ok(unwinding)
 }
 
-/// Blanks the code for lazy binding: entries of 16 bytes that jump to a slot, which before the first call points back.
+/// Blanks the parts that only lazy binding needs. A function's entry of 16 bytes jumps to the address in its slot; until the function is
+/// bound, that is the rest of the entry, which calls the linker. A program bound at the start never runs it.
 fn blank_lookups(program: &mut [u8], calls: Range<usize>, slots: Range<usize>) {
     for (i, entry) in program[calls].chunks_exact_mut(16).enumerate() {
         match entry {

@@ -67,7 +67,7 @@ static BUBBLES: [(Vec3, f32); 8] = [
 ];
 
 fn add(now: Now, scene: &mut Scene) {
-    // One near the camera, and specks that rise far behind: so small since the guard misses them in bubbles.
+    // One near the camera, and specks that rise far behind. The guard has no bounds of specks seen in bubbles, so they are tiny.
     add_bubble(vec3(-2.3, -1.6, 3.2), 0.7, 3.0, now, scene);
     for number in 0..16 {
         let spread = number as f32 * 0.618;

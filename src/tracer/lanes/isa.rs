@@ -87,7 +87,7 @@ pub(crate) fn isas() -> impl Iterator<Item = Level> {
 impl Isa for Baseline {
     const FUSES_MUL_ADD: bool = cfg!(target_arch = "aarch64");
     // SSE2 has only full products.
-    const MULTIPLIES_INTEGERS: bool = !Self::LIMITS_REPLACE_NAN;
+    const MULTIPLIES_INTEGERS: bool = cfg!(not(any(target_arch = "x86", target_arch = "x86_64")));
 
     #[inline(always)]
     fn of(level: Level) -> Option<Self> {

@@ -76,7 +76,7 @@ const STRONG: f32 = 0.3;
 const LARGE: f32 = 0.2;
 
 fn is_strong(material: &Material) -> bool {
-    // A film reflects softboxes only; at an index of 1 the objects behind it keep their places and sizes.
+    // Films reflect no objects, and glass with an index of 1 leaves the objects behind it in place.
     let mirrored = if material.film_thickness > 0.0 { 0.0 } else { material.kr };
     let bent = if material.index == 1.0 { 0.0 } else { material.kt };
     mirrored + bent >= STRONG

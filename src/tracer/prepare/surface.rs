@@ -45,7 +45,7 @@ pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 /// Above any valid parameter; products of a few such numbers are finite.
 const LARGEST: f32 = 2e9;
 
-/// Replaces NaN and numbers above [`LARGEST`] with 0: they spoil a point's sum even with the weight 0.
+/// Replaces NaN and magnitudes above [`LARGEST`] with 0: NaN, or an overflow to infinity, spoils a point's sum even with the weight 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }

@@ -8,11 +8,11 @@ use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 
-/// The least difference between pixel and midpoint that starts the bisection, in a sample's units per [`Quality::edge`].
+/// The bisection starts if pixel and midpoint differ by this times [`Quality::edge`] or more, in a sample's units.
 const HALF: u64 = 2 * STEP as u64;
 
-/// The least difference is 64/10 times [`Quality::edge`] for the second step, and 128/10 times for the third. From an edge of 20 on the
-/// latter exceeds 255: there is no third step.
+/// The second step needs a difference of 6.4 times [`Quality::edge`], the third of 12.8 times, in output steps. With an edge of 20 or
+/// more there is no third step.
 const QUARTER: u64 = 64 * STEP as u64;
 
 /// The bits of a channel in a change.

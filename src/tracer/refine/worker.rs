@@ -17,8 +17,6 @@ pub struct Worker {
     pub(super) found: usize,
 }
 
-zero! { Guard = Self::new(); }
-
 zero! {
     Worker { batch, pyramid, marks, guard, targets, intervals, found }
     Marks { squares, open, filled, traced }

@@ -44,6 +44,7 @@ impl<S: Isa> TexturePoint<S> {
         d: &Vec3x<S>,
         t: F<S>,
     ) -> (F<S>, U<S>) {
+        // The second point is idle: another copy of the code would cost bytes, and a swirl of one packet takes nearly as long.
         let mut pair = [(self.own, self.pixels(world, d, t)); 2];
         swirl(simd, pattern, &mut pair);
         let [(own, pixels), _] = &pair;
@@ -94,6 +95,7 @@ impl<'a> PatternOnScreen<'a> {
         let (world, lanes) = (self.world, lanes::<S>());
         let from = Vec3x::splat(simd, world.eye) - Vec3x::splat(simd, self.object.centre());
         let mut pair = [(from, splat(simd, 0.0)); 2];
+        // A nested loop over the pair would take 670 packed bytes.
         for first in (0..(side * side).clamp(2 * lanes, 64)).step_by(lanes) {
             let i = lane_numbers(simd) + first as u32;
             let columns = (i & (side as u32 - 1)).to_float::<F<S>>() + x;

@@ -41,8 +41,8 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = packed::length();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
-    // The program's memory is fixed, and loses the first stage's counts. With a program header for it, Linux would end the process without
-    // a message if memory is limited.
+    // Maps new memory, and the program's again at its fixed address, which clears the first stage's counts. If a program header reserved
+    // it, Linux would end the process without a message when memory is short.
     // SAFETY: this memory is unused.
     let [mapped, program] = unsafe {
         let (program, size_of_it) = ((&raw const PROGRAM).addr(), (&raw const PROGRAM_SIZE).addr());

@@ -25,11 +25,9 @@ pub(crate) struct Guard {
     highlights: [u64; MAX_HIGHLIGHTS.div_ceil(64)],
 }
 
-impl Guard {
-    pub const fn new() -> Self {
-        Self { outlines: [0; MAX_OUTLINES], count: 0, highlights: [0; _] }
-    }
+zero! { Guard { outlines, count, highlights } }
 
+impl Guard {
     pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
         let pixels = rectangle(area.left, area.top, area.right, area.bottom);
         self.highlights = [0; _];
@@ -93,7 +91,8 @@ struct Search<'a> {
     squares: &'a Squares<'a>,
     open: [Bits; TILE_HEIGHT],
     light: Option<u8>,
-    /// The least mask of corners that must show a feature, or the square is opened: 1 (any corner), or [`ALL`] for a thin outline.
+    /// A square is opened if the mask of corners that show the feature is less than this: 1 (no corner does), or [`ALL`] (not all do)
+    /// for a thin outline.
     enough: u64,
     /// For each row of squares, the corners that shadows from `light` cover; without a light, the corners that images cover.
     covered: [Covered; SQUARE_ROWS],

@@ -34,7 +34,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             } else {
                 quality.tolerance_differing
             };
-            // The kernel evaluates up to 64 pixels.
+            // Larger squares are split: the kernel evaluates at most 8x8 pixels.
             if level > 3 || span(&layers) > tolerance * self.growth(level) {
                 return;
             }
