@@ -12,7 +12,7 @@
 //! | missed images of spheres and boxes in a flat first plane, of 2x2 pixels or more | 0 |
 //! | missed highlights in direct view, of 5 pixels or more around the point that mirrors the light | 0 |
 //! | largest hole in a bar 1 to 5 pixels wide, in its shadow on a plane from a point light, or in its image in a flat first plane | 3 connected pixels |
-//! | largest lost patch of a plain floor that a light without a diameter lights between bars; `default`, 1280x720 | 8 pixels |
+//! | largest lost patch of light between bars on a floor without a pattern, from a light without a diameter; `default`, 1280x720 | 8 pixels |
 //! | largest lost patch of a patterned floor without objects, `default`, 480x270 | 8 pixels |
 //! | largest lost patch of thin things in waves, mirrors and glass, of shadows on objects, and of slits of light, `finest`, 640x360 and 1280x720 | 19 pixels |
 //! | lit pixels in the shadow of a sphere or a thin block on a floor, any light, `default` | 0.1 %, in patches of at most 8 |
@@ -26,7 +26,8 @@
 //! | darkening of white objects in uniform white light (a white furnace), at any depth and least contribution | 5/255 |
 //! | black pixels in facing mirrors, unless the background and the ambient light are black | 0 |
 //! | rays of a point, each with one shadow ray per light | `2^(depth + 1) - 1` |
-//! | rays of a scene made [invalid](crate::scene::Scene::validate), relative to the same scene while valid (the invalid scene's bits do not depend on the threads) | 2.5 times |
+//! | rays of a scene made [invalid](crate::scene::Scene::validate), relative to the same scene while valid | 2.5 times |
+//! | frames of an invalid scene by different numbers of threads | equal bits |
 //! | traced points with a sun 5e4 and 1e6 units away, relative to the sun 1e3 units away | 1.05 and 1.2 times |
 //! | traced points through a telescope from 1e2 and 1e3 times the distance, relative to the view from nearby | 1.3 and 1.75 times |
 //!
@@ -42,7 +43,7 @@
 //! | lights with a diameter | holes in thin shadows and in slits of light on floors |
 //! | slits of light on patterned floors, or at `fastest` | lost patches |
 //! | objects wider than 5 pixels, at their own corners or in strips between occluders | holes of up to 8 connected pixels |
-//! | the edge of a cylinder's or capsule's end | a shadow too wide by up to a thirteenth of the radius |
+//! | the rim of a cylinder's end | points up to 0.087 radii beyond its shadow may count as inside, so the shadow's edge may be lost |
 //! | images of cylinders and capsules, and partly covered images, in the first plane | lost patches |
 //! | highlights in mirrors, on waves, inside an object | missed |
 //! | highlights on white, and highlights whose centre is hidden, in shadow, on the side away from the light, or beyond the object's edge | missed, as on the rim of a sphere or the side of a flat cylinder |
@@ -50,7 +51,7 @@
 //! | two spheres and six blocks of mirrors and glass | 37 dB to exhaustive |
 //! | eyes inside glass, extreme scales, `fastest` | below 42 dB to exhaustive |
 //! | coincident surfaces | rounding decides which one a ray hits |
-//! | objects and lights nearer to a block's surface than 1e-5 times the sum of its coordinates and half extents (1.2e-7 times, if the eye is nearer than 16 times that distance) | secondary rays start beyond them, so contact shadows have gaps |
-//! | light from less than 2e-3 radians below the horizon of a sphere | passes the sphere |
+//! | objects and lights nearer to a block's surface than 1e-5 times the sum of its coordinates and half extents (1.2e-7 times that sum, if the eye is within 16 such distances of the surface) | secondary rays start beyond them, so contact shadows have gaps |
+//! | light from less than 2e-3 radians below the horizon of a sphere's point | reaches the point, although the sphere is in its way |
 //! | radii of spheres, and chords of rays through spheres, below 1e-6 of the sphere's largest coordinate | displaced or missed hits |
 //! | coordinates | rounded to a relative 6e-8: keep scenes near the origin |

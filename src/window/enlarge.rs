@@ -1,7 +1,8 @@
 //! Enlarges small pictures, by all threads.
 //!
-//! In each direction, a pixel mixes three quarters of the nearest small pixel and a quarter of the second nearest. At a factor of 2, this
-//! is bilinear interpolation. One thread enlarges to 3840x2160 in 7 ms; a copy takes 4 ms.
+//! In each direction, a pixel mixes three quarters of the nearest small pixel and a quarter of the second nearest, which is bilinear
+//! interpolation at a factor of 2. At a factor of 3, the middle pixel is a copy of the nearest. One thread enlarges to 3840x2160 in 7 ms; a
+//! copy takes 4 ms.
 
 pub use crate::backend::memory::small;
 use crate::pool::Pool;

@@ -57,8 +57,8 @@ impl Highlight {
     /// Returns whether every square of `side` pixels whose corners all show the object is nearly as bright at one of its corners as at its
     /// brightest point.
     ///
-    /// From a square's brightest point, the nearest corner is at most half a side across and down. Up to there, the decay grows at most by
-    /// its value at this offset from the highlight's centre.
+    /// A corner is at most half a side across and half a side down from the square's brightest point. Between the two, the decay u grows by
+    /// at most u(half a side, half a side), measured from the highlight's centre.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * to_f32(side);

@@ -39,8 +39,8 @@ impl Mirror {
         }
     }
 
-    /// Adds two points of a capsule, since a highlight continues across the joint: the mirror point of the end's sphere, and the side's
-    /// point nearest to the mirror point of an endless cylinder.
+    /// Adds the mirror point of an endless cylinder if it is on the capsule's straight part. Otherwise adds the point of this part nearest
+    /// to it and the mirror point of the end's sphere, since a highlight may continue across the joint.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);
@@ -59,8 +59,8 @@ impl Mirror {
 
     /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
-    /// Seen along the axis, the normal bisects the directions to the eye and the light. On the unrolled cylinder the path of light is
-    /// straight, which gives the height.
+    /// Seen along the axis, the normal bisects the directions to the eye and the light. Along the axis, the point divides the height
+    /// between eye and light in the ratio of their distances from it across the axis.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));

@@ -1,39 +1,38 @@
 //! Conservative bounds of the features that a square may show between its corners: objects, shadows on planes, images in the first plane,
 //! and highlights. `docs/guard.md` has a picture of each.
 //!
-//! A square is split while it meets the bound of a feature that no corner shows. An outline at least one and a half sides wide contains a
-//! corner of some square, even if partly hidden: a square may be filled if one corner shows the feature. A thinner outline may pass between
-//! corners: a square is split, down to pixels, unless all four corners show the feature.
+//! A square is split, down to pixels, while it may show a feature that too few of its corners show. One corner is enough if the feature's
+//! outline is wide. An outline thinner than one and a half sides may pass between corners, so all four must show its feature.
 //!
 //! | kind | bound | the square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | a corner (all, if it is thin) shows it, or the corners show an occluder that hides it | `object` |
-//! | image | the cone of rays from the mirrored eye | no corner shows the plane; or a corner (all, if it is thin) shows the plane inside the bound; or all corners show the plane, and only one side of a wide bound cuts the square | `image` |
-//! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow covers the square | `shadow` |
+//! | object | the cone of rays from the eye that meet it | enough corners show it, or the corners show an occluder that hides it | `object` |
+//! | image | the cone of rays from the mirrored eye | no corner shows the plane, or enough corners show the plane inside the bound (`refine::guard::planes` has two exceptions) | `image` |
+//! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow of the light covers the square | `shadow` |
 //! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as the brightest point in the square | `highlight` |
 //!
 //! # Guarantees
 //!
-//! - Each object has at least one pixel: a square that shows it meets its outline, and is filled only if a corner shows it or an occluder
-//!   covers the square. A pixel whose colour is the mean of two points counts as showing the objects of both.
+//! - Each visible object has at least one pixel: a square that meets its outline is filled only if a corner shows the object, or if an
+//!   occluder hides the object in the whole square. A pixel whose colour is the mean of two points counts as showing the objects of both.
 //! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
-//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The shadow is invisible
-//!   there if the corner is as dark without it.
+//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The shadow may still be
+//!   lost if the plane is as dark at this corner without it.
 //! - A frame shows every image in the first plane of at least 2x2 pixels that no other image partly covers. A corner that shows the plane
 //!   inside the outline shows this image or a nearer one.
-//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). An
-//!   outline's width is a lower bound: the object's least extent at its farthest distance.
+//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). The
+//!   width that makes an outline thin is a lower bound: the object's least extent, seen at its farthest distance.
 //!
 //! # Best effort
 //!
-//! - An area light counts as its centre, and a spotlight shines on all of a plane that its cone may meet. The shadow of a capsule counts as its bounding cylinder's, and
-//!   the round end of a cylinder as the hexagon around it. A corner is certainly dark in the shadow of a hexagonal prism inside the
-//!   cylinder, or inside the capsule's straight part.
+//! - An area light counts as a point light at its centre. A spotlight whose cone may meet a plane counts as shining on the whole plane.
+//! - The bound of a capsule's shadow is its bounding cylinder's, and a cylinder's round end counts as the hexagon around it. A corner may
+//!   count as dark although it is outside a cylinder's shadow, by up to 0.087 radii at the rim of an end.
 //! - A square is split for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some corners
 //!   and an object hides all others.
 //! - Images of cylinders and capsules count as prisms.
-//! - A highlight's bound is a Gaussian, which is nearly Phong's lobe. The highlight may be missed if a corner is darker than its bound: in
-//!   shadow, or on another face.
+//! - A highlight's bound is a Gaussian, which is nearly Phong's lobe. The highlight may be missed if a corner is darker than the Gaussian
+//!   there: in shadow, or on another face.
 //!
 //! # Light without a bound
 //!
@@ -89,7 +88,7 @@ pub(crate) struct Coverage {
     /// By plane and light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     pub highlights: List<Highlight, MAX_HIGHLIGHTS>,
-    /// The outlines that may meet the picture.
+    /// All outlines but those behind the eye.
     pub outlines: [Outline; MAX_OUTLINES],
     pub screen: [ScreenBounds; MAX_OUTLINES],
     /// The least width of each outline in pixels, up to 255.

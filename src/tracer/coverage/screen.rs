@@ -98,8 +98,7 @@ impl ScreenBounds {
 
     pub const ALL: Self = Self(Vec4::NEG_INFINITY);
 
-    /// Returns the bounds of two ranges. `u` has a, b, c and d of the range of u from `(b + a) / (d + c)` to `(b - a) / (d - c)`; `v` has
-    /// the four numbers of the range of v.
+    /// Returns the bounds of two ranges. `u` is (a, b, c, d) for the range from `(b + a) / (d + c)` to `(b - a) / (d - c)`; `v` alike.
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
         // The greatest slope, negated, is the least of the negated slopes.
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);

@@ -1,8 +1,9 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
 //! Each test is about a ray w from a viewpoint. In direct view, w is the eye's ray `d = (u, v, 1)`. For a shadow, w leads from the light to
-//! the point where d meets the plane. It is scaled to be linear in d, so the shadow of a sphere is a cone of rays d, too. `view` computes w
-//! as a vector from the object's centre plus a share of the vector from the viewpoint to the centre.
+//! the point where d meets the plane. It is scaled to be linear in d, so the shadow of a sphere is a cone of rays d, too. `view` gives w as
+//! a vector, plus a multiple of the vector from the viewpoint to the object's centre. In direct view the multiple is 0, and the vector is
+//! d.
 //!
 //! Let a be the axis of a sphere's bounding cone, and `sin` and `cos` the sine and cosine of half its opening angle. A ray w meets the
 //! sphere if `sin (a . w) >= cos |a x w|`. The left side minus the right side is concave in u and v, so each of its tangent planes is an
@@ -20,8 +21,8 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// The number of tangents that cut each end of a row's range: the first at the rectangle's own end, each later one at the end that the
-/// previous cut left.
+/// The number of tangents that cut each end of a row's range in turn: the first is taken at the rectangle's end, each other at the end
+/// after the cut before.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -34,7 +35,8 @@ pub(crate) enum Sides {
     /// The rays in a cone: `cos (a x w)` in three lanes, `sin (a . w)` in the last.
     Round {
         terms: Terms,
-        /// The depth, relative to the last lane, beyond which rays certainly meet the sphere: the hit error widens the cone.
+        /// The hit error widens the cone, so rays in it may miss the sphere. Those certainly meet it that are at least this share of the
+        /// last lane deep inside.
         unsure: f32,
     },
     /// The rays inside eight planes around the object, and inside eight planes within it.
@@ -42,8 +44,8 @@ pub(crate) enum Sides {
 }
 
 impl Sides {
-    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. Each of `rays` is the
-    /// sum of a vector from the centre and a share of `to`.
+    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. `rays` has the
+    /// coefficients of u, v and 1 in the ray w: a vector each, and in the last lane the multiple of `to` to add.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
         let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
@@ -104,7 +106,7 @@ impl Sides {
                     }
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
-                        // On the cone's axis, (x, y, z) is 0. Any direction across the axis gives a valid bound there, and so does 0.
+                        // On the cone's axis, (x, y, z) is 0. Any unit vector across the axis bounds the cone there, and so does 0.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
                         [side(right), side(down), side(origin) - length * margin]
@@ -126,8 +128,8 @@ impl Sides {
         }
     }
 
-    /// Returns the number of inner sides that may cut the rectangle. A cone counts as two: the rule for one straight side does not hold for
-    /// it.
+    /// Returns the number of inner sides that the rectangle is not wholly inside. A cone counts as two sides: the rule for a single
+    /// straight side does not hold for it.
     #[inline(always)]
     pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
         let Self::Flat { inner, .. } = self else {
@@ -175,7 +177,7 @@ impl<S: Isa> Rects<S> {
     fn cut(&mut self, right: F<S>, down: F<S>, origin: F<S>) {
         let zero = splat(right.token(), 0.0);
         let max = (down * self.top).max(down * self.bottom) + origin;
-        // NaN clips nothing. `right` must not be -0; if it is 0, the clip is all or nothing.
+        // NaN clips nothing. Adding zero makes 0 of -0, so that a `right` of 0 clips all or nothing.
         let end = -max / (right + zero);
         let min = at_least::<S>(end, self.left);
         let greatest = at_most::<S>(end, self.right);
@@ -189,12 +191,12 @@ pub(crate) struct Region {
     pub sides: Sides,
     /// The bound on the rounding error of a side's inequality.
     pub rounding: f32,
-    /// The least depth at which a point certainly shows the object or its occluder.
+    /// The least depth at which a point of the plane counts as certainly in the shadow or image; infinity if none does.
     pub margin: f32,
 }
 
 impl Region {
-    /// `rounding` is the applicable share of [`SIDE`].
+    /// `rounding` is the factor on [`SIDE`], see [`View::rounding`](super::view::View::rounding).
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
         let rounding = within_pixel(SIDE * axes.reach * rounding, axes.pixel);
         Self { bounds, sides, rounding, margin: rounding }
@@ -220,8 +222,8 @@ impl Region {
 /// Returns the depths of rays inside the planes through the origin and an edge of the block's silhouette, as seen from there. Vectors are
 /// in the block's axes.
 ///
-/// Each lane projects the block along an axis to a rectangle, which has two corners on the silhouette. Along its own axis, a cylinder or
-/// capsule becomes a circle; in other lanes, its round end counts as a hexagon with an inner radius of `hexagon` radii.
+/// Each lane projects the block along an axis to a rectangle, which has two corners on the silhouette. Seen along its own axis, a cylinder
+/// or capsule is a circle. In the other lanes its round end counts as a hexagon, whose inner radius is `hexagon` times the radius.
 #[inline(never)]
 fn silhouette_terms(
     shape: Shape,
@@ -262,8 +264,8 @@ fn silhouette_terms(
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Returns the two coordinates of a vector that are perpendicular to each axis: to a box's axes, or to a cylinder's axis and to three axes
-/// across it, 60 degrees apart.
+/// Returns, for each axis in a lane of its own, the vector's two coordinates across this axis. The axes are a box's three, or a cylinder's
+/// own and three across it, 60 degrees apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     match shape {
@@ -277,7 +279,7 @@ fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
 
 /// Returns the vector from the centre (a, b) of a circle to the point where a line from the origin touches it, on the side of `sign`.
 fn tangent_point(a: f32, b: f32, radius: f32, sign: f32) -> [f32; 2] {
-    // Shares of the distance to the centre, along it and across.
+    // The vector's parts along and across the line to the centre, relative to the centre's distance.
     let share = radius * radius / (a * a + b * b);
     let apart = sqrt((1.0 - share) * share) * sign;
     [b * apart - a * share, -a * apart - b * share]

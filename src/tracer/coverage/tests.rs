@@ -188,8 +188,8 @@ proptest! {
     }
 }
 
-/// A certain point's shadow ray may pass a cylinder at up to 1.087 radii: where the silhouette turns from the round side to the hexagon
-/// inside the end, between two corners of the hexagon.
+/// The shadow ray of a point that counts as certainly dark may pass up to 1.087 radii from a cylinder's axis: at the rim, where the bound
+/// changes from the round side to a hexagon inside the end.
 #[test]
 fn certain_points_are_in_shadow() {
     let mut runner = TestRunner::deterministic();
@@ -258,7 +258,8 @@ fn planes_have_outlines_but_no_images() {
     assert_eq!(outlines.len(), 2);
 }
 
-/// A shadow is unseen if the plane is black, the solid is clear, or the spotlight above the floor does not shine on it.
+/// A shadow is unseen if the plane is black, the solid is clear and the light has a diameter, or the spotlight above the floor does not
+/// shine on it.
 #[test]
 fn unseen_shadows_are_not_listed() {
     let plain = draw(&scene(0.0, 0.0), &mut TestRunner::deterministic());

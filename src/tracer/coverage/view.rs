@@ -14,8 +14,8 @@ use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
 ///
-/// The eye's ray d meets the plane in a point x. Vectors to x start at an object's centre `c`, so that shadows of far lights are exact:
-/// with `m = -d.y` and the eye's height H, `m (x - c) = H d + (c - eye) d.y`. For the eye's own view m is 0, and H is 1.
+/// The eye's ray d meets the plane in a point x. With `m = -d.y`, the eye's height H and an object's centre c, `m (x - c) = H d + (c - eye)
+/// d.y`: a light's distance adds no error, since its position is not in it. For the eye's own view m is 0, and H is 1.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
@@ -29,7 +29,7 @@ pub(super) struct View {
     pub height: f32,
     pub side: f32,
     pub corner: f32,
-    /// The applicable share of `SIDE`.
+    /// The factor on `SIDE`: 1 for eyes and point lights, and [`USUAL_SIDE_SHARE`] for lights with a diameter.
     pub rounding: f32,
 }
 
@@ -69,8 +69,9 @@ impl View {
     /// (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, for orthogonal axes). Its normal
     /// is `right - k forward`, and `down - k forward` for a bound of v.
     ///
-    /// For a shadow from a light at the height L above the plane, each axis n becomes `n L - up (n . (light - eye))`. Its product with
-    /// the vector to the sphere's centre c becomes `n . (L (c - eye) - (c.y - ground) (light - eye))`.
+    /// A light at the height L above the plane casts the shadow of a point p, at the height h, on a point x of the plane: `(L - h) n . (x -
+    /// eye) = L n . (p - eye) - h n . (light - eye)`. For a shadow, the gradient of this in p therefore replaces each axis n, and its value
+    /// at the sphere's centre replaces the product of the axis and the vector to the centre.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;

@@ -8,7 +8,7 @@ use std::process::Command;
 const README: &str = "# A title\n\n<!-- report picture -->\n\n![A](a.png)\n\n    echo drawn > a.png\n\n<!-- report end -->\nThe end\n";
 const PAGE: &str = "Text\n<!-- report table -->\n\n    echo '| 1 |'\n    echo '| 2 |'\n\nold\n\n<!-- report end -->\nBy hand\n";
 
-/// Returns the two pages, whether the picture was drawn, and the last message.
+/// Returns the two pages, whether the picture was drawn, and the last line of an error.
 fn report(page: &str, names: &str) -> ([String; 2], bool, String) {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);

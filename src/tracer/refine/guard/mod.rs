@@ -1,8 +1,8 @@
 //! Finds the squares of a tile that may show a feature between their corners.
 //!
-//! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. A sample records the object
-//! at its corner, but not the shadows and images there: a corner that shows the plane inside an outline shows the shadow or image, or
-//! another one that covers it.
+//! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. A sample does not record
+//! shadows and images, so the guard tests the corner's place: a corner that shows the plane inside an outline shows that shadow or image,
+//! or one that covers it.
 
 mod highlights;
 mod objects;
@@ -94,7 +94,7 @@ struct Search<'a> {
     /// A square is opened if the mask of corners that show the feature is less than this: 1 (no corner does), or [`ALL`] (not all do)
     /// for a thin outline.
     enough: u64,
-    /// For each row of squares, the corners that shadows from `light` cover; without a light, the corners that images cover.
+    /// For each row, the squares that shadows from `light` cover; without a light, those that images cover.
     covered: [Covered; SQUARE_ROWS],
 }
 
@@ -143,8 +143,7 @@ impl Search<'_> {
     }
 }
 
-/// The width limit of thin outlines, in halves of a square's side. An outline wider than a side contains a corner; a partly hidden one must
-/// be half a side wider.
+/// The width limit of thin outlines, in halves of a square's side. A disc wider than 1.42 sides contains a corner of some square.
 const THIN: usize = 3;
 
 const ALL: u64 = 0b1111;

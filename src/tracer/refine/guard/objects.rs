@@ -23,8 +23,9 @@ impl Search<'_> {
 
     /// Returns whether the object `back` is hidden in a square whose corners all have the label `front`.
     ///
-    /// If the eye is outside the occluder, the pyramid from the eye to the corners' points contains all that the square shows in front of
-    /// the occluder, because the occluder is convex. The object is hidden if a plane separates it from the pyramid.
+    /// The occluder is convex, so the quadrilateral between its points at the corners is inside it. If the eye is outside, the pyramid from
+    /// the eye to these points contains all that the square can show in front of the occluder. The object is hidden if a plane separates it
+    /// from the pyramid.
     #[inline(never)]
     fn is_hidden(&self, back: ObjectId, front: u32, x: usize, y: usize) -> bool {
         let &Squares { world, coverage, .. } = self.squares;

@@ -7,17 +7,17 @@ use crate::picture::TILE_HEIGHT;
 
 pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// For a row of squares, the corners that shadows from one light cover, or that images cover.
+/// The squares of a row, by how many of their corners the shadows from one light cover, or the images.
 ///
-/// Two outlines that each cover some corners may leave a slit between them: the square is opened. A convex outline around all corners
-/// covers the square.
+/// A convex outline around all corners covers the square. Two outlines that each cover some corners may leave a slit between them, so the
+/// square is opened.
 #[derive(Clone, Copy)]
 pub(super) struct Covered {
     /// One outline covers all corners.
     wholly: Bits,
     /// One outline covers some corners that show the plane.
     partly: Bits,
-    /// An outline covers no corner that shows the plane, or two outlines each cover some of them.
+    /// Too few corners show a shadow, or two outlines each cover some corners.
     missed: Bits,
 }
 
@@ -29,8 +29,8 @@ impl Search<'_> {
     /// Tests one square against an image or a shadow on a plane that some of its corners show.
     ///
     /// An image opens the square unless a corner that shows the plane is inside the region (all four corners, if the image is thin). If
-    /// only one side of the region cuts the square, a corner is certainly inside: a half-plane that meets a square contains a corner. If
-    /// an object hides some corners, a corner that shows the plane must be outside, too.
+    /// only one straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that
+    /// meets a square contains a corner. If an object hides some corners, the square is opened also if all others are inside.
     ///
     /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
@@ -58,7 +58,7 @@ impl Search<'_> {
         }
     }
 
-    /// Opens the squares that may miss a shadow from the current light, an image, or a slit between two of them.
+    /// Opens the squares that may miss a shadow from the current light, or a slit between two shadows or images.
     #[inline(never)]
     pub(super) fn settle(&mut self) {
         let rows = self.squares.rows;

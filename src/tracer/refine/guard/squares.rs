@@ -60,7 +60,7 @@ impl<'a> Squares<'a> {
         1 << self.level
     }
 
-    /// Calls `call` with each row of squares that a region may meet, and the first and last of its squares.
+    /// Calls `call` with each row near open squares, and its first and last square that a region may meet.
     #[inline(always)]
     pub(super) fn for_each_row(
         &self,

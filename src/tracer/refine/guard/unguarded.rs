@@ -71,8 +71,8 @@ impl Squares<'_> {
     }
 }
 
-/// The radius of a sphere around the surface between four corners, relative to their greatest distance from their middle. A right-angled
-/// edge may be 1.42 times as far from it.
+/// The radius of a sphere around the surface between four corners, relative to their greatest distance from their middle. An edge at which
+/// the surface turns by a right angle is up to 1.42 times as far from the middle as the corners.
 const BULGE: f32 = 1.5;
 
 /// A bound of the shadow rays from a square to a light.
