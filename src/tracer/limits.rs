@@ -46,12 +46,12 @@
 //! | the rim of a cylinder's end | points up to 0.087 radii beyond its shadow may count as inside, so the shadow's edge may be lost |
 //! | images of cylinders and capsules, and partly covered images, in the first plane | lost patches |
 //! | highlights in mirrors, on waves, inside an object | missed |
-//! | highlights on white, and highlights whose centre is hidden, in shadow, on the side away from the light, or beyond the object's edge | missed, as on the rim of a sphere or the side of a flat cylinder |
+//! | highlights on white, and highlights whose centre is hidden, in shadow, on the side away from the light, or beyond the object's edge | missed, for example on the rim of a sphere or the side of a flat cylinder |
 //! | glass spheres inside others | 40 dB to exhaustive |
 //! | two spheres and six blocks of mirrors and glass | 37 dB to exhaustive |
 //! | eyes inside glass, extreme scales, `fastest` | below 42 dB to exhaustive |
 //! | coincident surfaces | rounding decides which one a ray hits |
-//! | objects and lights nearer to a block's surface than 1e-5 times the sum of its coordinates and half extents (1.2e-7 times that sum, if the eye is within 16 such distances of the surface) | secondary rays start beyond them, so contact shadows have gaps |
+//! | objects and lights that nearly touch a block | missed by secondary rays, which start 1e-5 S above the block's surface (1.2e-7 S if the eye is within 16e-5 S of it), where S is the sum of the block's absolute coordinates and half extents: contact shadows have gaps |
 //! | light from less than 2e-3 radians below the horizon of a sphere's point | reaches the point, although the sphere is in its way |
 //! | radii of spheres, and chords of rays through spheres, below 1e-6 of the sphere's largest coordinate | displaced or missed hits |
 //! | coordinates | rounded to a relative 6e-8: keep scenes near the origin |

@@ -8,7 +8,8 @@ pub use crate::backend::memory::small;
 use crate::pool::Pool;
 use crate::render_target::{MAX_WIDTH, MOST_PIXELS};
 
-/// The size of the memory for small pictures: the largest one has half the sides, and some more pixels are read, but not shown.
+/// The memory for small pictures, in pixels: the largest one is half as wide and high as the largest frame. Pixels after its end are read,
+/// but not shown.
 pub const MOST_SMALL: usize = MOST_PIXELS / 4 + LANES;
 
 /// Pixels that are mixed at once.

@@ -14,8 +14,8 @@ const SHARP: [u8; 8] = [0, 1, 0, 1, 1, 0, 0, 0];
 
 /// Returns the power of a frequency, in both sides together.
 fn power(samples: &[Complex<f64>], hertz: f64) -> f64 {
-    // A sample's real part is the left side, its imaginary part the right. The powers of both signs of the frequency add up to both sides'
-    // power.
+    // A sample's real part is the left side, its imaginary part the right. The powers at the frequency and at its negative add up to the
+    // power of left and right together.
     let turn = Complex::from_polar(1.0, TAU * hertz / f64::from(RATE));
     let (mut phase, mut sums) = (Complex::new(1.0, 0.0), [Complex::<f64>::default(); 2]);
     for sample in samples {

@@ -7,8 +7,8 @@ pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
 /// The opcode as far as it is parsed, plus 0x100 times its map, plus 0x400 times its prefix, numbered like VEX's `pp`: an operation's
-/// number is the same in SSE2 and AVX2. The opcodes of the three previous instructions follow, newest first, [`STEP`] features apart;
-/// ModRM, prefixes and destination of the newer two follow their opcodes.
+/// number is the same in SSE2 and AVX2. Then come the opcodes of the three previous instructions, newest first, [`STEP`] features apart.
+/// Between them are ModRM, prefixes and destination; the oldest instruction has only its opcode.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
@@ -26,7 +26,8 @@ pub const EXTENSION: usize = 21;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 22;
 pub const LENGTH: usize = 23;
-/// 0x100 times the number of newest bytes, at most [`LONGEST_MATCH`], that also stand before the byte of [`AFTER_MATCH`].
+/// 0x100 times the length of the match, at most [`LONGEST_MATCH`]: how many of the newest bytes equal those before the byte in
+/// [`AFTER_MATCH`].
 pub const MATCH: usize = 24;
 /// The last two bytes of this kind after the same opcode, the newer in the lower bits.
 pub const SAME_OPCODE: usize = 25;
@@ -55,7 +56,7 @@ pub const KINDS: usize = 32;
 
 /// Features that, with the kind, identify a field.
 const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
-/// The number of fields: one per value of [`OPCODE`] and kind. Of [`OPERAND`], 12 bits count, without SIB's upper bits.
+/// The number of fields: one per kind and 12-bit feature. [`OPCODE`] fits; [`OPERAND`] loses the upper bits of SIB.
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
 const FAR: u32 = 7;
@@ -176,7 +177,7 @@ impl Reader {
                 if byte & 0xf0 == 0x40 {
                     features[EXTENSION] = (byte & 7) << 1;
                 } else {
-                    // 1, 2 and 3 for 0x66, 0xf3 and 0xf2.
+                    // 1, 2 and 3 for 0x66, 0xf3 and 0xf2; rare segment prefixes get wrong numbers.
                     features[OPCODE] = 0x10b0 >> ((byte & 7) * 2) << 10 & 0xc00;
                 }
                 return AFTER_PREFIX;

@@ -71,7 +71,7 @@ impl Highlight {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
 
-    /// Returns the decay beyond which [`Highlight::is_missed`] is false for every square of `side` pixels.
+    /// Returns the decay beyond which the highlight has ended, or [`Highlight::is_missed`] is false for every square of `side` pixels.
     pub fn reach(&self, side: usize) -> f32 {
         let peak = self.strength / self.threshold(to_f32(side));
         (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)

@@ -59,8 +59,9 @@ impl Mirror {
 
     /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
-    /// Seen along the axis, the normal bisects the directions to the eye and the light. Along the axis, the point divides the height
-    /// between eye and light in the ratio of their distances from it across the axis.
+    /// Seen along the axis, the normal bisects the directions to the eye and the light. The point's height along the axis is between the
+    /// eye's and the light's, and divides this interval in the ratio of their distances from the point, both measured perpendicular to the
+    /// axis.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));

@@ -17,11 +17,11 @@
 //!   occluder hides the object in the whole square. A pixel whose colour is the mean of two points counts as showing the objects of both.
 //! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
 //!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The shadow may still be
-//!   lost if the plane is as dark at this corner without it.
+//!   lost if that corner would be as dark without the shadow.
 //! - A frame shows every image in the first plane of at least 2x2 pixels that no other image partly covers. A corner that shows the plane
 //!   inside the outline shows this image or a nearer one.
-//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). The
-//!   width that makes an outline thin is a lower bound: the object's least extent, seen at its farthest distance.
+//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). A
+//!   lower bound of an outline's width decides whether it is thin: the object's least extent, seen at its farthest distance.
 //!
 //! # Best effort
 //!
@@ -155,8 +155,8 @@ impl Coverage {
         region
     }
 
-    /// Returns the least and greatest height of an object above a plane, on the viewer's side (a shadow's light, or an image's eye), plus
-    /// a margin for rounding.
+    /// The viewer is the light for a shadow, and the eye for an image. Returns the object's least and greatest height above the plane,
+    /// positive on the viewer's side, each plus a margin for rounding.
     fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
         let (error, [min, max]) = (object.hit_error(), object.above(plane.centre.y));

@@ -14,9 +14,9 @@ pub(crate) struct ObjectBounds {
     /// The index of its node in the tree, for solids and lights.
     pub node: u16,
     pub screen: ScreenBounds,
-    /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared, or infinity if the eye is inside; `None`
-    /// for blocks, and if rounding decides. The plane of equal powers separates the visible parts of two spheres: the sphere of smaller
-    /// power is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
+    /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared, or infinity if the eye is inside. `None`
+    /// for blocks, and if rounding decides whether the eye is inside. The plane of equal powers separates the visible parts of two spheres:
+    /// the sphere of smaller power is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
     power: Option<[f32; 2]>,
     /// Half of the least extent.
     pub thickness: f32,

@@ -18,7 +18,8 @@ impl Coverage {
                 let view = View::light(light, rectangle, &self.eye);
                 self.shadows[plane][number] = view;
                 for (_, node) in world.tree.solids() {
-                    // A sphere around the light, a solid beyond the plane, and a clear solid in an area light cast no shadow.
+                    // No shadow is cast by a sphere around the light, a solid beyond the plane, or a clear solid if the light has a
+                    // diameter.
                     let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
                     let casts = is_outside && !node.is_shadowless(light.diameter);

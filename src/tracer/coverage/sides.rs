@@ -21,8 +21,8 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// The number of tangents that cut each end of a row's range in turn: the first is taken at the rectangle's end, each other at the end
-/// after the cut before.
+/// How many tangents cut each end of a row's range, one after another. The first touches at the rectangle's end, each later one at the end
+/// that the previous cut left.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -35,8 +35,8 @@ pub(crate) enum Sides {
     /// The rays in a cone: `cos (a x w)` in three lanes, `sin (a . w)` in the last.
     Round {
         terms: Terms,
-        /// The hit error widens the cone, so rays in it may miss the sphere. Those certainly meet it that are at least this share of the
-        /// last lane deep inside.
+        /// The hit error widens the cone, so a ray inside it may miss the sphere. A ray certainly meets the sphere if its depth is at least
+        /// this multiple of the last lane.
         unsure: f32,
     },
     /// The rays inside eight planes around the object, and inside eight planes within it.
@@ -44,8 +44,9 @@ pub(crate) enum Sides {
 }
 
 impl Sides {
-    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. `rays` has the
-    /// coefficients of u, v and 1 in the ray w: a vector each, and in the last lane the multiple of `to` to add.
+    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. The ray w is linear
+    /// in u and v, and `rays` has its coefficients of u, v and 1. Each is the vector in the first three lanes, plus `to` times the last
+    /// lane.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
         let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
@@ -73,7 +74,7 @@ impl Sides {
         let half = Vec3A::from(block.half);
         let (shape, centre) = (block.shape, inward * to);
         let rays = rays.map(|ray| (across(shape, inward * Vec3A::from_vec4(ray)), ray.w));
-        // The inner prism: hexagonal in a cylinder, and in a capsule without its round ends.
+        // The inner prism is hexagonal in a cylinder or a capsule, and leaves out a capsule's round ends.
         let ends = if shape == Shape::Capsule { half.x } else { 0.0 };
         let inside = half - slack - Vec3A::Y * ends;
         let inner = if inside.min_element() > 0.0 {
@@ -106,7 +107,7 @@ impl Sides {
                     }
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
-                        // On the cone's axis, (x, y, z) is 0. Any unit vector across the axis bounds the cone there, and so does 0.
+                        // On the cone's axis, (x, y, z) is 0. Any unit vector in its place gives a valid upper bound, and so does 0.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
                         [side(right), side(down), side(origin) - length * margin]
@@ -128,8 +129,8 @@ impl Sides {
         }
     }
 
-    /// Returns the number of inner sides that the rectangle is not wholly inside. A cone counts as two sides: the rule for a single
-    /// straight side does not hold for it.
+    /// Returns the number of inner sides that the rectangle is not wholly inside. A cone counts as two sides, since the rule for one
+    /// straight side (`Search::look_on_plane`) does not hold for it.
     #[inline(always)]
     pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
         let Self::Flat { inner, .. } = self else {
@@ -177,7 +178,7 @@ impl<S: Isa> Rects<S> {
     fn cut(&mut self, right: F<S>, down: F<S>, origin: F<S>) {
         let zero = splat(right.token(), 0.0);
         let max = (down * self.top).max(down * self.bottom) + origin;
-        // NaN clips nothing. Adding zero makes 0 of -0, so that a `right` of 0 clips all or nothing.
+        // NaN clips nothing. Adding zero turns -0 into 0, so that a `right` of 0 clips all or nothing.
         let end = -max / (right + zero);
         let min = at_least::<S>(end, self.left);
         let greatest = at_most::<S>(end, self.right);
@@ -219,8 +220,8 @@ impl Region {
     }
 }
 
-/// Returns the depths of rays inside the planes through the origin and an edge of the block's silhouette, as seen from there. Vectors are
-/// in the block's axes.
+/// Returns how deep rays are inside planes, each of which contains the viewpoint and an edge of the block's silhouette. Vectors are in the
+/// block's axes, and the viewpoint is the origin.
 ///
 /// Each lane projects the block along an axis to a rectangle, which has two corners on the silhouette. Seen along its own axis, a cylinder
 /// or capsule is a circle. In the other lanes its round end counts as a hexagon, whose inner radius is `hexagon` times the radius.
@@ -264,7 +265,7 @@ fn silhouette_terms(
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Returns, for each axis in a lane of its own, the vector's two coordinates across this axis. The axes are a box's three, or a cylinder's
+/// Each lane belongs to one axis, and gets the vector's two coordinates perpendicular to it. The axes are a box's three, or a cylinder's
 /// own and three across it, 60 degrees apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {

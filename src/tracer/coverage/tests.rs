@@ -70,7 +70,7 @@ fn draw<T>(strategy: &impl Strategy<Value = T>, runner: &mut TestRunner) -> T {
     strategy.new_tree(runner).expect("it has no filter").current()
 }
 
-/// Returns a point inside a block; `at` is within -1 to 1 along each axis.
+/// Returns the point at `at`, in half extents from a block's centre: inside if they are within -1 to 1 along each axis.
 fn within(block: &Block, at: DVec3) -> DVec3 {
     let half = block.half.as_dvec3();
     let across = DVec3::new(at.x, 0.0, at.z).clamp_length_max(1.0);
@@ -188,8 +188,8 @@ proptest! {
     }
 }
 
-/// The shadow ray of a point that counts as certainly dark may pass up to 1.087 radii from a cylinder's axis: at the rim, where the bound
-/// changes from the round side to a hexagon inside the end.
+/// A point may wrongly count as certainly dark: its shadow ray may pass up to 1.087 radii from a cylinder's axis. This happens at the rim
+/// of an end, where the bound changes from the circle of the side to the hexagon inside the end.
 #[test]
 fn certain_points_are_in_shadow() {
     let mut runner = TestRunner::deterministic();
@@ -258,8 +258,8 @@ fn planes_have_outlines_but_no_images() {
     assert_eq!(outlines.len(), 2);
 }
 
-/// A shadow is unseen if the plane is black, the solid is clear and the light has a diameter, or the spotlight above the floor does not
-/// shine on it.
+/// A shadow is unseen in three cases: the plane is black; the solid is clear and the light has a diameter; or the spotlight does not shine
+/// on the floor.
 #[test]
 fn unseen_shadows_are_not_listed() {
     let plain = draw(&scene(0.0, 0.0), &mut TestRunner::deterministic());

@@ -14,8 +14,9 @@ use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
 ///
-/// The eye's ray d meets the plane in a point x. With `m = -d.y`, the eye's height H and an object's centre c, `m (x - c) = H d + (c - eye)
-/// d.y`: a light's distance adds no error, since its position is not in it. For the eye's own view m is 0, and H is 1.
+/// For a shadow, the eye's ray d meets the plane in a point x, and the tests need the vector from the light to x times `m = -d.y`. It is
+/// the sum of `m (x - c)` and `m (c - light)`, where c is the object's centre. The first is `H d + (c - eye) d.y`, where H is the eye's
+/// height. The light's position is not in it, so distant lights add no error. The eye's own view sets H to 1 and m to 0, which leaves d.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
@@ -70,8 +71,9 @@ impl View {
     /// is `right - k forward`, and `down - k forward` for a bound of v.
     ///
     /// A light at the height L above the plane casts the shadow of a point p, at the height h, on a point x of the plane: `(L - h) n . (x -
-    /// eye) = L n . (p - eye) - h n . (light - eye)`. For a shadow, the gradient of this in p therefore replaces each axis n, and its value
-    /// at the sphere's centre replaces the product of the axis and the vector to the centre.
+    /// eye) = L n . (p - eye) - h n . (light - eye)`. The factor `L - h` is the same for all axes n, so it cancels in u and v. For a
+    /// shadow, the right side therefore takes the place of `n . (p - eye)`: its gradient in p is the new axis, and its value at the
+    /// sphere's centre the new product.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;

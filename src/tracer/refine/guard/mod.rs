@@ -42,8 +42,8 @@ impl Guard {
         }
     }
 
-    /// Sets `open` to the squares of a level that may show a feature that no corner shows. Tests outlines in squares that were open,
-    /// highlights in `all` squares.
+    /// Sets `open` to the squares of a level that may show a feature that too few of their corners show. Tests outlines in squares that
+    /// were open, highlights in `all` squares.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,

@@ -7,7 +7,7 @@ use crate::picture::TILE_HEIGHT;
 
 pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// The squares of a row, by how many of their corners the shadows from one light cover, or the images.
+/// The squares of a row, sorted by how many of their corners are covered: either by the shadows from one light, or by the images.
 ///
 /// A convex outline around all corners covers the square. Two outlines that each cover some corners may leave a slit between them, so the
 /// square is opened.
@@ -30,7 +30,8 @@ impl Search<'_> {
     ///
     /// An image opens the square unless a corner that shows the plane is inside the region (all four corners, if the image is thin). If
     /// only one straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that
-    /// meets a square contains a corner. If an object hides some corners, the square is opened also if all others are inside.
+    /// meets a square contains a corner. If an object hides corners outside the region, the square is opened also if all other corners are
+    /// inside.
     ///
     /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
@@ -39,12 +40,12 @@ impl Search<'_> {
         let is_cut_once = cuts == 1 && shown == ALL;
         let inside = match cuts {
             0 => ALL,
-            // A corner is inside; its number does not matter.
+            // A corner is inside; which one does not matter.
             _ if is_cut_once => 1,
             _ => region.corners(rect),
         };
         let covered = &mut self.covered[y % SQUARE_ROWS];
-        // All corners outside the region are hidden: between their occluder and the region, the plane may be visible.
+        // Objects hide all corners outside the region: between them and the region, the plane may be visible.
         let is_between = shown != ALL && shown & !inside == 0;
         let is_open = is_between || shown & inside < self.enough;
         if inside == ALL {
