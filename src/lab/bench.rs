@@ -26,7 +26,7 @@ pub struct Arguments {
     threads: Vec<usize>,
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"], help = format!("{}; repeatable", arguments::QUALITY))]
     quality: Vec<Preset>,
-    /// Draws all frames with jagged edges; by default all are antialiased
+    /// Draws all frames with jagged edges; by default all but the checkerboard are antialiased
     #[arg(long)]
     jagged: bool,
     /// Adds rivals: frames drawn at 0.3 to 0.9 of the width and then enlarged, a checkerboard of traced pixels, and `default` without its

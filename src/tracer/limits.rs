@@ -37,7 +37,7 @@
 //!
 //! | scene | error |
 //! | --- | --- |
-//! | reflections except in a flat first plane, and refractions | lost thin things ("Unguarded light"); at `finest` only if their light weighs less than 0.1 |
+//! | reflections except in a flat first plane, and refractions | lost thin things ("Unguarded light"); at `finest` only if the reflected or refracted light has a weight below 0.1 |
 //! | shadows on spheres and blocks, and slits of light between them | lost except at `finest` ("Unguarded light") |
 //! | low lights above a plane | missed shadows, even wider than a square, if the floor around them is nearly as dark |
 //! | lights with a diameter | holes in thin shadows and in slits of light on floors |
@@ -52,6 +52,6 @@
 //! | eyes inside glass, extreme scales, `fastest` | below 42 dB to exhaustive |
 //! | coincident surfaces | rounding decides which one a ray hits |
 //! | objects and lights that nearly touch a block | missed by secondary rays, which start 1e-5 S above the block's surface (1.2e-7 S if the eye is within 16e-5 S of it), where S is the sum of the block's absolute coordinates and half extents: contact shadows have gaps |
-//! | light from less than 2e-3 radians below the horizon of a sphere's point | reaches the point, although the sphere is in its way |
+//! | light from less than 2e-3 radians below the tangent plane at a point of a sphere | reaches the point |
 //! | radii of spheres, and chords of rays through spheres, below 1e-6 of the sphere's largest coordinate | displaced or missed hits |
 //! | coordinates | rounded to a relative 6e-8: keep scenes near the origin |

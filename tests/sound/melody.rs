@@ -12,7 +12,7 @@ const BEAT: f64 = 24_000.0;
 const MAJOR: f32 = 52.0;
 const SHARP: [u8; 8] = [0, 1, 0, 1, 1, 0, 0, 0];
 
-/// Returns the power of a frequency, in both sides together.
+/// Returns the power of a frequency, the sum of the left and right channels.
 fn power(samples: &[Complex<f64>], hertz: f64) -> f64 {
     // A sample's real part is the left side, its imaginary part the right. The powers at the frequency and at its negative add up to the
     // power of left and right together.

@@ -6,9 +6,9 @@ use super::operands::operands_by_runs;
 pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
-/// The opcode as far as it is parsed, plus 0x100 times its map, plus 0x400 times its prefix, numbered like VEX's `pp`: an operation's
-/// number is the same in SSE2 and AVX2. Then come the opcodes of the three previous instructions, newest first, [`STEP`] features apart.
-/// Between them are ModRM, prefixes and destination; the oldest instruction has only its opcode.
+/// The opcode as far as it is parsed, plus 0x100 times its map, plus 0x400 times its prefix. Prefixes have the numbers of VEX's `pp`, so an
+/// operation has the same value in SSE2 and AVX2. Then come the opcodes of the three previous instructions, newest first, [`STEP`] features
+/// apart. Between them are ModRM, prefixes and destination; the oldest instruction has only its opcode.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
@@ -26,10 +26,9 @@ pub const EXTENSION: usize = 21;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 22;
 pub const LENGTH: usize = 23;
-/// 0x100 times the length of the match, at most [`LONGEST_MATCH`]: how many of the newest bytes equal those before the byte in
-/// [`AFTER_MATCH`].
+/// How many of the newest bytes, at most [`LONGEST_MATCH`], also preceded the byte in [`AFTER_MATCH`], times 0x100.
 pub const MATCH: usize = 24;
-/// The last two bytes of this kind after the same opcode, the newer in the lower bits.
+/// The last two bytes that had the next byte's kind and followed the same opcode, the newer in the lower bits.
 pub const SAME_OPCODE: usize = 25;
 /// The last two bytes after the same operand.
 pub const SAME_OPERAND: usize = 26;

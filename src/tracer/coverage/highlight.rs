@@ -54,11 +54,11 @@ impl Highlight {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
-    /// Returns whether every square of `side` pixels whose corners all show the object is nearly as bright at one of its corners as at its
-    /// brightest point.
+    /// Returns whether one corner is nearly as bright as the brightest point, in every square of `side` pixels whose corners all show the
+    /// object.
     ///
-    /// A corner is at most half a side across and half a side down from the square's brightest point. Between the two, the decay u grows by
-    /// at most u(half a side, half a side), measured from the highlight's centre.
+    /// A corner is at most half a side across and half a side down from the square's brightest point. From that point to the corner, u
+    /// grows by no more than it does from the highlight's centre to a point half a side across and half a side down.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * to_f32(side);
@@ -71,7 +71,8 @@ impl Highlight {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
 
-    /// Returns the decay beyond which the highlight has ended, or [`Highlight::is_missed`] is false for every square of `side` pixels.
+    /// Returns the decay beyond which no square of `side` pixels needs the test [`Highlight::is_missed`]: the highlight has ended, or the
+    /// result is always false.
     pub fn reach(&self, side: usize) -> f32 {
         let peak = self.strength / self.threshold(to_f32(side));
         (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)
@@ -135,7 +136,7 @@ impl Highlight {
         if !is_visible {
             return None;
         }
-        // The change of d - l from pixel to pixel.
+        // The change of the mirrored ray minus l from pixel to pixel.
         let [right, down] = [axes.rows[0], axes.rows[1]].map(|step| {
             let step = (step + d * (step.dot(n) / facing)) * (depth * axes.pixel);
             let turned = (step - axis * step.dot(axis)) * curvature;
@@ -180,7 +181,7 @@ impl Coverage {
                 }
                 let [eye, light] = [world.eye, light.position].map(|point| point - centre);
                 Mirror::each(&object, eye, light, |mut place| {
-                    // If the mirror point is off the block, use the nearest surface point.
+                    // If the mirror point is off the block, use the nearest point within its half extents.
                     if let Object::Block(block) = object {
                         let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
                         // `clamp` may panic if a half is invalid.

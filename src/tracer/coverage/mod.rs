@@ -14,23 +14,23 @@
 //! # Guarantees
 //!
 //! - Each visible object has at least one pixel: a square that meets its outline is filled only if a corner shows the object, or if an
-//!   occluder hides the object in the whole square. A pixel whose colour is the mean of two points counts as showing the objects of both.
+//!   occluder hides the object in the whole square. Here, a pixel whose colour is the mean of two points shows the objects of both.
 //! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
 //!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The shadow may still be
 //!   lost if that corner would be as dark without the shadow.
-//! - A frame shows every image in the first plane of at least 2x2 pixels that no other image partly covers. A corner that shows the plane
-//!   inside the outline shows this image or a nearer one.
+//! - A frame shows every image of a sphere or a box in a flat first plane, of at least 2x2 pixels, that no other image partly covers. A
+//!   corner that shows the plane inside the outline shows this image or a nearer one.
 //! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). A
 //!   lower bound of an outline's width decides whether it is thin: the object's least extent, seen at its farthest distance.
 //!
 //! # Best effort
 //!
 //! - An area light counts as a point light at its centre. A spotlight whose cone may meet a plane counts as shining on the whole plane.
-//! - The bound of a capsule's shadow is its bounding cylinder's, and a cylinder's round end counts as the hexagon around it. A corner may
-//!   count as dark although it is outside a cylinder's shadow, by up to 0.087 radii at the rim of an end.
+//! - A capsule's shadow has the bound of its bounding cylinder's shadow, and a cylinder's round end counts as the hexagon around it. A
+//!   corner may count as dark although it is outside a cylinder's shadow, by up to 0.087 radii at the rim of an end.
 //! - A square is split for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some corners
 //!   and an object hides all others.
-//! - Images of cylinders and capsules count as prisms.
+//! - In images, cylinders and capsules are bounded like prisms.
 //! - A highlight's bound is a Gaussian, which is nearly Phong's lobe. The highlight may be missed if a corner is darker than the Gaussian
 //!   there: in shadow, or on another face.
 //!
@@ -146,7 +146,7 @@ impl Coverage {
             }
         };
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
-        // Part of the object is beyond the plane: rays to it meet the plane, but show no image or shadow of it.
+        // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly inside.
         if let Some((plane, viewer)) = shown
             && self.heights(id, &world.planes()[plane], viewer)[0] < 0.0
         {

@@ -128,7 +128,7 @@ impl Coverage {
         }
         for (i, plane) in world.planes().iter().enumerate() {
             let id = ObjectId::new(world.first_plane() + i);
-            // An unbounded forward extent: planes have no order along the view.
+            // The forward extent counts as unbounded, so that it never puts a plane behind another object.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
             let [min, max] = ends(plane.centre.into(), extent);
             self.objects[id.index()] =
@@ -144,7 +144,8 @@ impl Coverage {
         }
     }
 
-    /// Returns whether the sphere `front` is before the sphere `back` on all rays that meet both, see [`ObjectBounds::power`].
+    /// Returns whether the sphere `front` is before the sphere `back` on all rays that meet both, see [`ObjectBounds::power`]. If the eye
+    /// is inside `back`, `front` must be, too.
     pub fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
         let power = |id: ObjectId| self.objects[id.index()].power;
         match (power(front), power(back)) {

@@ -100,7 +100,7 @@ impl ScreenBounds {
 
     /// Returns the bounds of two ranges. `u` is (a, b, c, d) for the range from `(b + a) / (d + c)` to `(b - a) / (d - c)`; `v` alike.
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
-        // The greatest slope, negated, is the least of the negated slopes.
+        // The upper ends are computed negated: all four lanes are lower ends then, with one margin.
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);
         let ahead = Vec4::new(u.w, v.w, u.w, v.w) + ends(u.z, v.z);
         let across = Vec4::new(u.x, v.x, u.x, v.x) + ends(u.y, v.y);

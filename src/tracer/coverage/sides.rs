@@ -1,9 +1,9 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
 //! Each test is about a ray w from a viewpoint. In direct view, w is the eye's ray `d = (u, v, 1)`. For a shadow, w leads from the light to
-//! the point where d meets the plane. It is scaled to be linear in d, so the shadow of a sphere is a cone of rays d, too. `view` gives w as
-//! a vector, plus a multiple of the vector from the viewpoint to the object's centre. In direct view the multiple is 0, and the vector is
-//! d.
+//! the point where d meets the plane. It is scaled to be linear in d, so the shadow of a sphere is a cone of rays d, too. `view` writes w
+//! as a sum: a vector, plus a number times the vector from the viewpoint to the object's centre. In direct view the number is 0, and the
+//! vector is d.
 //!
 //! Let a be the axis of a sphere's bounding cone, and `sin` and `cos` the sine and cosine of half its opening angle. A ray w meets the
 //! sphere if `sin (a . w) >= cos |a x w|`. The left side minus the right side is concave in u and v, so each of its tangent planes is an
@@ -21,8 +21,8 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// How many tangents cut each end of a row's range, one after another. The first touches at the rectangle's end, each later one at the end
-/// that the previous cut left.
+/// How many tangents cut each end of a row's range, one after another. The first is the tangent at the rectangle's end, each later one the
+/// tangent at the end after the previous cut.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -45,8 +45,8 @@ pub(crate) enum Sides {
 
 impl Sides {
     /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. The ray w is linear
-    /// in u and v, and `rays` has its coefficients of u, v and 1. Each is the vector in the first three lanes, plus `to` times the last
-    /// lane.
+    /// in u and v, and `rays` has its coefficients of u, v and 1. A coefficient stands for a vector: its first three lanes, plus its last
+    /// lane times `to`.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
         let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
@@ -107,7 +107,8 @@ impl Sides {
                     }
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
-                        // On the cone's axis, (x, y, z) is 0. Any unit vector in its place gives a valid upper bound, and so does 0.
+                        // On the cone's axis, (x, y, z) is 0 and has no direction. Any unit vector instead of the direction gives a valid
+                        // upper bound, and so does 0.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
                         [side(right), side(down), side(origin) - length * margin]

@@ -38,7 +38,7 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// Draws scenes of a sphere and a block between a floor and a light, seen from above the floor. The light is up to `10^light` times as far
+/// Random scenes of a sphere and a block between a floor and a light, seen from above the floor. The light is up to `10^light` times as far
 /// away as usual, the camera up to `10^telescope` times.
 fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
     (
@@ -70,7 +70,7 @@ fn draw<T>(strategy: &impl Strategy<Value = T>, runner: &mut TestRunner) -> T {
     strategy.new_tree(runner).expect("it has no filter").current()
 }
 
-/// Returns the point at `at`, in half extents from a block's centre: inside if they are within -1 to 1 along each axis.
+/// Returns the point at `at`, in half extents from a block's centre. Points with coordinates from -1 to 1 are inside.
 fn within(block: &Block, at: DVec3) -> DVec3 {
     let half = block.half.as_dvec3();
     let across = DVec3::new(at.x, 0.0, at.z).clamp_length_max(1.0);

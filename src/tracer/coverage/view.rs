@@ -14,9 +14,9 @@ use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
 ///
-/// For a shadow, the eye's ray d meets the plane in a point x, and the tests need the vector from the light to x times `m = -d.y`. It is
-/// the sum of `m (x - c)` and `m (c - light)`, where c is the object's centre. The first is `H d + (c - eye) d.y`, where H is the eye's
-/// height. The light's position is not in it, so distant lights add no error. The eye's own view sets H to 1 and m to 0, which leaves d.
+/// For a shadow, the eye's ray d meets the plane in a point x, and the tests need `m (x - light)` with `m = -d.y`. It is the sum of `m (x -
+/// c)` and `m (c - light)`, where c is the object's centre. The first is `H d + (c - eye) d.y`, where H is the eye's height. The light's
+/// position is not in it, so distant lights add no error. The eye's own view sets H to 1 and m to 0, which leaves d.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
@@ -30,7 +30,7 @@ pub(super) struct View {
     pub height: f32,
     pub side: f32,
     pub corner: f32,
-    /// The factor on `SIDE`: 1 for eyes and point lights, and [`USUAL_SIDE_SHARE`] for lights with a diameter.
+    /// The factor on `SIDE`: 1 for eyes and point lights, [`USUAL_SIDE_SHARE`] for other lights.
     pub rounding: f32,
 }
 
@@ -66,14 +66,14 @@ impl View {
 
     /// Returns the bounds of a node's sphere or of its shadow.
     ///
-    /// A bound `u = k` is a plane through the viewpoint that touches the sphere: its distance from the sphere's centre is the radius
-    /// (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013, for orthogonal axes). Its normal
-    /// is `right - k forward`, and `down - k forward` for a bound of v.
+    /// A bound `u = k` is a plane through the viewpoint that touches the sphere: its distance from the sphere's centre is the radius (Mara
+    /// and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013; their axes are orthogonal, those of
+    /// shadows are not). Its normal is `right - k forward`, and `down - k forward` for a bound of v.
     ///
     /// A light at the height L above the plane casts the shadow of a point p, at the height h, on a point x of the plane: `(L - h) n . (x -
-    /// eye) = L n . (p - eye) - h n . (light - eye)`. The factor `L - h` is the same for all axes n, so it cancels in u and v. For a
-    /// shadow, the right side therefore takes the place of `n . (p - eye)`: its gradient in p is the new axis, and its value at the
-    /// sphere's centre the new product.
+    /// eye) = L n . (p - eye) - h n . (light - eye)`. The factor `L - h` is the same for all axes n, so it cancels in u and v. So for a
+    /// shadow, the right side replaces `n . (p - eye)` in the tests of a sphere: its gradient in p replaces the axis n, and its value at
+    /// the sphere's centre replaces `n . (centre - eye)`.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;

@@ -251,7 +251,6 @@ fn ignored_hang_up_does_not_end_frames() {
     assert_eq!(files(folder.path()).len(), 9);
 }
 
-/// A closed terminal and its shell both send HUP, so a second HUP does not end the program.
 #[test]
 fn signal_leaves_no_broken_file() {
     let [folder, programs] = [(); 2].map(|()| tempfile::tempdir().unwrap());

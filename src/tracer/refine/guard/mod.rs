@@ -42,8 +42,8 @@ impl Guard {
         }
     }
 
-    /// Sets `open` to the squares of a level that may show a feature that too few of their corners show. Tests outlines in squares that
-    /// were open, highlights in `all` squares.
+    /// Sets `open` to the squares of a level that may show a feature that too few of their corners show. Tests outlines in the squares of
+    /// `open`, and highlights in `all` squares.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -143,7 +143,8 @@ impl Search<'_> {
     }
 }
 
-/// The width limit of thin outlines, in halves of a square's side. A disc wider than 1.42 sides contains a corner of some square.
+/// The width limit of thin outlines, in halves of a square's side. Wherever it lies, a disc wider than 1.42 sides contains a corner of the
+/// grid.
 const THIN: usize = 3;
 
 const ALL: u64 = 0b1111;

@@ -30,8 +30,8 @@ impl Search<'_> {
     ///
     /// An image opens the square unless a corner that shows the plane is inside the region (all four corners, if the image is thin). If
     /// only one straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that
-    /// meets a square contains a corner. If an object hides corners outside the region, the square is opened also if all other corners are
-    /// inside.
+    /// meets a square contains a corner. The square is also opened if all corners that show the plane are inside the region, and an object
+    /// hides those outside.
     ///
     /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
