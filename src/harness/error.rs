@@ -1,5 +1,3 @@
-//! The errors of pictures.
-
 /// The difference of two pictures, over all channels, in steps of 1/255.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {

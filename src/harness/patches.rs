@@ -1,5 +1,3 @@
-//! Patches of lost pixels.
-
 use crate::error::worst_channel;
 use std::collections::BTreeSet;
 

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Measures the speed and the error of frames
 ///
-/// Prints a Markdown table with a row per setting and scene; exhaustive frames are always among the settings. Settings take turns, frame by
-/// frame. Times of one thread are processor time. Ctrl-C prints the figures so far.
+/// Prints a Markdown table with a row per setting and scene; exhaustive frames are always among the settings. Ctrl-C prints the figures so
+/// far.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]

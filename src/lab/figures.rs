@@ -111,7 +111,6 @@ const MARK: usize = 4;
 const POINT: u32 = 0x00ff_ffff;
 const OUTLINE: u32 = 0x00ff_b000;
 
-/// Draws pixels exhaustively, without the guard and with it, on a sheet.
 fn close_up(
     renderer: &mut ThreadedRenderer,
     scene: &Moment,

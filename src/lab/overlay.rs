@@ -3,7 +3,6 @@ use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_tracer::Quality;
 use std::sync::LazyLock;
 
-/// Draws white points on the darkened picture.
 pub fn draw_points(trace: &FrameTrace, pixels: &mut [u32]) {
     for (pixel, rays) in pixels.iter_mut().zip(trace.rays()) {
         let dark = (*pixel >> 2) & 0x003f_3f3f;

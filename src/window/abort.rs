@@ -3,7 +3,7 @@
 
 use crate::{line, terminal};
 
-/// Replaces a panic: restores the terminal, prints one line on standard error and aborts.
+/// Restores the terminal, prints one line on standard error and aborts.
 #[unsafe(no_mangle)]
 pub extern "C" fn eightfold_abort() -> ! {
     terminal::restore();

@@ -83,7 +83,6 @@ impl Small<'_> {
     }
 }
 
-/// Returns three quarters of each pixel and one quarter of its neighbour, in each channel.
 fn mix(pixels: Lanes, neighbours: Lanes) -> Lanes {
     mean(pixels, mean(pixels, neighbours))
 }

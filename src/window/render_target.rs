@@ -4,7 +4,6 @@ use crate::backend::memory::pixels;
 pub const MAX_WIDTH: usize = 3840;
 /// In pixels.
 pub const MAX_HEIGHT: usize = 2160;
-/// The number of pixels of the largest frame.
 pub const MOST_PIXELS: usize = MAX_WIDTH * MAX_HEIGHT;
 
 /// The inner size of a new window, in pixels.

@@ -17,8 +17,6 @@ impl<T> StaticCell<T> {
         StaticCell { taken: AtomicBool::new(false), value: UnsafeCell::new(value) }
     }
 
-    /// Borrows the value for the rest of the program.
-    ///
     /// # Panics
     /// If it was taken before.
     #[allow(clippy::mut_from_ref, reason = "it happens once")]

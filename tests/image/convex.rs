@@ -1,5 +1,3 @@
-//! A ray does not hit the convex solid that it leaves, at any scale.
-
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use eightfold_scenes::{Random, cases, known, solids};

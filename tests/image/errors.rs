@@ -1,5 +1,3 @@
-//! Wrong pixels of shadows are few, in small patches.
-
 use crate::cpu;
 use crate::drawn::bare;
 use crate::shown::{pixels, sized};

@@ -1,5 +1,3 @@
-//! Named qualities show all highlights of five pixels that are seen directly.
-
 use crate::cpu::Isa;
 use crate::drawn::{isa_of, named};
 use crate::error::worst_channel;

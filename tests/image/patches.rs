@@ -1,5 +1,3 @@
-//! Patches of lost pixels: no drawn pixel nearby is similar.
-
 use crate::cpu::{self, Isa};
 use crate::drawn::{draw, draw_best, jagged, of_the_show};
 use crate::error::Difference;

@@ -1,4 +1,4 @@
-//! `finest` loses no thin things in mirrors, glass and waves, no shadows of them on balls, boxes and walls, and no strips of light.
+//! `finest` loses no unguarded light, see `docs/accuracy.md`.
 
 use crate::cpu;
 use crate::drawn::jagged;

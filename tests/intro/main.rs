@@ -1,5 +1,3 @@
-//! The intro's program as it ships: size, flags, and playing without a window.
-
 mod arguments;
 mod headless;
 mod size;

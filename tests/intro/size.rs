@@ -1,4 +1,3 @@
-//! The files of `cargo build --release -p eightfold` and `cargo exe` have at most 65,536 bytes.
 #![cfg(target_arch = "x86_64")]
 
 use eightfold_harness::cargo::Build;

@@ -134,8 +134,7 @@ fn terminal_of_any_size_shows_moving_pictures() {
     terminal.wait_for_end(0);
 }
 
-/// Variables, the bits of a colour, and whether there are half blocks. GNU Screen misreads 24-bit colours. Its programs inherit `COLORTERM`
-/// from the outer terminal; ssh and sudo drop `STY`.
+/// Variables, the bits of a colour, and whether there are half blocks. ssh and sudo drop `STY`.
 const TERMINALS: &str = include_str!("terminals.txt");
 
 #[test]

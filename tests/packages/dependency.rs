@@ -82,7 +82,7 @@ fn dependent_without_optimisation_draws() {
     assert!(crates.into_iter().eq(expected.split(' ')), "{tree}");
 }
 
-/// Only tests depend on `tests`. No package depends on the lab, so tests of pictures compile without its dependencies.
+/// No package depends on the lab, so tests of pictures compile without its dependencies.
 #[test]
 fn products_depend_on_neither_tests_nor_the_lab() {
     let metadata = cargo(ROOT, &["metadata", "--no-deps", "--offline", "--format-version", "1"]);

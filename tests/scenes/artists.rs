@@ -1,4 +1,4 @@
-//! Scenes as artists draw them first: bars in order, on a floor, in front of a mirror, behind glass, or casting shadows.
+//! Scenes as artists draw them first.
 
 use crate::bars::Bars;
 use crate::kinds::add;
@@ -173,7 +173,6 @@ fn nets(scene: &mut Scene, random: &mut Random) {
     }
 }
 
-/// Wheels: a rim, and spokes to it.
 fn spokes(scene: &mut Scene, random: &mut Random) {
     for _ in 0..1 + random.below(3) {
         let (bars, at) = (Bars::any(random), upright(random));
@@ -227,7 +226,6 @@ fn windows(scene: &mut Scene, random: &mut Random) {
     bars.grid(scene, at, &columns, &rows, [0.5 * right, top]);
 }
 
-/// Stairs with a railing.
 fn stairs(scene: &mut Scene, random: &mut Random) {
     let (bars, material) = (Bars::any(random), matt(random));
     let (deep, high) = (random.between(0.15, 0.35), random.between(0.1, 0.25));
@@ -333,7 +331,6 @@ fn wall(scene: &mut Scene, random: &mut Random) {
     add_box(scene, vec3(0.0, 2.2, -2.5), half, patterned(random));
 }
 
-/// Bars whose gaps let strips of light through.
 fn strips(scene: &mut Scene, random: &mut Random) {
     let bars = Bars::any(random);
     let step = 2.0 * bars.radius + random.power(-2.0, -0.7);

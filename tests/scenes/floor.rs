@@ -1,4 +1,4 @@
-//! A floor, steep or grazing, near or far from the origin, with a shadow or an image in it, or with objects that rise from it.
+//! A floor, steep or grazing, near or far from the origin.
 
 use crate::materials::numbered;
 use crate::{Random, View, solids};

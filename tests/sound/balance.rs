@@ -1,5 +1,3 @@
-//! The balance of bass and treble, and of left and right.
-
 use super::spectrum::Spectrum;
 use super::{cues, scenes, song};
 use eightfold::show;

@@ -92,7 +92,6 @@ fn both_sides_are_centred_and_equally_loud() {
     assert!((0.8..1.25).contains(&ratio), "left to right: {ratio}");
 }
 
-/// The last quaver before a cut is for echoes: it has at least 3 dB less than the bar.
 #[test]
 fn instruments_rest_before_every_cut() {
     for &cut in &show::CUTS[1..] {

@@ -17,8 +17,6 @@ use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 
 /// Draws frames as PNG files, a video or a contact sheet, and writes the show's sound
-///
-/// A frame has the same bytes on all CPUs with AVX2, so machines can split the work.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),

@@ -62,7 +62,6 @@ fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     order
 }
 
-/// Returns the similarity of each two functions, by their common sequences.
 fn likeness(codes: &[&[u8]]) -> Vec<Vec<f64>> {
     let mut counts: BTreeMap<&[u8], BTreeMap<usize, u32>> = BTreeMap::new();
     for (i, code) in codes.iter().enumerate() {

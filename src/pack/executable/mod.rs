@@ -50,7 +50,6 @@ impl Memory {
 /// the checksum. Offsets are in the file.
 type Record = [usize; 6];
 
-/// The parts of a packed file.
 struct Parts<'a> {
     /// The length of the program, without and with its loader.
     lengths: [u64; 2],

@@ -1,5 +1,3 @@
-//! Motions are valid at all times, or refused with a place.
-
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::{Random, cases};
 

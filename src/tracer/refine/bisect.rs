@@ -1,4 +1,4 @@
-//! Bisects the halves of a pixel's axes at edges, and blends the pixel with the points.
+//! Bisection at edges, see `antialias`.
 
 use super::Context;
 use super::worker::{Interval, Worker};

@@ -1,5 +1,3 @@
-//! Fills squares by bilinear interpolation of their corners' colours.
-
 use crate::grid::Bits;
 use crate::lanes::*;
 use crate::picture::Band;

@@ -56,7 +56,6 @@ fn shuffled(mut index: u32, count: u32) -> u32 {
 pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut Band<'_>) {
     let Context { plan, world, .. } = context;
     let size = [plan.finished, plan.size[1]];
-    // Intentionally coarse frames are not probed.
     if plan.probing.count == 0 || size[0] == 0 || plan.coarse >= 2 {
         return;
     }

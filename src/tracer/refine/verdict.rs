@@ -1,4 +1,4 @@
-//! The verdict on squares: do their corners' keys agree, and how far do their colours differ?
+//! The verdict on squares, by their corners' keys and colours.
 
 use crate::grid::{Bits, GridRow};
 use crate::lanes::*;

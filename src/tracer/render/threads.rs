@@ -16,7 +16,6 @@ pub trait Threads {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>);
 }
 
-/// Draws on the caller's thread.
 impl Threads for Worker {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
         for band in bands {

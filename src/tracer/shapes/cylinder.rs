@@ -24,7 +24,6 @@ pub(super) fn endless<S: Isa>(simd: S, radius: f32, o: &Vec3x<S>, d: &Vec3x<S>) 
     Span { near: middle - chord, far: middle + chord, is_met: chord2.simd_ge(zero) }
 }
 
-/// Returns the distance of points along each axis, where the faces are at -1 and 1.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
     let round = (p.x * p.x + p.z * p.z).sqrt();

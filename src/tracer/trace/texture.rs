@@ -44,7 +44,7 @@ impl<S: Isa> TexturePoint<S> {
         d: &Vec3x<S>,
         t: F<S>,
     ) -> (F<S>, U<S>) {
-        // The second point is idle: another copy of the code would cost bytes, and a swirl of one packet takes nearly as long.
+        // The second point is idle: another copy of the code would cost bytes.
         let mut pair = [(self.own, self.pixels(world, d, t)); 2];
         swirl(simd, pattern, &mut pair);
         let [(own, pixels), _] = &pair;
@@ -168,7 +168,7 @@ const NOISE_SLOPE: f32 = 1.2;
 /// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
 /// w)` of the waves w along the axes.
 ///
-/// Inlined into its two callers it would add 630 packed bytes.
+/// Inlining would add 630 packed bytes.
 #[inline(never)]
 fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> (F<S>, U<S>) {
     by_isa!(simd: reflectance_by(simd, pattern, own, pixels))
@@ -257,8 +257,7 @@ const FINER: f32 = 1.618_034;
 /// The growth of a swirling pattern's slope per octave, for a `swirl` of 1. With 1, thin bands of planets lose spots.
 const SWIRL_SLOPE: f32 = 2.0;
 
-/// Adds nearly a sine of `u`, with a period of 1 and the amplitude `strength / -16`. Each swirl waits for the previous one, so fused
-/// steps count.
+/// Adds nearly a sine of `u`, with a period of 1 and the amplitude `strength / -16`.
 #[inline(always)]
 fn shifted<S: Isa>(p: F<S>, u: F<S>, strength: F<S>) -> F<S> {
     let f = off_integer::<S>(u);

@@ -1,5 +1,3 @@
-//! The portable backend, on `minifb`, std and libc.
-
 #[path = "../small/arguments.rs"]
 pub mod arguments;
 pub mod clock;

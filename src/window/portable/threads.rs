@@ -19,8 +19,6 @@ struct Sent(*mut c_void);
 // SAFETY: required of the caller of `spawn`.
 unsafe impl Send for Sent {}
 
-/// Starts a thread, unless the system refuses.
-///
 /// # Safety
 /// The pointer has to be valid while the thread runs.
 pub unsafe fn spawn(

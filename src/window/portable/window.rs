@@ -8,7 +8,6 @@ use super::{keyboard::KeyQueue, memory::pixels, mouse::Mouse};
 use crate::input::{self, Input, Press};
 use crate::render_target::{InnerSize, Next, RenderTarget};
 
-/// For the intro's help.
 pub const KEYS: &str = "H hud, Esc or Q quit";
 
 /// `minifb` has no fullscreen; the desktop may have one.

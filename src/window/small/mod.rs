@@ -1,5 +1,3 @@
-//! The 64 kB backend for x86-64 Linux, on libc and Xlib.
-
 #[path = "../abort.rs"]
 mod abort;
 pub mod arguments;

@@ -1,5 +1,4 @@
-//! The terminal as a target for frames: two pixels in each cell, in 24-bit colour, in 256 colours (GNU screen), in ASCII with one
-//! colour a cell (locales other than UTF-8), or as characters by brightness (terminals without colours).
+//! The terminal as a target for frames, see `docs/intro.md`.
 
 mod keys;
 mod mode;

@@ -1,5 +1,3 @@
-//! Small pictures fill any canvas, with the same pixels for any number of threads.
-
 use eightfold_window::enlarge::{MOST_SMALL, Small};
 use eightfold_window::pool::Pool;
 

@@ -1,5 +1,3 @@
-//! The thread pool: every item is done once, and no wait hangs.
-
 use eightfold_window::pool::Pool;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -1,6 +1,4 @@
-//! The 64 kB backend for Windows: code compiled for x86-64 Linux that calls only functions of Windows. The program is linked at
-//! fixed addresses without any library, and `src/pack` makes an `.exe` of it. Windows calls only the entry points of the program
-//! and of its threads.
+//! The 64 kB backend for Windows, see `docs/windows.md`.
 
 #[path = "../abort.rs"]
 mod abort;

@@ -30,8 +30,6 @@ unsafe extern "C" {
     fn eightfold_thread();
 }
 
-/// Starts a thread, unless the system refuses.
-///
 /// # Safety
 /// The pointer has to be valid while the thread runs.
 pub unsafe fn spawn(

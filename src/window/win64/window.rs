@@ -36,7 +36,6 @@ const ESCAPE: u8 = VK_ESCAPE as u8;
 /// Keeps system and display on, as long as the thread lives.
 const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 
-/// For the intro's help.
 pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
 
 /// A window, whose thread handles messages, size and keys, so that it responds while a frame is drawn. A closed window has no size.

@@ -25,7 +25,6 @@ fn view_is_consecutive_frames_of_its_scene() {
             assert!((pair[1] - pair[0] - 1.0 / 60.0).abs() < 1e-6);
         }
     }
-    // The end of the model scene equals its start: it has no view.
     let Shot { views, .. } = Shot::new(SceneName::Model, 1, 9);
     assert!((views[8][0] - show::MODEL_LENGTH * 8.0 / 9.0).abs() < 1e-5);
 }

@@ -1,4 +1,4 @@
-//! Draws a band, the first phase of a frame: traces each tile's points, level by level, judges its squares, and fills or splits them.
+//! Draws a band, the first phase of a frame.
 
 mod edges;
 mod method;
@@ -72,7 +72,6 @@ pub(super) struct Tile<'a, 'b, O: Observer> {
     pub crowding: f32,
     /// The part of the picture that its squares cover.
     pub rect: Rect,
-    /// The groups that may be visible in the tile.
     pub visible: VisibleGroups,
     pub worker: &'a mut Worker,
     pub band: &'a mut Band<'b>,

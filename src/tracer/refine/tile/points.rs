@@ -15,7 +15,6 @@ use fearless_simd::f32x8;
 const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Finds the points of a level: its squares' corners, or pixels at level 0.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
         let quality = &self.context.plan.quality;
         let squares = self.area.rows(level);
