@@ -1,4 +1,4 @@
-//! Rays and shapes in f64, by textbook formulas, in scene coordinates.
+//! Rays and shapes, in scene coordinates.
 
 use super::grooves;
 use eightfold_tracer::scene::{Block, Camera, Plane, Shape as BlockShape, Sphere};

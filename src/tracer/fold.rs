@@ -1,5 +1,4 @@
-//! Kaleidoscopes, see `Presentation::sectors`: one part of the picture is drawn, and copied to the
-//! rest.
+//! Kaleidoscopes, see `Presentation::sectors`: one part of the picture is drawn, and copied to the rest.
 
 use crate::maths::to_f32;
 use crate::picture::{Band, CELL};

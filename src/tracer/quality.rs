@@ -24,9 +24,9 @@ pub struct Quality {
     /// its corners, or if it is between two split squares. [`limits`](crate::limits) lists exceptions. The rules of 2008 are
     /// `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
-    /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: most of it has no bound.
-    /// Below infinity, a square is also split where a sphere or a block may be in shadow, and where its corners show several objects in
-    /// one colour: no thin thing is missed. Ignored unless `guarded`.
+    /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: most such light has no bounds.
+    /// Below infinity, a square is also split where a sphere or a block may be in shadow, and where its corners show several objects in one
+    /// colour: no thin thing is missed. Ignored unless `guarded`.
     pub unguarded_weight: f32,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,

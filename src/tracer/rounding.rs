@@ -47,8 +47,7 @@ pub(crate) fn hit_error(centre: Vec3A, radius: f32) -> f32 {
     HIT * (centre.abs().max_element() + radius)
 }
 
-/// The error of a `Chord`'s squared perpendicular before it is refined, without FMA, relative to `t_mid`
-/// squared.
+/// The error of a `Chord`'s squared perpendicular before it is refined, without FMA, relative to `t_mid^2`.
 ///
 /// Rounding the product `d t_mid` moves the perpendicular by `u t_mid`. Rounding `t_mid` lengthens it along the ray by less than
 /// `5 u t_mid`. For a ray that meets a sphere of radius `r`, `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`. With `m = 0.001`, which
@@ -58,7 +57,7 @@ pub(crate) const UNREFINED: f32 = 4e-12;
 /// The largest distance of a hit from its sphere, in radii, that one Newton step reduces to rounding errors.
 pub(crate) const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
-/// The depth inside a sphere up to which a point counts as on its surface, relative to the largest coordinate: nearly four times [`HIT`].
+/// The depth inside a sphere up to which a point counts as on its surface, relative to the largest coordinate: 3.4 times [`HIT`].
 pub(crate) const DEEP: f32 = 2e-6;
 
 /// The offset of secondary rays from a block's surface, relative to the sum of its coordinates and half extents. Many times the rounding

@@ -6,7 +6,7 @@ pub struct Isa {
     pub level: Level,
 }
 
-/// Whether the intro has kernels by the baseline, for processors without AVX2.
+/// Whether the intro has kernels for the baseline instruction set, for processors without AVX2.
 pub const HAS_BASELINE: bool = cfg!(any(
     feature = "sse2",
     feature = "portable",

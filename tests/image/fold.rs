@@ -12,7 +12,7 @@ const SIZES: [[usize; 2]; 7] =
     [[240, 136], [103, 207], [133, 131], [1100, 40], [65, 33], [7, 9], [1, 1]];
 const SECTORS: [f32; 5] = [1.0, 2.0, 4.0, 5.5, 8.0];
 
-/// Returns the centre of folds in pictures of the show, which show all of a picture of 4:3.
+/// Returns the centre of a kaleidoscope, in pixels; the show's cameras have a `min_aspect` of 4:3.
 fn centre([width, height]: [usize; 2]) -> [f32; 2] {
     let [width, height] = [width, height].map(|side| side as f32);
     [0.5 * width, (0.5 - 0.04 / f32::max(4.0 / 3.0 * height / width, 1.0)) * height]

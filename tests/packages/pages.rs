@@ -19,7 +19,6 @@ fn links_lead_to_files() {
     assert!(count > 50, "{count} links");
 }
 
-/// The tables of ARCHITECTURE.md name files by paths from the root or from `src`.
 #[test]
 fn paths_in_architecture_name_files() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

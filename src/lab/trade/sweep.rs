@@ -1,4 +1,4 @@
-//! Varies the fields of `Quality`, except `key_weight` and those of antialiasing, each by itself, then combinations.
+//! Varies fields of `Quality` one by one, then several at once.
 
 use crate::technique::{Sampling, Technique};
 use eightfold_tracer::{Preset, Quality};

@@ -75,8 +75,8 @@ pub(crate) struct ShadowCone {
     /// Whether the light is inside: the sphere shadows its outside.
     pub around_light: bool,
     pub to_light: Vec3,
-    /// The squared radius minus the discriminant's rounding error: a ray that leaves the sphere is not in its shadow. Plus the error if
-    /// the light is inside.
+    /// The squared radius minus the discriminant's rounding error (plus it if the light is inside): a ray that leaves the sphere is not in
+    /// its shadow.
     pub r2: f32,
     /// The block's shadow is between two planes through the light, at equal angles to the plane through the light and the block's longer
     /// axis. This is that plane's normal, of any length.

@@ -94,7 +94,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Self { kernels: Kernels::narrow(level), memory }
     }
 
-    /// Returns a renderer by AVX2. If a program makes no other renderer, the linker leaves out all other kernels.
+    /// Returns a renderer that uses AVX2. If a program makes no other renderer, the linker leaves out all other kernels.
     #[cfg(target_arch = "x86_64")]
     #[doc(hidden)]
     #[must_use]

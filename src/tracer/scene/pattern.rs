@@ -6,10 +6,10 @@ use glam::Vec3;
 
 /// A procedural texture of two colours: the surface's, and a darker one.
 ///
-/// Coordinates are relative to the object's centre, along a block's axes, or along the scene's axes for spheres and planes. Along each
-/// axis runs a triangle wave between -1 and 1 with a maximum at 0. The smallest of the waves' magnitudes, with the sign of their product,
-/// is multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three checkers, with fields half
-/// a period wide. Noise along x turns stripes into marble.
+/// Coordinates are relative to the object's centre, along a block's axes, or along the scene's axes for spheres and planes. Along each axis
+/// runs a triangle wave between -1 and 1 with a maximum at 0. The smallest of the waves' magnitudes, with the sign of their product, is
+/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three checkers with
+/// fields half a period wide. Noise along x turns stripes into marble.
 ///
 /// Swirls turn stripes into the bands of a giant planet. They shear the coordinates seven times along each axis, each time by finer
 /// waves: x by waves along y, y by waves along z, z by waves along x. Waves below four pixels vanish.
