@@ -56,7 +56,6 @@ fn damaged_or_cut_intro_prints_one_line() {
     }
 }
 
-/// Linux kills a program without a message if its headers request more memory than the limit.
 #[test]
 fn too_little_memory_is_named_in_one_line() {
     let told = "eightfold: memory is below 105 MB\n";
