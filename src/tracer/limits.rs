@@ -38,20 +38,20 @@
 //! | scene | error |
 //! | --- | --- |
 //! | reflections except in a flat first plane, and refractions | lost thin things ("Unguarded light"); at `finest` only if the reflected or refracted light has a weight below 0.1 |
-//! | shadows on spheres and blocks, and slits of light between them | lost except at `finest` ("Unguarded light") |
+//! | shadows on spheres and blocks, and slits of light between such shadows | lost except at `finest` ("Unguarded light") |
 //! | low lights above a plane | missed shadows, even wider than a square, if the floor around them is nearly as dark |
 //! | lights with a diameter | holes in thin shadows and in slits of light on floors |
 //! | slits of light on patterned floors, or at `fastest` | lost patches |
 //! | objects wider than 5 pixels, at their own corners or in strips between occluders | holes of up to 8 connected pixels |
 //! | the rim of a cylinder's end | points up to 0.087 radii beyond its shadow may count as inside, so the shadow's edge may be lost |
 //! | images of cylinders and capsules, and partly covered images, in the first plane | lost patches |
-//! | highlights in mirrors, on waves, inside an object | missed |
+//! | highlights in mirrors, on waves, and on an object around the eye | missed |
 //! | highlights on white, and highlights whose centre is hidden, in shadow, on the side away from the light, or beyond the object's edge | missed, for example on the rim of a sphere or the side of a flat cylinder |
 //! | glass spheres inside others | 40 dB to exhaustive |
 //! | two spheres and six blocks of mirrors and glass | 37 dB to exhaustive |
 //! | eyes inside glass, extreme scales, `fastest` | below 42 dB to exhaustive |
 //! | coincident surfaces | rounding decides which one a ray hits |
-//! | objects and lights that nearly touch a block | missed by secondary rays, which start 1e-5 S above the block's surface (1.2e-7 S if the eye is within 16e-5 S of it), where S is the sum of the block's absolute coordinates and half extents: contact shadows have gaps |
-//! | light from less than 2e-3 radians below the tangent plane at a point of a sphere | reaches the point |
+//! | objects and lights that nearly touch a block | missed by secondary rays, so contact shadows have gaps. Rays start 1e-5 S above the block's surface, or 1.2e-7 S if the eye is within 16e-5 S of it; S is the sum of the block's absolute coordinates and half extents |
+//! | a light less than 2e-3 radians below the tangent plane at a point of a sphere | lights the point, although the sphere hides it |
 //! | radii of spheres, and chords of rays through spheres, below 1e-6 of the sphere's largest coordinate | displaced or missed hits |
 //! | coordinates | rounded to a relative 6e-8: keep scenes near the origin |

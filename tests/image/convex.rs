@@ -52,8 +52,8 @@ fn mirrors_never_show_themselves() {
     assert!(shown >= 600_000 * isas, "{shown}");
 }
 
-/// Without a least contribution, each hit traces a reflected and a transmitted ray. The ray inside the solid hits it again; the other one
-/// misses it.
+/// Without a least contribution, each hit traces a reflected and a transmitted ray. One of them is inside the solid and hits it again, the
+/// other misses it; so each depth adds as many rays.
 #[test]
 fn clear_solid_is_entered_and_left_once() {
     for mut random in cases(30) {

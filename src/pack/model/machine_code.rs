@@ -7,8 +7,8 @@ pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
 /// The opcode as far as it is parsed, plus 0x100 times its map, plus 0x400 times its prefix. Prefixes have the numbers of VEX's `pp`, so an
-/// operation has the same value in SSE2 and AVX2. Then come the opcodes of the three previous instructions, newest first, [`STEP`] features
-/// apart. Between them are ModRM, prefixes and destination; the oldest instruction has only its opcode.
+/// operation has the same value in SSE2 and AVX2. The features after this one have the opcodes of the three previous instructions, newest
+/// first, one every [`STEP`] features; between them are ModRM, prefixes and destination.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
@@ -26,9 +26,10 @@ pub const EXTENSION: usize = 21;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 22;
 pub const LENGTH: usize = 23;
-/// How many of the newest bytes, at most [`LONGEST_MATCH`], also preceded the byte in [`AFTER_MATCH`], times 0x100.
+/// The length of the match, times 0x100: how many of the newest bytes, at most [`LONGEST_MATCH`], equal those before the byte in
+/// [`AFTER_MATCH`].
 pub const MATCH: usize = 24;
-/// The last two bytes that had the next byte's kind and followed the same opcode, the newer in the lower bits.
+/// The two newest bytes in the next byte's place: of its kind, in instructions with the same opcode. The newer is in the lower bits.
 pub const SAME_OPCODE: usize = 25;
 /// The last two bytes after the same operand.
 pub const SAME_OPERAND: usize = 26;
@@ -55,7 +56,8 @@ pub const KINDS: usize = 32;
 
 /// Features that, with the kind, identify a field.
 const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
-/// The number of fields: one per kind and 12-bit feature. [`OPCODE`] fits; [`OPERAND`] loses the upper bits of SIB.
+/// The number of fields: one per kind and 12-bit value of a feature. [`OPCODE`] has 12 bits; of [`OPERAND`] the upper bits of SIB are
+/// dropped.
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
 const FAR: u32 = 7;
@@ -123,7 +125,7 @@ impl Reader {
             IS_MODRM => self.read_modrm(byte),
             IS_SIB => self.read_sib(byte),
             VEX..DISPLACEMENT => self.read_vex(byte, kind),
-            // The last byte of a field, or an earlier one.
+            // In a field, kinds count down to a multiple of 4.
             _ if kind & 3 == 0 => START,
             _ => kind - 1,
         };

@@ -32,7 +32,7 @@ const REACH: f32 = 3.5;
 /// missed, without them 1. They cost the model scene 0.05 % more rays.
 const SPARE: f32 = 0.6;
 
-/// The factor on the decay: off its centre a lobe is wider than the Gaussian.
+/// The factor on the decay: off its centre a lobe may be wider than the Gaussian.
 const COUNTED_DECAY: f32 = 0.75;
 
 #[derive(Clone, Copy, Default)]
@@ -57,8 +57,8 @@ impl Highlight {
     /// Returns whether one corner is nearly as bright as the brightest point, in every square of `side` pixels whose corners all show the
     /// object.
     ///
-    /// A corner is at most half a side across and half a side down from the square's brightest point. From that point to the corner, u
-    /// grows by no more than it does from the highlight's centre to a point half a side across and half a side down.
+    /// The nearest corner is at most half a side across and half a side down from the square's brightest point. From that point to the
+    /// corner, u grows by no more than it does from the highlight's centre to a point half a side across and half a side down.
     pub fn is_even(&self, side: usize) -> bool {
         let [a, b, c] = self.decay;
         let half = 0.5 * to_f32(side);

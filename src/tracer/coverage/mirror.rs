@@ -60,8 +60,8 @@ impl Mirror {
     /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
     /// Seen along the axis, the normal bisects the directions to the eye and the light. The point's height along the axis is between those
-    /// of the eye and the light. The differences to these two heights have the ratio of the eye's and the light's distances from the point,
-    /// measured perpendicular to the axis.
+    /// of the eye and the light. It differs from the eye's and from the light's height in the ratio of their distances from the point, seen
+    /// along the axis.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));

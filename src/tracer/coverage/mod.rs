@@ -7,19 +7,20 @@
 //! | kind | bound | the square may be filled if | file |
 //! | --- | --- | --- | --- |
 //! | object | the cone of rays from the eye that meet it | enough corners show it, or the corners show an occluder that hides it | `object` |
-//! | image | the cone of rays from the mirrored eye | no corner shows the plane, or enough corners show the plane inside the bound (`refine::guard::planes` has two exceptions) | `image` |
+//! | image | the cone of rays from the mirrored eye | no corner shows the plane, or enough corners show the plane and are inside the bound (`refine::guard::planes` has two exceptions) | `image` |
 //! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow of the light covers the square | `shadow` |
 //! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as the brightest point in the square | `highlight` |
 //!
 //! # Guarantees
 //!
 //! - Each visible object has at least one pixel: a square that meets its outline is filled only if a corner shows the object, or if an
-//!   occluder hides the object in the whole square. Here, a pixel whose colour is the mean of two points shows the objects of both.
+//!   occluder hides the object in the whole square. An untraced pixel may get the mean colour of two traced points; it counts as showing
+//!   the objects of both.
 //! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
 //!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The shadow may still be
 //!   lost if that corner would be as dark without the shadow.
 //! - A frame shows every image of a sphere or a box in a flat first plane, of at least 2x2 pixels, that no other image partly covers. A
-//!   corner that shows the plane inside the outline shows this image or a nearer one.
+//!   corner that shows the plane and is inside the outline shows this image or a nearer one.
 //! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). A
 //!   lower bound of an outline's width decides whether it is thin: the object's least extent, seen at its farthest distance.
 //!
@@ -30,7 +31,7 @@
 //!   corner may count as dark although it is outside a cylinder's shadow, by up to 0.087 radii at the rim of an end.
 //! - A square is split for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some corners
 //!   and an object hides all others.
-//! - In images, cylinders and capsules are bounded like prisms.
+//! - Images of cylinders and capsules have the bounds of prisms, like their shadows.
 //! - A highlight's bound is a Gaussian, which is nearly Phong's lobe. The highlight may be missed if a corner is darker than the Gaussian
 //!   there: in shadow, or on another face.
 //!
@@ -88,7 +89,7 @@ pub(crate) struct Coverage {
     /// By plane and light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     pub highlights: List<Highlight, MAX_HIGHLIGHTS>,
-    /// All outlines but those behind the eye.
+    /// All outlines but those behind the eye or without finite bounds.
     pub outlines: [Outline; MAX_OUTLINES],
     pub screen: [ScreenBounds; MAX_OUTLINES],
     /// The least width of each outline in pixels, up to 255.

@@ -145,7 +145,7 @@ impl Coverage {
     }
 
     /// Returns whether the sphere `front` is before the sphere `back` on all rays that meet both, see [`ObjectBounds::power`]. If the eye
-    /// is inside `back`, `front` must be, too.
+    /// is inside `back`, this holds only where the eye sees `front`.
     pub fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
         let power = |id: ObjectId| self.objects[id.index()].power;
         match (power(front), power(back)) {

@@ -66,7 +66,7 @@ impl Axes {
         (pixels - self.middle) * self.pixel
     }
 
-    /// Returns a column of rectangles of `size` pixels, one per lane, from the first one's upper left corner down.
+    /// Returns rectangles of `size` pixels, one below the other, one per lane. `left` and `top` are the first one's.
     #[inline(always)]
     pub fn rects<S: Isa>(&self, simd: S, [left, top]: [usize; 2], size: [usize; 2]) -> Rects<S> {
         let [width, height] = size.map(to_f32);

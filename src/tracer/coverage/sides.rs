@@ -6,8 +6,9 @@
 //! vector is d.
 //!
 //! Let a be the axis of a sphere's bounding cone, and `sin` and `cos` the sine and cosine of half its opening angle. A ray w meets the
-//! sphere if `sin (a . w) >= cos |a x w|`. The left side minus the right side is concave in u and v, so each of its tangent planes is an
-//! upper bound: rays miss the sphere where it is negative. Blocks and planes are bounded by planes through the viewpoint.
+//! sphere if `sin (a . w) >= cos |a x w|`. The left side minus the right side is a concave function of u and v. A plane tangent to its
+//! graph is nowhere below it, so rays miss the sphere where the tangent plane is negative. Blocks and planes are bounded by planes through
+//! the viewpoint.
 
 use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
@@ -21,8 +22,8 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// How many tangents cut each end of a row's range, one after another. The first is the tangent at the rectangle's end, each later one the
-/// tangent at the end after the previous cut.
+/// How many tangents cut each end of a row's range, one after another. The first touches at the rectangle's end, each later one at the new
+/// end after the previous cut.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -35,11 +36,11 @@ pub(crate) enum Sides {
     /// The rays in a cone: `cos (a x w)` in three lanes, `sin (a . w)` in the last.
     Round {
         terms: Terms,
-        /// The hit error widens the cone, so a ray inside it may miss the sphere. A ray certainly meets the sphere if its depth is at least
-        /// this multiple of the last lane.
+        /// The hit error widens the cone, so a ray inside it may miss the sphere. A ray certainly meets the sphere if the last lane minus
+        /// the length of the other three is at least this multiple of the last lane.
         unsure: f32,
     },
-    /// The rays inside eight planes around the object, and inside eight planes within it.
+    /// The rays inside up to eight planes around the object, and inside up to eight planes within it.
     Flat { outer: [Terms; 2], inner: [Terms; 2] },
 }
 
@@ -225,7 +226,8 @@ impl Region {
 /// block's axes, and the viewpoint is the origin.
 ///
 /// Each lane projects the block along an axis to a rectangle, which has two corners on the silhouette. Seen along its own axis, a cylinder
-/// or capsule is a circle. In the other lanes its round end counts as a hexagon, whose inner radius is `hexagon` times the radius.
+/// or capsule is a circle. The other lanes see it from the side, as a prism on a hexagon whose inscribed circle has `hexagon` times the
+/// radius.
 #[inline(never)]
 fn silhouette_terms(
     shape: Shape,
@@ -243,7 +245,7 @@ fn silhouette_terms(
     // From inside the rectangle there is no silhouette.
     let has_none = !(is_beside | b.abs().cmpgt(half_b));
     [1.0, -1.0].map(|sign| {
-        // The silhouette's corner on the side of `sign`, from the rectangle's centre.
+        // The vector from the rectangle's centre to its corner on the silhouette, on the side of `sign`.
         let is_below = Vec4::select(is_beside, a * sign, b).cmplt(Vec4::ZERO);
         let mut up = Vec4::select(is_below, half_b, -half_b);
         let is_left = ((b + up) * sign).cmplt(Vec4::ZERO);

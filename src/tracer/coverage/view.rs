@@ -25,7 +25,7 @@ pub(super) struct View {
     /// The vector from the eye to the light, and the light's height above the plane, divided by a common length; for the eye 0 and 1.
     pub to_light: Vec3A,
     pub above: f32,
-    /// The plane's height, the eye's distance from it, and the sign of the eye's side (0 for the eye's own view).
+    /// The plane's height, the eye's distance from it, and the sign of the eye's side. For the eye's own view 0, 1 and 0.
     pub ground: f32,
     pub height: f32,
     pub side: f32,

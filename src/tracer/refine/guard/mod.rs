@@ -1,8 +1,8 @@
 //! Finds the squares of a tile that may show a feature between their corners.
 //!
 //! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. A sample does not record
-//! shadows and images, so the guard tests the corner's place: a corner that shows the plane inside an outline shows that shadow or image,
-//! or one that covers it.
+//! shadows and images, so the guard tests the corner's place: a corner that shows the plane and is inside an outline shows that shadow or
+//! image, or one that covers it.
 
 mod highlights;
 mod objects;
@@ -42,8 +42,8 @@ impl Guard {
         }
     }
 
-    /// Sets `open` to the squares of a level that may show a feature that too few of their corners show. Tests outlines in the squares of
-    /// `open`, and highlights in `all` squares.
+    /// Tests highlights in `all` squares of a level, and outlines in those that `open` has on entry. On return `open` has the squares that
+    /// may show a feature that too few of their corners show.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -121,7 +121,7 @@ impl Search<'_> {
             #[inline(always)]
             |y, [first, last]| {
                 Bits::masks(first, last, |i, mask| {
-                    // Once the outline must be tested at the next level, open squares need no test.
+                    // Another test of a square that is open already can only show that the outline must be tested at the next level.
                     let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
                     each(open[y].0[i] & mask & !known, |bit| {
                         let x = 64 * i + bit;
@@ -143,8 +143,8 @@ impl Search<'_> {
     }
 }
 
-/// The width limit of thin outlines, in halves of a square's side. Wherever it lies, a disc wider than 1.42 sides contains a corner of the
-/// grid.
+/// The width limit of thin outlines, in halves of a square's side. A disc wider than 1.42 sides contains a corner of the grid, wherever the
+/// disc is.
 const THIN: usize = 3;
 
 const ALL: u64 = 0b1111;

@@ -7,7 +7,7 @@ use crate::picture::TILE_HEIGHT;
 
 pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// The squares of a row, sorted by how many of their corners are covered: either by the shadows from one light, or by the images.
+/// The squares of a row in three sets, by how many of their corners are covered: either by the shadows from one light, or by the images.
 ///
 /// A convex outline around all corners covers the square. Two outlines that each cover some corners may leave a slit between them, so the
 /// square is opened.
@@ -30,8 +30,8 @@ impl Search<'_> {
     ///
     /// An image opens the square unless a corner that shows the plane is inside the region (all four corners, if the image is thin). If
     /// only one straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that
-    /// meets a square contains a corner. The square is also opened if all corners that show the plane are inside the region, and an object
-    /// hides those outside.
+    /// meets a square contains a corner. The square is also opened if some corners are outside the region and none of these shows the
+    /// plane: between them and the region, the plane may be visible.
     ///
     /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {

@@ -22,8 +22,8 @@ impl Squares<'_> {
         }
     }
 
-    /// Returns whether a square may show light without a bound, or shows several objects in one colour: the verdict would miss a slit
-    /// between them.
+    /// Returns whether a square may show light without a bound, or has corners that show several objects in one colour: the verdict would
+    /// fill it, and lose a slit between the objects.
     fn may_show_unguarded(&self, x: usize, y: usize) -> bool {
         let row = &self.grid[y * self.stride + x..];
         let samples = [row[0], row[1], row[self.stride], row[self.stride + 1]].map(Sample);
