@@ -75,13 +75,13 @@ export const hasMarks = () =>
 /** A browser's page, which has `value(expression)`. */
 export class Driver {
   /** Waits until an expression is true. */
-  async until(expression) {
-    for (let turn = 0; turn < 600; turn++) {
+  async until(expression, seconds = 60) {
+    for (let turn = 0; turn < 10 * seconds; turn++) {
       if (await this.value(expression)) return;
       await sleep(100);
     }
     const clock = await this.value("JSON.stringify(globalThis.eightfold?.clock, (key, value) => (key && typeof value === 'object' ? undefined : value))");
-    throw new Error(`not within a minute: ${expression}; the clock is ${clock}`);
+    throw new Error(`not within ${seconds} s: ${expression}; the clock is ${clock}`);
   }
 
   textOf(id) {

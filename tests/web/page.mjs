@@ -547,7 +547,6 @@ const tests = {
       await page.resize(width, height, scale);
       await page.go(site.address);
       await page.until("document.getElementById('points').textContent.endsWith('%')");
-      if (width > height) await page.until("eightfold.steps.front().length === 7");
       writeFileSync(join(screenshots, `web-${width}x${height}.png`), await page.screenshot(true));
       assert.equal(await page.value("document.getAnimations().length"), 0);
       assert.equal(await page.value("getComputedStyle(document.getElementById('present')).transitionDuration"), "0s");
