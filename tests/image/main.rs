@@ -4,6 +4,7 @@ use eightfold_harness::{error, picture, threaded_renderer};
 use eightfold_window::cpu;
 
 mod antialias;
+mod assertions;
 mod built;
 mod convex;
 mod depth;

@@ -1,19 +1,17 @@
-//! Frames never panic while glam asserts its conditions, which any crate of a program can enable for all:
-//!
-//!     cargo test -p eightfold-scenes --features glam-assert
+//! Frames never panic while glam asserts its conditions, which `tests/scenes` enables for all tests.
 
+use crate::cpu::best;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Random, any, cases};
+use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, MAX_LENGTH, Scene};
-use eightfold_tracer::{Frame, Quality, Renderer, Worker};
 use glam::{Vec3, vec3};
 use std::panic::catch_unwind;
 
-fn draw(renderer: &mut Renderer, scene: &Scene) {
+fn draw(renderer: &mut ThreadedRenderer, scene: &Scene) {
     for quality in [Quality::THESIS, Quality::DEFAULT] {
-        let mut pixels = [0; 48 * 32];
-        let frame = Frame::new(48, 32, &mut pixels);
-        renderer.render_valid(scene, &quality, frame, &mut Worker::new());
+        renderer.draw(best().level, scene, &quality, 48, &mut [0; 48 * 32]);
     }
 }
 
@@ -45,7 +43,7 @@ fn glam_asserts_its_conditions() {
 
 #[test]
 fn valid_scenes_meet_all_conditions_of_glam() {
-    let mut renderer = Renderer::detect();
+    let mut renderer = ThreadedRenderer::new(1);
     for mut random in cases(100) {
         let valid = any(&mut random);
         for scene in degenerate(&mut random).iter().chain([&valid]) {
@@ -58,7 +56,7 @@ fn valid_scenes_meet_all_conditions_of_glam() {
 
 #[test]
 fn invalid_scenes_never_fail_conditions_of_glam() {
-    let mut renderer = Renderer::detect();
+    let mut renderer = ThreadedRenderer::new(1);
     let wrong = [f32::NAN, f32::INFINITY, -1.0, 0.0, 1e-40, 1e20];
     for mut random in cases(40) {
         let text = Text::of(&any(&mut random));
