@@ -19,7 +19,7 @@ static ENVIRONMENT: Environment = Environment {
     vignette: 0.4,
     lights: &[
         Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [0.6, 0.2, 0.11]) },
-        point([-9.0, 5.0, 6.0], [1.8, 1.6, 1.4]),
+        Light { diameter: 0.5, ..point([-9.0, 3.2, 2.0], [3.0, 2.7, 2.3]) },
     ],
     softboxes: &[
         // A window behind the camera, a strip of evening sun, and a pale sky above.
@@ -43,14 +43,15 @@ static SHOTS: &[Shot] = &[
     shot(
         2,
         &[
-            view([1.0, -0.9, 2.7], [0.5, 0.1, 0.0]),
-            view([0.5, -1.2, 3.8], [0.2, 0.0, 0.0]),
-            view([0.0, -1.5, 6.6], [0.0; 3]),
+            view([1.0, -0.3, 2.7], [0.5, 0.1, 0.0]),
+            view([0.6, -0.4, 3.4], [0.3, 0.0, 0.0]),
+            view([0.0, -0.7, 6.6], [0.0; 3]),
         ],
     ),
 ];
 
-const FILM: Material = Material { kr: 0.22, fresnel: 0.9, kt: 0.97, ..Material::BLACK };
+const FILM: Material =
+    Material { kr: 0.22, fresnel: 0.9, kt: 0.97, tint: Vec3::ONE, ..Material::BLACK };
 
 static SPECK: Material = Material::matt(vec3(4.0, 2.4, 1.6), 0.9);
 
@@ -70,16 +71,16 @@ fn add(now: Now, scene: &mut Scene) {
     // One near the camera, and specks that rise far behind. The guard has no bounds of specks seen in bubbles, so they are tiny.
     add_bubble(vec3(-2.3, -1.6, 3.2), 0.7, 3.0, now, scene);
     for number in 0..16 {
-        let spread = number as f32 * 0.618;
-        let up = fraction(now.beat * 0.02 + number as f32 * 0.755);
+        let spread = (number * number) as f32 * 0.618_034;
+        let up = fraction(now.beat * 0.02 + (number * number) as f32 * 0.754_877);
         let centre = vec3(14.0 * fraction(spread) - 7.0, 8.0 * up - 3.4, -8.0);
-        add_sphere(centre, 0.014, &SPECK, scene);
+        add_sphere(centre, 0.013, &SPECK, scene);
     }
     // A world grows in the first bubble, from the size of a square.
-    let world = smooth_step((now.beat - 14.0) / 7.0);
+    let world = smooth_step((now.beat - 14.0) / 8.5);
     if world > 0.06 {
         // Off its centre, the guard would miss that the bubble hides it.
-        add_sphere(float(0.0, now), 0.75 * world, &GIANT, scene);
+        add_sphere(float(0.0, now), 0.68 * world, &GIANT, scene);
     }
     let pop = now.cue(Track::Pop);
     for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {

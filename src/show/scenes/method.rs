@@ -18,15 +18,15 @@ static ENVIRONMENT: Environment = Environment { present, ..still_life::ENVIRONME
 static SHOTS: &[Shot] = &[shot(
     8,
     &[
-        view([0.88, 0.68, 4.38], PEARL_BALL),
-        view([0.2, 0.9, 5.2], [0.9, 0.7, 0.7]),
+        view([2.4, 0.75, 5.8], PEARL_BALL),
+        view([0.4, 0.9, 6.0], [0.9, 0.7, 0.7]),
         view([-1.4, 1.3, 6.4], [0.5, 0.9, 0.2]),
         view([-3.2, 1.7, 6.6], [0.2, 1.0, 0.0]),
         view([-1.0, 1.6, 7.4], [0.4, 0.9, 0.2]),
         view([1.8, 1.2, 6.4], [0.8, 0.7, 0.6]),
-        view([2.4, 0.9, 4.8], [1.1, 0.5, 0.9]),
-        view([1.22, 0.68, 4.42], PEARL_BALL),
-        view([1.22, 0.68, 4.42], PEARL_BALL),
+        view([2.4, 0.9, 5.8], [1.1, 0.6, 1.1]),
+        view([2.1, 0.75, 5.8], PEARL_BALL),
+        view([2.1, 0.75, 5.8], PEARL_BALL),
     ],
 )];
 

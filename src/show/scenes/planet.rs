@@ -12,9 +12,9 @@ use glam::{Vec3, vec3};
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.001, 0.0012, 0.0025),
+    background: vec3(0.0015, 0.0022, 0.006),
     sky: vec3(0.0, 0.0002, 0.002),
-    ambient: vec3(0.012, 0.016, 0.03),
+    ambient: vec3(0.001, 0.0016, 0.004),
     vignette: 0.3,
     lights: &[
         Light { diameter: 8.5, ..point([-400.0, 140.0, 40.0], [3.2, 2.9, 2.5]) },
@@ -33,15 +33,15 @@ static SHOTS: &[Shot] = &[
         3,
         &[
             view([0.0, 0.0, 9.0], [0.0; 3]),
-            view([0.5, 0.1, 5.6], [0.1, 0.0, 0.0]),
-            view([1.2, 0.1, 4.2], [0.3, 0.0, 0.0]),
+            view([0.9, 0.1, 6.0], [0.1, 0.0, 0.0]),
+            view([1.7, 0.1, 4.5], [0.3, 0.0, 0.0]),
         ],
     ),
     shot(
         3,
         &[
-            view([1.6, -0.4, 3.4], [0.6, 0.1, 0.4]),
-            view([0.6, 0.1, 4.0], [-0.3, 0.2, 0.8]),
+            view([1.9, -0.4, 4.3], [-0.6, 0.1, 0.4]),
+            view([0.6, 0.1, 4.0], [-0.7, 0.2, 0.8]),
             view([-1.05, 0.3, 1.76], MOON),
         ],
     ),
@@ -61,7 +61,17 @@ pub(super) static GIANT: Material = Material {
     },
     ..Material::matt(vec3(0.78, 0.60, 0.38), 1.0)
 };
-static STONE: Material = Material::matt(vec3(0.52, 0.476, 0.434), 1.0);
+static STONE: Material = Material {
+    pattern: Pattern {
+        waves: vec3(0.0, 9.0, 0.0),
+        depth: 0.6,
+        edge: 0.9,
+        grain: 9.0,
+        swirl: 0.2,
+        ..Pattern::NONE
+    },
+    ..Material::matt(vec3(0.52, 0.476, 0.434), 1.0)
+};
 
 fn add(now: Now, scene: &mut Scene) {
     add_sphere(Vec3::ZERO, 1.0, &GIANT, scene);
@@ -69,13 +79,13 @@ fn add(now: Now, scene: &mut Scene) {
     for number in 0..5 {
         let moon = number as f32;
         let out = around(0.19 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
-        let centre = out + Vec3::Y * (0.25 * out.x - 0.2 * out.z);
-        add_sphere(centre, 0.04 + 0.05 * fraction(moon * 0.37), &STONE, scene);
+        let centre = out + Vec3::Y * (-0.25 * out.x - 0.2 * out.z);
+        add_sphere(centre, 0.045 + 0.07 * fraction(moon * 0.37), &STONE, scene);
     }
     add_stars(scene);
     let kick = now.cue(Track::Kick);
     let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
-    let sun = around(0.74 + 0.017 * steps) * 400.0 + Vec3::Y * 140.0;
+    let sun = around(0.725 + 0.003 * steps) * 400.0 + Vec3::Y * 140.0;
     scene.lights[0].position = sun;
     scene.lights[1].spot = Some(Spot { aim: sun, inner_angle: 0.9, outer_angle: 2.0 });
 }

@@ -25,7 +25,7 @@ pub(super) static ENVIRONMENT: Environment = Environment {
 };
 
 /// The white ball's centre.
-pub(super) const PEARL_BALL: [f32; 3] = [1.22, 0.4, 1.0];
+pub(super) const PEARL_BALL: [f32; 3] = [1.3, 0.5, 1.7];
 
 static SHOTS: &[Shot] = &[
     shot(
@@ -39,9 +39,9 @@ static SHOTS: &[Shot] = &[
     shot(
         2,
         &[
-            view([3.4, 0.7, 5.2], [1.0, 0.6, 0.6]),
-            view([2.1, 0.75, 4.6], PEARL_BALL),
-            view([0.88, 0.68, 4.38], PEARL_BALL),
+            view([4.2, 0.8, 6.3], [1.0, 0.7, 0.9]),
+            view([3.2, 0.8, 6.0], PEARL_BALL),
+            view([2.4, 0.75, 5.8], PEARL_BALL),
         ],
     ),
 ];
@@ -76,10 +76,10 @@ const LONGEST: f32 = 2.0;
 
 pub(super) fn add(now: Now, scene: &mut Scene) {
     add_sphere(Vec3::Y, 1.0, &RED, scene);
-    add_sphere(Vec3::from_array(PEARL_BALL), 0.4, &PEARL, scene);
-    add_sphere(vec3(2.45, 0.85, -0.95), 0.85, &INK, scene);
+    add_sphere(Vec3::from_array(PEARL_BALL), 0.5, &PEARL, scene);
+    add_sphere(vec3(2.25, 0.85, -1.1), 0.85, &INK, scene);
     let kick = now.cue(Track::Kick);
     let left = f32::min(kick.until, LONGEST - kick.since);
     let up = f32::max(FALL * kick.since * left, 0.0);
-    add_sphere(vec3(-0.98, 0.46 + up, 1.25), 0.46, &GLASS, scene);
+    add_sphere(vec3(-0.75, 0.46 + up, 1.3), 0.46, &GLASS, scene);
 }

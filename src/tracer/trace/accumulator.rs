@@ -9,6 +9,10 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
+/// The untextured light, the sum of its channels in steps of 1/255, up to which patterns are interpolated. The filmic curve turns 1 step
+/// into at most 8.
+const DARK: f32 = 1.0;
+
 /// The light of a point on a patterned surface, `rest + reflectance * untextured`. These layers vary slowly across the surface.
 ///
 /// The first four numbers are `rest`: highlights, reflection, transmission and haze. The last four are `untextured`: ambient and diffuse
@@ -37,9 +41,10 @@ impl Accumulator {
         self.sums[i % BATCH][KEY] as u32
     }
 
+    /// Returns whether the point shows a pattern finer than squares, in enough light.
     pub fn is_fine(&self, i: usize) -> bool {
-        let [.., share] = self.patterned[i % BATCH];
-        share.is_sign_negative()
+        let [blue, green, red, share] = self.patterned[i % BATCH];
+        share.is_sign_negative() & (blue + green + red > DARK)
     }
 
     pub fn layers(&self, i: usize, film: &Film) -> Layers {
