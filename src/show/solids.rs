@@ -23,12 +23,12 @@ pub(super) fn add_block(
 
 /// Adds stars behind a scene at the origin, seen from z.
 pub(super) fn add_stars(scene: &mut Scene) {
-    for number in 0..90 {
+    for number in 0..64 {
         let number = number as f32;
         let square = number * number;
         let up = 66.0 * fraction(square * 0.618_034) - 31.0;
-        let centre = vec3(140.0 * fraction(square * 0.754_877) - 80.0, up, -85.0);
-        let bright = square * square * 1.5e-8;
+        let centre = vec3(124.0 * fraction(square * 0.754_877) - 68.0, up, -85.0);
+        let bright = square * square * 6e-8;
         let light =
             Material { colour: Vec3::splat(0.6 + 12.0 * bright), kd: 1.0, ..Material::BLACK };
         add_sphere(centre, 0.08 + 0.1 * bright, &light, scene);
