@@ -147,11 +147,15 @@ impl Coverage {
             }
         };
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
-        // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly inside.
-        if let Some((plane, viewer)) = shown
-            && self.heights(id, &world.planes()[plane], viewer)[0] < 0.0
-        {
-            region.margin = f32::INFINITY;
+        if let Some((plane, viewer)) = shown {
+            let [min, max] = self.heights(id, &world.planes()[plane], viewer);
+            // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly
+            // inside, except for a sphere's image: if its greater part is on the eye's side, the sphere hides the other points.
+            let is_image_of_sphere = view.side == 0.0 && self.objects[id.index()].power.is_some();
+            let lowest = if is_image_of_sphere { min + max } else { min };
+            if lowest < 0.0 {
+                region.margin = f32::INFINITY;
+            }
         }
         region
     }

@@ -17,7 +17,7 @@ pub(crate) struct ObjectBounds {
     /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared, or infinity if the eye is inside. `None`
     /// for blocks, and if rounding decides whether the eye is inside. The plane of equal powers separates the visible parts of two spheres:
     /// the sphere of smaller power is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
-    power: Option<[f32; 2]>,
+    pub power: Option<[f32; 2]>,
     /// Half of the least extent.
     pub thickness: f32,
     /// The extent along the scene's axes, and forward from the eye.

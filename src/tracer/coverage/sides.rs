@@ -15,7 +15,7 @@ use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::prepare::BvhNode;
 use crate::rounding::{CONE_RADIUS_FACTOR, HIT, SIDE, UNSURE, within_pixel};
-use crate::scene::{Block, Plane, Shape};
+use crate::scene::{Block, List, Plane, Shape};
 use crate::shapes::plane;
 use core::array;
 use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
@@ -41,7 +41,7 @@ pub(crate) enum Sides {
         unsure: f32,
     },
     /// The rays inside up to eight planes around the object, and inside up to eight planes within it.
-    Flat { outer: [Terms; 2], inner: [Terms; 2] },
+    Flat { outer: List<Terms, 2>, inner: [Terms; 2] },
 }
 
 impl Sides {
@@ -83,13 +83,14 @@ impl Sides {
         } else {
             [[Vec4::ZERO, Vec4::ZERO, Vec4::NEG_ONE]; 2]
         };
-        Self::Flat { outer: silhouette_terms(shape, centre, half + slack, 1.0, &rays), inner }
+        let outer = List::full(silhouette_terms(shape, centre, half + slack, 1.0, &rays));
+        Self::Flat { outer, inner }
     }
 
     pub fn of_rectangle(rays: &[Vec3A; 3], eye: Vec3A, plane: &Plane) -> Self {
         let terms =
             [rays.map(|ray| plane::sides(plane, eye, ray)), [Vec4::ZERO, Vec4::ZERO, Vec4::ONE]];
-        Self::Flat { outer: terms, inner: terms }
+        Self::Flat { outer: List::full(terms), inner: terms }
     }
 
     /// Clips each rectangle to the range of u whose rays may be at least `margin` deep inside. A cone's tangent planes clip both ends.
@@ -120,7 +121,7 @@ impl Sides {
                 }
             }
             Self::Flat { outer, .. } => {
-                for terms in outer {
+                for terms in outer.iter() {
                     let terms = terms.map(|term| term.to_array());
                     for i in 0..4 {
                         let [right, down, origin] = terms.map(|term| splat(simd, term[i]));

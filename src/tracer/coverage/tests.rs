@@ -227,6 +227,48 @@ fn certain_points_are_in_shadow() {
     assert!(certain > 4000, "{certain}");
 }
 
+/// If a sphere's greater part is above a mirror, all visible points inside the outline of its image show the image.
+#[test]
+fn images_of_sunk_spheres_have_certain_points() {
+    let mut runner = TestRunner::deterministic();
+    let (mut certain, mut seen) = ([0; 2], [0; 2]);
+    for _ in 0..200 {
+        let mut scene = draw(&scene(0.0, 0.0), &mut runner);
+        let height = draw(&(-0.9_f32..0.9), &mut runner);
+        scene.spheres[0].centre.y = height * scene.spheres[0].radius;
+        scene.planes[0].material.kr = 0.5;
+        let bounds = Bounds::of(&scene);
+        let (coverage, axes) = (&bounds.coverage, &bounds.coverage.axes);
+        let number = bounds.number(|it| matches!(it, Outline::Image(id) if id.index() == 0));
+        let Some(number) = number else {
+            continue;
+        };
+        let region = coverage.region(World { scene: &scene, prepared: &bounds.prepared }, number);
+        let (eye, sphere) = (scene.camera.eye.as_dvec3(), &scene.spheres[0]);
+        let is_met = |from: DVec3, ray: DVec3, length: f64| {
+            let to = sphere.centre.as_dvec3() - from;
+            let t = (to.dot(ray) / ray.length_squared()).clamp(0.0, length);
+            (to - ray * t).length() < f64::from(sphere.radius)
+        };
+        for place in (0..SIZE[0] * SIZE[1]).step_by(7) {
+            let (x, y) = (place % SIZE[0], place / SIZE[0]);
+            let rect = axes.rect(rectangle(x, y, x + 1, y + 1));
+            let [right, down, ahead] = axes.rows.map(Vec3A::as_dvec3);
+            let d = right * f64::from(rect.x) + down * f64::from(rect.y) + ahead;
+            let length = -eye.y / d.y;
+            if length < 0.0 || is_met(eye, d, length) {
+                continue;
+            }
+            let shows_image = is_met(eye + d * length, d.with_y(-d.y), f64::INFINITY);
+            let is_certain = region.corners(rect) & 1 != 0;
+            assert!(shows_image || !is_certain, "{sphere:?}");
+            certain[usize::from(height > 0.0)] += usize::from(is_certain);
+            seen[usize::from(height > 0.0)] += usize::from(shows_image);
+        }
+    }
+    assert!(certain[1] * 100 > seen[1] * 99 && seen[1] > 1000, "{certain:?} of {seen:?}");
+}
+
 #[test]
 fn small_shadows_have_small_bounds() {
     let mut runner = TestRunner::deterministic();

@@ -38,6 +38,10 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         Self { items: [item; N], len: 0 }
     }
 
+    pub(crate) const fn full(items: [T; N]) -> Self {
+        Self { items, len: N }
+    }
+
     /// Removes all items.
     pub fn clear(&mut self) {
         self.len = 0;
