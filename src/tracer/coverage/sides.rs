@@ -40,7 +40,8 @@ pub(crate) enum Sides {
         /// the length of the other three is at least this multiple of the last lane.
         unsure: f32,
     },
-    /// The rays inside up to eight planes around the object, and inside up to eight planes within it.
+    /// The rays inside up to eight planes around the object, and inside up to eight planes within it. `outer` is a full list: a loop over an
+    /// array would be unrolled, which takes 284 bytes of code.
     Flat { outer: List<Terms, 2>, inner: [Terms; 2] },
 }
 
