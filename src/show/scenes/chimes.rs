@@ -1,4 +1,4 @@
-//! The chimes: a ball strikes a tune on a ring of eight brass pipes.
+//! The chimes: a ball strikes a tune on eight brass pipes around a lamp.
 
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
@@ -11,14 +11,15 @@ use glam::{Mat3, Vec3, vec3};
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.06, 0.17, 0.17),
-    sky: vec3(-0.059, -0.167, -0.165),
-    ambient: vec3(0.10, 0.12, 0.15),
-    haze: 0.03,
+    background: vec3(0.05, 0.15, 0.19),
+    sky: vec3(-0.048, -0.145, -0.184),
+    ambient: vec3(0.17, 0.17, 0.19),
+    haze: 0.045,
     vignette: 0.3,
-    floor: Some(&LACQUER),
+    // Black, without shadows: their edges cost a quarter more points.
+    floor: Some(&Material::BLACK),
     lights: &[
-        Light { diameter: 25.0, ..point([45.0, 70.0, 20.0], [1.4, 1.1, 0.8]) },
+        Light { glow: 0.3, ..point([0.0, 1.4, 0.0], [3.0, 1.7, 0.7]) },
         Light { glow: 0.2, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
     ],
     softboxes: &[softbox([-4.0, 0.0, 8.0], [1.2, 1.2, 2.0], [2.6, 2.5, 2.4])],
@@ -32,10 +33,10 @@ static SHOTS: &[Shot] = &[
         5,
         &[
             view([-1.2, 3.6, 6.9], [-0.834, 2.76, 2.568]),
-            view([-0.2, 3.2, 6.9], [-0.2, 2.8, 0.8]),
-            view([2.4, 3.2, 6.5], [0.0, 2.8, 0.0]),
-            view([4.7, 3.4, 5.0], [0.0, 2.8, 0.0]),
-            view([6.6, 3.6, 2.6], [0.0, 2.8, 0.0]),
+            view([-0.9, 4.3, 8.8], [0.0, 2.1, 0.0]),
+            view([2.6, 3.8, 8.2], [0.0, 2.3, 0.0]),
+            view([5.6, 3.6, 6.4], [0.0, 2.4, 0.0]),
+            view([7.6, 4.4, 3.6], [0.0, 2.4, 0.0]),
         ],
     ),
     shot(
@@ -48,25 +49,28 @@ static SHOTS: &[Shot] = &[
     ),
 ];
 
-static LACQUER: Material =
-    Material { kr: 0.08, fresnel: 0.5, ..Material::matt(vec3(0.03, 0.09, 0.095), 0.8) };
 // A film of this thickness is gold, and white at grazing angles.
 static BRASS: Material = Material {
     ks: 1.0,
     exponent: 8.0,
     metallic: 1.0,
-    kr: 0.7,
+    kr: 0.55,
     film_thickness: 158.0,
     anisotropy: 0.85,
-    ..Material::matt(vec3(0.69, 0.355, 0.084), 0.3)
+    ..Material::matt(vec3(0.69, 0.355, 0.084), 0.4)
 };
-// Of tint 1, since its shadow would lie in the pipe's.
-static BORE: Material =
-    Material { tint: Vec3::ONE, ..Material::matt(vec3(0.02, 0.008, 0.004), 0.8) };
-static EMBER: Material = Material { tint: Vec3::ONE, ..Material::matt(vec3(9.0, 2.6, 0.4), 1.0) };
-/// No mirror: images of embers and bores in the ball are smaller than a square.
-static BALL: Material =
-    Material { ks: 0.5, exponent: 50.0, ..Material::matt(vec3(0.64, 0.035, 0.009), 0.85) };
+static PLATE: Material = Material { kr: 0.0, ..BRASS };
+static BORE: Material = Material::matt(vec3(0.02, 0.008, 0.004), 0.8);
+static EMBER: Material = Material::matt(vec3(9.0, 2.6, 0.4), 1.0);
+/// A film, no mirror: images of embers and bores in the ball are smaller than a square.
+static BALL: Material = Material {
+    ks: 0.5,
+    exponent: 50.0,
+    kr: 0.08,
+    fresnel: 0.7,
+    film_thickness: 100.0,
+    ..Material::matt(vec3(0.95, 0.055, 0.012), 0.85)
+};
 /// The light of a struck pipe's bore.
 const GLOW: Vec3 = vec3(24.0, 13.0, 4.0);
 
@@ -77,7 +81,7 @@ const HOP: f32 = 0.9;
 /// The depth to which a struck pipe sinks.
 const SINK: f32 = 0.25;
 
-/// Returns the middle of the upper end, at rest, of the pipe that sounds a note of the theme. Lower notes have longer pipes.
+/// Returns the middle of the upper end, at rest, of the pipe of a note of the theme. Lower notes have longer pipes.
 fn top(note: usize) -> Vec3 {
     let pitch = f32::from(THEME[note % 8]);
     around(note as f32 * 0.125 + 0.95) * 2.7 + Vec3::Y * (22.1 - 0.2625 * pitch)
@@ -90,16 +94,18 @@ fn add(now: Now, scene: &mut Scene) {
     let is_last = chime.count == 24;
     let u = chime.since;
     let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 2.0 * u) };
+    // The lamp goes out, so that the last mouth is the only disc.
+    scene.lights[0].colour *= if is_last { 1.0 - u } else { 0.7 + 0.5 * glow };
+    add_block(Shape::Cylinder, Vec3::ZERO, vec3(3.4, 0.12, 3.4), Mat3::IDENTITY, &PLATE, scene);
     for note in 0..8 {
         let mut end = top(note);
-        // Beats since it was struck: bores glow on.
+        // In beats: bores glow on.
         let age = u + ((struck + 8 - note) % 8) as f32;
         let mut bore = BORE;
         let fade = age * age;
         bore.colour += GLOW * (glow / (1.0 + 4.0 * fade * fade));
         if note == struck {
             end.y -= SINK * 4.0 * u * (1.0 - u) * glow;
-            // Near the mouth, whose shadow on the floor then begins at the horizon.
             scene.lights[1].position = end + Vec3::Y * 0.006;
             scene.lights[1].colour = GLOW * (0.1 * glow);
         }
@@ -108,8 +114,8 @@ fn add(now: Now, scene: &mut Scene) {
         let half = vec3(0.35, 0.004, 0.35);
         add_block(Shape::Cylinder, end, half, Mat3::IDENTITY, &bore, scene);
         // Embers rise for two beats.
-        for number in 0..5 {
-            let number = (5 * note + number) as f32;
+        for number in 0..4 {
+            let number = (4 * note + number) as f32;
             let drift = around(number * 0.618) * (0.3 + 0.2 * age);
             let up = Vec3::Y * age * (0.6 + fraction(number * 0.755));
             if age < 2.0 {
