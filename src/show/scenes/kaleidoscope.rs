@@ -1,6 +1,6 @@
-//! The kaleidoscope: gems around the only light, whose shadows are beams of their colours, folded into eight.
+//! The kaleidoscope: rings of gems around the only light, whose shadows are beams of their colours, folded into eight.
 
-use crate::show::environment::{Environment, Now, point};
+use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_sphere, around};
@@ -13,18 +13,20 @@ pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS)
 
 static ENVIRONMENT: Environment = Environment {
     // Seen only in the films.
-    background: vec3(0.9, 0.35, 1.1),
-    ambient: vec3(0.05, 0.02, 0.10),
+    background: vec3(0.3, 0.1, 0.5),
+    ambient: vec3(0.03, 0.02, 0.10),
     ambience: Ambience { occlusion: 1.0, reach: 2.0, ground: vec3(0.2, 0.08, 0.055), bounce: 1.0 },
-    vignette: 0.3,
+    vignette: 0.8,
     floor: Some(&FLOOR),
     lights: &[Light {
         drawn_radius: 0.8,
-        diameter: 1.8,
+        diameter: 2.4,
         core: 0.8,
-        glow: 0.2,
-        ..point([0.0, 5.0, 0.0], [3.2, 2.3, 1.8])
+        glow: 0.3,
+        ..point(LAMP, [4.2, 2.6, 1.7])
     }],
+    // Draws gold filigree on the outer sides of the gems.
+    softboxes: &[softbox([1.0, 0.35, 0.8], [0.8, 0.16, 0.1], [20.0, 13.0, 5.0])],
     field_of_view: 0.9,
     add,
     present: |now, presentation| {
@@ -34,52 +36,52 @@ static ENVIRONMENT: Environment = Environment {
     ..Environment::EMPTY
 };
 
+/// Stays in the centre while the camera sways, so that the gems are cut into other figures.
+const LAMP: [f32; 3] = [0.0, 6.5, 0.0];
+
 static SHOTS: &[Shot] = &[shot(
     6,
     &[
-        view([0.0, 20.7, 0.0], [0.0; 3]).tilted(0.0, -1.0),
-        view([0.0, 19.0, 0.0], [0.0; 3]).tilted(0.0, -1.0),
+        view([0.0, 20.7, 0.0], LAMP).tilted(0.0, -1.0),
+        view([3.0, 18.0, 4.0], LAMP).tilted(0.0, -1.0),
+        view([-2.0, 18.0, -1.5], LAMP).tilted(0.0, -1.0),
+        view([3.0, 18.0, 3.0], LAMP).tilted(0.0, -1.0),
+        view([0.0, 19.0, 0.0], LAMP).tilted(0.0, -1.0),
     ],
 )];
 
-static FLOOR: Material = Material::matt(vec3(0.56, 0.35, 0.14), 0.9);
+static FLOOR: Material = Material::matt(vec3(0.4, 0.2, 0.09), 0.9);
 
-/// Returns a gem whose shadow has its colour.
-const fn gem(red: f32, green: f32, blue: f32) -> Material {
-    let colour = vec3(red, green, blue);
-    Material {
-        ks: 0.6,
-        exponent: 30.0,
-        kr: 0.12,
-        fresnel: 0.4,
-        tint: colour,
-        ..Material::matt(colour, 0.9)
-    }
-}
-static GEMS: [Material; 3] = [gem(0.6, 0.0, 0.03), gem(0.13, 0.01, 0.42), gem(0.9, 0.32, 0.02)];
-
-/// Distances from the middle, radii, heights and directions of turning.
-static RINGS: [[f32; 4]; 3] = [[4.1, 1.45, 2.4, 1.0], [8.6, 1.3, 1.3, -1.0], [12.6, 2.0, 2.0, 1.0]];
+/// Amber, ruby, amethyst and sapphire.
+static COLOURS: [Vec3; 4] =
+    [vec3(0.75, 0.2, 0.01), vec3(0.5, 0.0, 0.03), vec3(0.1, 0.01, 0.36), vec3(0.0, 0.09, 0.42)];
 
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
+    let kicked = 1.0 - smooth_step(kick.since);
     // A sixteenth of a turn per kick: gems stand next to a mirror, or on it.
-    let turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
-    // The lamp flares on each kick.
-    scene.lights[0].colour *= 1.3 - 0.3 * smooth_step(kick.since);
+    let mut turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
+    // On each kick the lamp flares, and the rings widen.
+    scene.lights[0].colour *= 1.0 + 0.3 * kicked;
+    let mut distance = 3.2 + 0.22 * kicked;
     // Each of the first three booms adds a ring.
-    let rings = RINGS.iter().take(now.cue(Track::Boom).count as usize);
-    for (ring, &[distance, radius, height, direction]) in rings.enumerate() {
+    for &colour in COLOURS.iter().take(now.cue(Track::Boom).count as usize + 1) {
+        // The shadows have the colour, too. Films grow, so their colours change.
+        let gem = Material {
+            ks: 0.7,
+            exponent: 60.0,
+            kr: 0.18,
+            film_thickness: 330.0 + 9.0 * now.beat,
+            tint: colour,
+            ..Material::matt(colour, 0.65)
+        };
         for number in 0..8 {
-            // Gems of the other rings stand between two of the first.
-            let part = (number * 2 + ring.min(1)) as f32 * 0.0625;
-            let at = around(part + turns * direction) * distance + Vec3::Y * height;
-            let gem = if ring == 1 { 2 } else { number % 2 };
-            add_sphere(at, radius, &GEMS[gem], scene);
+            let out = around(number as f32 * 0.125 + turns);
+            // Above the floor: all of the shadow of a sphere that cuts it would be traced.
+            add_sphere((out + Vec3::Y * 0.36) * distance, 0.29 * distance, &gem, scene);
         }
-    }
-    // Films grow, so their colours change.
-    for gem in scene.spheres.iter_mut() {
-        gem.material.film_thickness = 330.0 + 9.0 * now.beat;
+        // The next ring turns back, and its gems stand between.
+        turns = 0.0625 - turns;
+        distance *= 1.5;
     }
 }
