@@ -43,11 +43,7 @@ static SHOTS: &[Shot] = &[
     shot(3, &[view([-21.0, 1.25, -2.0], SUN), view([-15.0, 1.25, -13.0], SUN)]),
     shot(
         2,
-        &[
-            view([-9.0, 1.25, -6.0], SUN),
-            view([-5.0, 1.25, -17.0], SUN),
-            view([-5.25, 1.25, -32.0], SUN),
-        ],
+        &[view([-9.0, 1.5, -7.0], SUN), view([-7.0, 1.5, -2.0], SUN), view([-5.0, 13.0, 4.0], SUN)],
     ),
 ];
 
@@ -76,8 +72,10 @@ fn add(now: Now, scene: &mut Scene) {
         let centre = vec3(aside, height, -away);
         add_block(Shape::Box, centre, vec3(6.0, height, 3.0), Mat3::IDENTITY, &TOWER, scene);
     }
-    // The ball drifts ahead of the camera, faster and faster.
+    // Faster and faster; the last cut moves it near the camera.
+    let away = if now.beat < 24.0 { 25.0 } else { 9.0 };
+    let way = vec3(15.875 + 0.125 * away, 0.0, -away);
     let drift = now.beat / 32.0;
-    let ball = vec3(-20.0, BALL, -9.0) + vec3(19.0, 0.0, -25.0) * (drift * drift);
+    let ball = vec3(-20.0, BALL, -9.0) + way * (drift * drift);
     add_sphere(ball, BALL, &RED, scene);
 }
