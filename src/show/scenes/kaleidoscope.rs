@@ -59,29 +59,28 @@ static COLOURS: [Vec3; 4] =
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
     let kicked = 1.0 - smooth_step(kick.since);
-    // A sixteenth of a turn per kick: gems stand next to a mirror, or on it.
-    let mut turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.0625;
+    // Half a gem's spacing per kick: gems stand next to a mirror, or on it.
+    let mut turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.03125;
     // On each kick the lamp flares, and the rings widen.
     scene.lights[0].colour *= 1.0 + 0.3 * kicked;
-    let mut distance = 3.2 + 0.22 * kicked;
+    let mut distance = 3.0 + 0.22 * kicked;
     // Each of the first three booms adds a ring.
     for &colour in COLOURS.iter().take(now.cue(Track::Boom).count as usize + 1) {
         // The shadows have the colour, too. Films grow, so their colours change.
+        // Without highlights: two next to a mirror look like eyes.
         let gem = Material {
-            ks: 0.7,
-            exponent: 60.0,
             kr: 0.18,
             film_thickness: 330.0 + 9.0 * now.beat,
             tint: colour,
             ..Material::matt(colour, 0.65)
         };
-        for number in 0..8 {
-            let out = around(number as f32 * 0.125 + turns);
+        for number in 0..16 {
+            let out = around(number as f32 * 0.0625 + turns);
             // Above the floor: all of the shadow of a sphere that cuts it would be traced.
-            add_sphere((out + Vec3::Y * 0.36) * distance, 0.29 * distance, &gem, scene);
+            add_sphere((out + Vec3::Y * 0.36) * distance, 0.16 * distance, &gem, scene);
         }
         // The next ring turns back, and its gems stand between.
-        turns = 0.0625 - turns;
-        distance *= 1.5;
+        turns = 0.03125 - turns;
+        distance *= 1.42;
     }
 }
