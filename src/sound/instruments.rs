@@ -102,7 +102,7 @@ const fn s(time: f32) -> f32 {
 pub(super) const STROKE: f32 = s(0.001);
 
 const SILENT: Instrument = Instrument {
-    notes: Notes::Root,
+    notes: Notes::Theme(0),
     source: Source { saw: 0.0, sine: 0.0, noise: 0.0 },
     partials: Vec4::ONE,
     detune: 0.0,
@@ -112,7 +112,7 @@ const SILENT: Instrument = Instrument {
     envelope: Envelope { attack: 0.0, decay: 0.0, release: 0.0, gate: 0.0 },
     sweep: Sweep { rate: 0.0, start: 0.0, end: 0.0 },
     formants: Vec4::ONE,
-    timbre: Timbre { light: 0.0, damping: 0.0, high: 0.0 },
+    timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
     centre: 0.3,
     effects: Effects { echo: 0.0, room: 0.0, duck: 0.0 },
 };
@@ -130,6 +130,16 @@ const PAD: Instrument = Instrument {
     ..SILENT
 };
 
+const HAT: Instrument = Instrument {
+    notes: Notes::Drum(60),
+    source: Source { saw: 0.0, sine: 0.0, noise: 0.22 },
+    envelope: Envelope { attack: STROKE, decay: s(0.025), release: s(0.02), gate: 0.25 },
+    sweep: Sweep { rate: s(0.02), start: hz(7000.0), end: hz(7000.0) },
+    timbre: Timbre { light: 0.0, damping: 1.2, high: 1.0 },
+    effects: Effects { echo: 0.0, room: 0.025, duck: 0.1 },
+    ..SILENT
+};
+
 pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Kick.
     Instrument {
@@ -138,7 +148,6 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         bend: 7.0,
         envelope: Envelope { attack: STROKE, decay: s(0.17), release: s(0.04), gate: 0.5 },
         sweep: Sweep { rate: s(0.016), start: hz(9000.0), end: hz(120.0) },
-        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 1.0,
         effects: Effects { echo: 0.0, room: 0.01, duck: 0.0 },
         ..SILENT
@@ -154,25 +163,14 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         effects: Effects { echo: 0.0, room: 0.125, duck: 0.0 },
         ..SILENT
     },
-    // Hat.
-    Instrument {
-        notes: Notes::Drum(60),
-        source: Source { saw: 0.0, sine: 0.0, noise: 0.22 },
-        envelope: Envelope { attack: STROKE, decay: s(0.025), release: s(0.02), gate: 0.25 },
-        sweep: Sweep { rate: s(0.02), start: hz(7000.0), end: hz(7000.0) },
-        timbre: Timbre { light: 0.0, damping: 1.2, high: 1.0 },
-        effects: Effects { echo: 0.0, room: 0.025, duck: 0.1 },
-        ..SILENT
-    },
+    HAT,
     // Open hat.
     Instrument {
-        notes: Notes::Drum(60),
         source: Source { saw: 0.0, sine: 0.0, noise: 0.18 },
         envelope: Envelope { attack: STROKE, decay: s(0.12), release: s(0.03), gate: 0.4 },
         sweep: Sweep { rate: s(0.02), start: hz(6000.0), end: hz(6000.0) },
-        timbre: Timbre { light: 0.0, damping: 1.2, high: 1.0 },
-        effects: Effects { echo: 0.04, room: 0.025, duck: 0.1 },
-        ..SILENT
+        effects: Effects { echo: 0.04, ..HAT.effects },
+        ..HAT
     },
     // Tom.
     Instrument {
@@ -233,7 +231,6 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     },
     // Strings, in unison.
     Instrument {
-        notes: Notes::Theme(0),
         source: Source { saw: 0.345, sine: 0.0, noise: 0.0 },
         detune: 0.004,
         envelope: Envelope { attack: s(0.12), decay: s(8.0), release: s(0.15), gate: 5.0 },
@@ -244,7 +241,6 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     },
     // Lead, in octaves.
     Instrument {
-        notes: Notes::Theme(0),
         source: Source { saw: 0.33, sine: 0.26, noise: 0.0 },
         partials: vec4(1.0, 1.0, 2.0, 2.0),
         detune: 0.005,
@@ -258,13 +254,11 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     },
     // Chime: the partials of a pipe.
     Instrument {
-        notes: Notes::Theme(0),
         source: Source { saw: 0.0, sine: 0.345, noise: 0.0 },
         partials: vec4(1.0, 2.0, 2.99, 4.17),
         detune: 0.001,
         envelope: Envelope { attack: STROKE, decay: s(0.5), release: s(0.5), gate: 4.0 },
         sweep: Sweep { rate: s(0.1), start: hz(12000.0), end: hz(6000.0) },
-        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.2,
         effects: Effects { echo: 0.2, room: 0.15, duck: 0.2 },
         ..SILENT
@@ -278,7 +272,6 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         modulation: Modulation { index: 0.35, ratio: 4.0 },
         envelope: Envelope { attack: STROKE, decay: s(0.22), release: s(0.01), gate: 2.0 },
         sweep: Sweep { rate: s(0.03), start: hz(9000.0), end: hz(3000.0) },
-        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.0,
         effects: Effects { echo: 0.2, room: 0.12, duck: 0.0 },
         ..SILENT
@@ -291,20 +284,17 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         modulation: Modulation { index: 0.35, ratio: 2.0 },
         envelope: Envelope { attack: STROKE, decay: s(0.3), release: s(0.05), gate: 0.25 },
         sweep: Sweep { rate: s(0.3), start: hz(12000.0), end: hz(9000.0) },
-        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.25,
         effects: Effects { echo: 0.15, room: 0.05, duck: 0.0 },
         ..SILENT
     },
     // Pop: it rises to its note, as a bubble does.
     Instrument {
-        notes: Notes::Theme(0),
         source: Source { saw: 0.0, sine: 0.34, noise: 0.1 },
         detune: 0.003,
         bend: -0.6,
         envelope: Envelope { attack: STROKE, decay: s(0.2), release: s(0.05), gate: 1.0 },
         sweep: Sweep { rate: s(0.012), start: hz(9000.0), end: hz(6000.0) },
-        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 0.0,
         effects: Effects { echo: 0.25, room: 0.15, duck: 0.0 },
         ..SILENT
@@ -326,7 +316,6 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         bend: 2.0,
         envelope: Envelope { attack: s(0.002), decay: s(0.7), release: s(0.7), gate: 4.0 },
         sweep: Sweep { rate: s(0.12), start: hz(900.0), end: hz(120.0) },
-        timbre: Timbre { light: 0.0, damping: 1.4, high: 0.0 },
         centre: 1.0,
         effects: Effects { echo: 0.0, room: 0.05, duck: 0.0 },
         ..SILENT
