@@ -49,15 +49,10 @@ impl Segment {
     }
 
     pub fn to_bytes(self) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(Segment::SIZE);
-        bytes.extend(self.kind.to_le_bytes());
-        bytes.extend(self.flags.to_le_bytes());
-        for number in
-            [self.offset, self.address, self.physical_address, self.file_size, self.size, PAGE]
-        {
-            bytes.extend(number.to_le_bytes());
-        }
-        bytes
+        let Segment { kind, flags, offset, address, physical_address, file_size, size } = self;
+        let first = u64::from(kind) | u64::from(flags) << 32;
+        let fields = [first, offset, address, physical_address, file_size, size, PAGE];
+        fields.map(u64::to_le_bytes).concat()
     }
 
     pub fn range(&self) -> Range<usize> {
@@ -69,15 +64,10 @@ impl Segment {
 pub fn header(entry: u64, segments: u16) -> Vec<u8> {
     let mut bytes = b"\x7fELF\x02\x01\x01".to_vec();
     bytes.resize(16, 0);
-    bytes.extend([EXECUTABLE.to_le_bytes(), 62_u16.to_le_bytes()].as_flattened());
-    bytes.extend(1_u32.to_le_bytes());
-    for number in [entry, HEADER_SIZE as u64, 0] {
-        bytes.extend(number.to_le_bytes());
-    }
-    bytes.extend(0_u32.to_le_bytes());
-    for number in [HEADER_SIZE as u16, Segment::SIZE as u16, segments, 0, 0, 0] {
-        bytes.extend(number.to_le_bytes());
-    }
+    bytes.extend([EXECUTABLE, 62, 1, 0].map(u16::to_le_bytes).as_flattened());
+    bytes.extend([entry, HEADER_SIZE as u64, 0].map(u64::to_le_bytes).as_flattened());
+    let end = [0, 0, HEADER_SIZE as u16, Segment::SIZE as u16, segments, 0, 0, 0];
+    bytes.extend(end.map(u16::to_le_bytes).as_flattened());
     bytes
 }
 

@@ -105,9 +105,6 @@ fn compile_stub(toolchain: &Toolchain, system: &str, object: &Path) -> Result<()
         .args([object, &source])
         .status();
     let status = at(&toolchain.rustc, done)?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("{}: rustc failed: {status}", source.display()).into())
-    }
+    let failed = || format!("{}: rustc failed: {status}", source.display()).into();
+    status.success().then_some(()).ok_or_else(failed)
 }

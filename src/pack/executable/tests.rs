@@ -118,11 +118,8 @@ fn windows_file_is_valid() {
     for function in windows::FUNCTIONS {
         let thunk = thunks.next::<pe::ImageNtHeaders64>().expect("a function");
         let import = table.import::<pe::ImageNtHeaders64>(thunk.expect("enough thunks"));
-        let import = import.expect("a name");
-        assert!(
-            matches!(import, Import::Name(_, name) if name == function.as_bytes()),
-            "{function}"
-        );
+        let is_it = |import| matches!(import, Import::Name(_, name) if name == function.as_bytes());
+        assert!(import.is_ok_and(is_it), "{function}");
     }
 }
 
@@ -131,12 +128,9 @@ fn programs_without_header_space_are_refused() {
     // No room before it; too high for the stub.
     for base in [0, 0x1000, 1 << 31] {
         let mut program = program();
-        let segments = elf::segments(&program).expect("segments");
-        let moved: Vec<_> = segments
-            .into_iter()
-            .map(|segment| Segment { address: segment.address - BASE + base, ..segment })
-            .collect();
-        elf::set_segments(&mut program, &moved).expect("the same number of segments");
+        let mut segments = elf::segments(&program).expect("segments");
+        segments.iter_mut().for_each(|it| it.address = it.address - BASE + base);
+        elf::set_segments(&mut program, &segments).expect("the same number of segments");
         let packed = pack_executable(&program, &stub(), &System::Windows);
         assert!(packed.is_err(), "{base:#x}");
     }

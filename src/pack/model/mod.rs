@@ -29,23 +29,9 @@ static CONTEXTS: [u32; COUNT] = [
     context(&[0, PLACE]),
     context(&[KIND, OPERAND, EXTENSION, FIRST, LENGTH]),
     expecting(SAME_OPERAND, &[KIND, DESTINATION, FIRST, LENGTH]),
-    expecting(
-        SAME_OPERAND,
-        &[
-            0,
-            3,
-            OPCODE,
-            PREFIXES,
-            before(OPCODE, 1),
-            before(PREFIXES, 1),
-            before(OPCODE, 2),
-            before(PREFIXES, 2),
-            TARGET,
-            OPERAND,
-            LENGTH,
-            SAME_OPERAND,
-        ],
-    ),
+    expecting(SAME_OPERAND, &[0, 3, TARGET, OPERAND, LENGTH, SAME_OPERAND])
+        | LAST_TWO
+        | context(&[before(OPCODE, 2), before(PREFIXES, 2)]),
     expecting(AFTER_MATCH, &[MATCH]),
     context(&[PLACE]),
     context(&[KIND]),
@@ -55,12 +41,12 @@ static CONTEXTS: [u32; COUNT] = [
     context(&[0, OPCODE, MODRM, before(OPCODE, 1), before(DESTINATION, 1), OPERAND, EXTENSION]),
     expecting(SAME_OPERAND, &[0, KIND, before(OPCODE, 1)]),
     expecting(SAME_OPERAND, &[KIND, SAME_OPCODE, SAME_OPERAND]),
-    expecting(
-        SAME_OPERAND,
-        &[2, OPCODE, PREFIXES, before(OPCODE, 1), before(PREFIXES, 1), TARGET, FIRST],
-    ),
+    expecting(SAME_OPERAND, &[2, TARGET, FIRST]) | LAST_TWO,
     context(&[KIND, before(DESTINATION, 1), TARGET, OPERAND, EXTENSION]),
 ];
+/// The context of the last two instructions.
+const LAST_TWO: u32 = context(&[OPCODE, PREFIXES, before(OPCODE, 1), before(PREFIXES, 1)]);
+
 const COUNT: usize = 18;
 const PAIRS: usize = 6;
 const INPUTS: usize = COUNT + PAIRS;

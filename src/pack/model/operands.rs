@@ -73,11 +73,8 @@ mod tests {
     fn runs_match_operands() {
         for opcode in 0..4 << 8 {
             let repeated = if opcode < REPEATING { opcode & 7 } else { opcode };
-            assert_eq!(
-                operands_by_runs(opcode, opcode & 0xff),
-                operands(repeated >> 8, repeated & 0xff),
-                "{opcode:#x}"
-            );
+            let expected = operands(repeated >> 8, repeated & 0xff);
+            assert_eq!(operands_by_runs(opcode, opcode & 0xff), expected, "{opcode:#x}");
         }
     }
 }
