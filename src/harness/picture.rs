@@ -5,6 +5,12 @@ use png::{BitDepth, ColorType, Encoder, EncodingError};
 use std::fmt::{self, Display};
 use std::str::FromStr;
 
+/// Returns the pixels of bytes of red, green and blue.
+pub fn from_rgb(bytes: &[u8]) -> Vec<u32> {
+    let pixels = bytes.as_chunks().0.iter();
+    pixels.map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b])).collect()
+}
+
 pub fn rgb(pixels: &[u32]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(3 * pixels.len());
     for pixel in pixels {

@@ -66,12 +66,12 @@ impl ThreadedRenderer {
         level: Level,
         shown: impl Into<Shown<'a>>,
         quality: &Quality,
-        width: usize,
-        pixels: &mut [u32],
-    ) -> FrameTrace {
-        let trace = FrameTrace::new(width, pixels.len() / width);
-        self.draw_observed(level, shown, quality, width, pixels, &trace);
-        trace
+        size: Size,
+    ) -> (Vec<u32>, FrameTrace) {
+        let mut pixels = vec![0; size.area()];
+        let trace = FrameTrace::new(size.width, size.height);
+        self.draw_observed(level, shown, quality, size.width, &mut pixels, &trace);
+        (pixels, trace)
     }
 
     pub fn set_probes(&mut self, count: u16, seed: u32) {

@@ -23,8 +23,7 @@ pub fn bitmap(
     draw(&area)?;
     area.present()?;
     drop(area);
-    let pixels = rgb.as_chunks().0.iter();
-    Ok(pixels.map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b])).collect())
+    Ok(picture::from_rgb(&rgb))
 }
 
 pub fn at([x, y]: [usize; 2]) -> (i32, i32) {

@@ -57,18 +57,13 @@ fn pixel(argument: &str) -> Result<[usize; 2], String> {
 
 fn figures(arguments: &Arguments) -> Vec<Tile> {
     let FrameArguments { scene, time, size } = arguments.frame;
-    let width = size.width;
     let mut renderer = ThreadedRenderer::new(arguments::processors());
     let frame = scene.without_overlay(time);
-    let mut draw = |quality: &Quality| {
-        let (level, mut pixels) = (cpu::best().level, vec![0; size.area()]);
-        let trace = renderer.trace(level, &frame, quality, width, &mut pixels);
-        (pixels, trace)
-    };
+    let mut draw = |quality: &Quality| renderer.trace(cpu::best().level, &frame, quality, size);
     let quality = arguments.quality.quality();
     let (exhaustive, all) = draw(&quality.reference());
     let (picture, trace) = draw(quality);
-    let errors = flip(width, &exhaustive, &picture);
+    let errors = flip(size.width, &exhaustive, &picture);
     let psnr = Difference::between(&exhaustive, &picture).psnr;
 
     let tile = |caption: String, mark: &dyn Fn(&mut [u32])| {
@@ -130,8 +125,7 @@ fn close_up(
         ("With the guard", guarded),
     ];
     let tiles = ways.map(|(caption, quality)| {
-        let mut pixels = vec![0; size.area()];
-        let trace = renderer.trace(cpu::best().level, scene, &quality, size.width, &mut pixels);
+        let (pixels, trace) = renderer.trace(cpu::best().level, scene, &quality, size);
         Tile { pixels: enlarged(&trace, &pixels, [left, top]), caption: caption.into() }
     });
     sheet(Size { width: ZOOM * SHOWN.width, height: ZOOM * SHOWN.height }, tiles.len(), &tiles)

@@ -1,5 +1,6 @@
 use eightfold_harness::error::worst_channel;
 use eightfold_harness::frame_trace::FrameTrace;
+use eightfold_harness::picture::from_rgb;
 use eightfold_tracer::Quality;
 use std::sync::LazyLock;
 
@@ -46,10 +47,6 @@ pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
 
 /// Returns a colour of the perceptually uniform "magma", from 0 to 1.
 pub fn heat(share: f32) -> u32 {
-    static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
-        let bytes = nv_flip::magma_lut().to_vec();
-        let colours = bytes.as_chunks().0.iter();
-        colours.map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b])).collect()
-    });
+    static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| from_rgb(&nv_flip::magma_lut().to_vec()));
     SCALE[(share.clamp(0.0, 1.0) * 255.0).round() as usize]
 }

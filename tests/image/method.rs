@@ -4,6 +4,7 @@ use crate::cpu;
 use crate::drawn::{Drawn, draw, jagged, of_side};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
+use eightfold_harness::Size;
 use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_tracer::observe::Fill;
 use eightfold_tracer::scene::{Method, Moment};
@@ -29,9 +30,8 @@ fn drawn(method: Method, quality: Quality) -> Drawn {
 }
 
 fn trace(quality: &Quality) -> FrameTrace {
-    let mut pixels = vec![0; SIZE.0 * SIZE.1];
-    let level = cpu::best().level;
-    ThreadedRenderer::new(2).trace(level, &scene(MARKS), quality, SIZE.0, &mut pixels)
+    let (level, size) = (cpu::best().level, Size::new(SIZE.0, SIZE.1));
+    ThreadedRenderer::new(2).trace(level, &scene(MARKS), quality, size).1
 }
 
 #[test]

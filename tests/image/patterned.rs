@@ -1,5 +1,6 @@
 use crate::drawn::{draw_best, example, isa_of, jagged};
 use crate::patches::compared;
+use eightfold_harness::Size;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_scenes::{Random, cases, materials, materials_of, solids};
 use eightfold_tracer::Quality;
@@ -104,10 +105,8 @@ fn dark_patterns_are_interpolated() {
         let mut scene = example("planet");
         scene.lights.clear();
         scene.ambient = Vec3::splat(light);
-        let mut pixels = vec![0; SIZE[0] * SIZE[1]];
-        let level = isa_of(0).level;
-        let frame =
-            ThreadedRenderer::new(2).trace(level, &scene, &Quality::DEFAULT, SIZE[0], &mut pixels);
+        let (level, size) = (isa_of(0).level, Size::new(SIZE[0], SIZE[1]));
+        let (_, frame) = ThreadedRenderer::new(2).trace(level, &scene, &Quality::DEFAULT, size);
         let squares = frame.squares();
         assert_eq!(squares.iter().any(|it| it.fill == Fill::Patterned), is_patterned, "{light}");
         assert!(compared(isa_of(0), &scene, Quality::DEFAULT, SIZE).0 > 55.0, "{light}");

@@ -7,16 +7,15 @@ mod tools;
 pub use tools::{DISPLAY, lacks, tool};
 
 use eightfold_harness::cargo::Build;
+use eightfold_harness::picture::from_rgb;
 use eightfold_tracer::Preset;
-use std::{
-    env, fs,
-    io::{BufRead, BufReader, Read},
-    path::PathBuf,
-    process::{Child, Command, Output, Stdio},
-    sync::LazyLock,
-    thread::{self, sleep},
-    time::{Duration, Instant},
-};
+use std::io::{BufRead, BufReader, Read};
+use std::path::PathBuf;
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::LazyLock;
+use std::thread::{self, sleep};
+use std::time::{Duration, Instant};
+use std::{env, fs};
 use tempfile::TempDir;
 
 static BUILT: LazyLock<Build> =
@@ -51,6 +50,12 @@ pub fn run(command: &mut Command) -> (Output, String) {
     let output = command.output().expect("the command starts");
     let (text, _) = texts(&output);
     (output, text)
+}
+
+/// Runs a command. Returns its exit code, output and errors.
+pub fn ended(command: &mut Command) -> (Option<i32>, String, String) {
+    let (output, text) = run(command);
+    (output.status.code(), text, texts(&output).1)
 }
 
 /// Returns the standard output of a command that ends successfully.
@@ -266,7 +271,7 @@ pub fn screenshot(display: &str, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
 fn import(display: &str, arguments: &[&str]) -> Vec<u32> {
     let mut import = tool("import");
     let import = import.env("DISPLAY", display).args(arguments);
-    reader::pixels(&run(import.args(["-depth", "8", "rgb:-"])).0.stdout)
+    from_rgb(&run(import.args(["-depth", "8", "rgb:-"])).0.stdout)
 }
 
 /// Runs `work` on several servers, given by their arguments. The test program starts itself with another `DISPLAY`: changing the

@@ -1,3 +1,4 @@
+use eightfold_harness::picture::from_rgb;
 use std::io::Cursor;
 
 /// Decodes an 8-bit RGB PNG file. Returns the width and the `0x00RRGGBB` pixels.
@@ -6,12 +7,7 @@ pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
     let mut rgb = vec![0; reader.output_buffer_size().expect("a size")];
     let info = reader.next_frame(&mut rgb).expect("whole data");
     assert_eq!(info.color_type, png::ColorType::Rgb);
-    (info.width as usize, pixels(&rgb))
-}
-
-pub fn pixels(rgb: &[u8]) -> Vec<u32> {
-    let pixels = rgb.chunks_exact(3);
-    pixels.map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]])).collect()
+    (info.width as usize, from_rgb(&rgb))
 }
 
 pub fn read_ppm(bytes: &[u8]) -> (usize, Vec<u32>) {
@@ -23,5 +19,5 @@ pub fn read_ppm(bytes: &[u8]) -> (usize, Vec<u32>) {
     let rest = parts.next().expect("the largest number and the pixels");
     let rgb = rest.strip_prefix(b"255\n").expect("8 bits a channel");
     assert_eq!(rgb.len(), width * height * 3, "whole data");
-    (width, pixels(rgb))
+    (width, from_rgb(rgb))
 }

@@ -95,9 +95,8 @@ impl FrameViewer {
         if matches!(controls.overlay, Overlay::None | Overlay::Error) {
             return;
         }
-        let mut pixels = vec![0; size.area()];
-        let (level, quality) = (self.isa.level, controls.quality.quality());
-        let trace = self.renderer.trace(level, scene, quality, size.width, &mut pixels);
+        let quality = controls.quality.quality();
+        let (_, trace) = self.renderer.trace(self.isa.level, scene, quality, size);
         match controls.overlay {
             Overlay::Points => draw_points(&trace, &mut self.picture),
             Overlay::Squares => draw_squares(&trace, &mut self.picture),

@@ -2,6 +2,7 @@ use super::{assert_one_line, command, picture, printed, signal, signalled, stder
 use eightfold::show;
 use eightfold::sound::RATE;
 use eightfold_harness::error::{Difference, worst_channel};
+use eightfold_harness::picture::from_rgb;
 use eightfold_lab::capture::{record, wav};
 use eightfold_stage::{needs, reader::read_png, run, tool};
 use std::fs;
@@ -184,8 +185,7 @@ fn video_has_frames_in_their_colours() {
         let mut ffmpeg = tool("ffmpeg");
         let input = ffmpeg.args(["-v", "error", "-i"]).arg(file);
         let rgb = run(input.args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"])).0.stdout;
-        let pixel = |c: &[u8]| u32::from_be_bytes([0, c[0], c[1], c[2]]);
-        let pixels: Vec<u32> = rgb.chunks_exact(3).map(pixel).collect();
+        let pixels = from_rgb(&rgb);
         let wanted = rendered(&[0.0, 0.25, 0.5], "480x360");
         assert_eq!(pixels.len(), wanted.len(), "{name}");
         // Chroma subsampling (4:2:0) causes a difference of 1.2, a wrong colour matrix 2.2.

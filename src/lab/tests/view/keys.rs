@@ -12,9 +12,7 @@ use eightfold_window::cpu;
 
 #[test]
 fn title_has_error_of_show() {
-    let Some(view) = View::of("--time 20") else {
-        return;
-    };
+    let Some(view) = View::of("--time 20") else { return };
     let picture = rendered("--scene show --time 20");
     view.assert_shows("the picture", |shot| shot == picture);
     let title = wait_for("the error", || {
@@ -31,10 +29,9 @@ fn keys_select_quality_overlay_time() {
     let at = |time: &str, quality: &str| rendered(&format!("--time {time} --quality {quality}"));
     let [thesis, exhaustive, fastest] =
         ["thesis", "exhaustive", "fastest"].map(|name| at("2", name));
-    let width = SIZE[0] as usize;
-    let (level, scene, mut pixels) = (cpu::best().level, show::model_scene(2.0), thesis.clone());
-    let mut renderer = ThreadedRenderer::new(1);
-    let trace = renderer.trace(level, &scene, &Quality::THESIS, width, &mut pixels);
+    let (level, [width, height]) = (cpu::best().level, SIZE.map(|side| side as usize));
+    let (scene, size) = (show::model_scene(2.0), Size::new(width, height));
+    let (_, trace) = ThreadedRenderer::new(1).trace(level, &scene, &Quality::THESIS, size);
     let [mut points, mut squares, mut heat, mut error] = [(); 4].map(|()| thesis.clone());
     draw_points(&trace, &mut points);
     draw_squares(&trace, &mut squares);
