@@ -38,11 +38,8 @@ fn mirrors_never_show_themselves() {
         for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180) {
             for (i, pixel) in drawn.pixels.into_iter().enumerate() {
                 let is_mirror = pixel == 0xcc_cccc;
-                assert!(
-                    is_mirror || pixel == 0xff_ffff,
-                    "{}: pixel {i} is {pixel:06x}: {scene:?}",
-                    isa.name
-                );
+                let what = format_args!("pixel {i} is {pixel:06x}: {scene:?}");
+                assert!(is_mirror || pixel == 0xff_ffff, "{}: {what}", isa.name);
                 shown += usize::from(is_mirror);
             }
         }

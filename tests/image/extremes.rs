@@ -1,11 +1,11 @@
 //! Numbers at the ends of their ranges, and beyond: `render` refuses these, `render_valid` draws them with bounded work.
 
 use crate::cpu;
-use crate::drawn::{Drawn, REFINEMENTS, draw, draw_by_all, isa_of, of_side, of_the_show};
+use crate::drawn::{Drawn, REFINEMENTS, draw, isa_of, of_side, of_the_show};
 use crate::error::Difference;
+use crate::huge::assert_near;
 use crate::threaded_renderer::Shown;
 use eightfold::show;
-use eightfold_oracle::frame::Frame as Traced;
 use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::scaled;
 use eightfold_scenes::solids::SHAPES;
@@ -253,13 +253,7 @@ fn scene_far_from_the_origin_is_as_exact_as_stated() {
             scene.spheres.iter_mut().for_each(|it| it.centre += by);
             scene.planes.iter_mut().for_each(|it| it.centre += by);
             scene.lights.iter_mut().for_each(|it| it.position += by);
-            let frame = Traced::new(&scene, &Quality::EXHAUSTIVE, 320, 240);
-            for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 240) {
-                let psnr =
-                    Difference::between(&frame.picture_like(&drawn.pixels), &drawn.pixels).psnr;
-                let what = format!("{distance} away at {time} s by {}", isa.name);
-                assert!(psnr >= least, "{what}: {psnr} dB");
-            }
+            assert_near(&scene, [320, 240], least, &format!("{distance} away at {time} s"));
         }
     }
 }

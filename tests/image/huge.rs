@@ -30,10 +30,10 @@ fn above(radius: f32, height: f32, light: f32) -> Scene {
 }
 
 #[track_caller]
-fn assert_near(scene: &Scene, least: f64, what: &str) {
+pub fn assert_near(scene: &Scene, [width, height]: [usize; 2], least: f64, what: &str) {
     assert_eq!(scene.validate(), Ok(()));
-    let frame = Traced::new(scene, &Quality::EXHAUSTIVE, 80, 60);
-    for (isa, drawn) in draw_by_all(scene, &Quality::EXHAUSTIVE, 80, 60) {
+    let frame = Traced::new(scene, &Quality::EXHAUSTIVE, width, height);
+    for (isa, drawn) in draw_by_all(scene, &Quality::EXHAUSTIVE, width, height) {
         let psnr = Difference::between(&frame.picture_like(&drawn.pixels), &drawn.pixels).psnr;
         assert!(psnr >= least, "{}, {what}: {psnr} dB", isa.name);
     }
@@ -46,7 +46,7 @@ fn eye_near_a_huge_sphere_sees_it_as_in_f64() {
         for (height, least) in [(1e-7, 25.0), (5e-7, 35.0), (1e-6, 35.0), (1e-5, 35.0)] {
             for light in [3.0, 10.0] {
                 let scene = above(radius, radius * height, light * radius * height);
-                assert_near(&scene, least, &format!("{radius} {height} {light}"));
+                assert_near(&scene, [80, 60], least, &format!("{radius} {height} {light}"));
             }
         }
     }
@@ -60,7 +60,7 @@ fn eye_near_a_huge_block_sees_it_lit() {
             let Sphere { centre, material, .. } = scene.spheres[0];
             scene.spheres.clear();
             scene.blocks.push(Block::new(shape, centre, Vec3::splat(size), material));
-            assert_near(&scene, 25.0, &format!("{shape:?} {size} {height}"));
+            assert_near(&scene, [80, 60], 25.0, &format!("{shape:?} {size} {height}"));
         }
     }
 }
@@ -71,7 +71,7 @@ fn telescope_sees_a_far_sphere_as_in_f64() {
         let mut scene = above(1.0, 1.0, 5.0);
         scene.camera.eye *= distance / scene.camera.eye.length();
         scene.camera.field_of_view = 4.0 / distance;
-        assert_near(&scene, 40.0, &format!("from {distance} radii"));
+        assert_near(&scene, [80, 60], 40.0, &format!("from {distance} radii"));
     }
 }
 

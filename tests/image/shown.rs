@@ -71,10 +71,8 @@ impl Tally {
             let missed = drawn.iter().find(|(_, drawn)| is_missed(drawn)).map(|(by, _)| by);
             let first = (pixels[0] % view.width, pixels[0] / view.width);
             let isa = isa.name;
-            assert!(
-                !is_promised || missed.is_none(),
-                "{first:?} is missed by {isa} and {missed:?} in {view:?}"
-            );
+            let is_right = !is_promised || missed.is_none();
+            assert!(is_right, "{first:?} is missed by {isa} and {missed:?} in {view:?}");
             let kind = usize::from(!is_promised);
             self.shown[kind] += 1;
             self.missed[kind] += usize::from(missed.is_some());
