@@ -128,13 +128,10 @@ fn fill_gaps(size: Size, pixels: &mut [u32]) {
                 [pixels[before], pixels[after]]
             };
             let pairs = [pair(x, width, 1), pair(y, height, width)];
-            let [a, b] = pairs[usize::from(contrast(pairs[1]) < contrast(pairs[0]))];
+            let [across, down] = pairs.map(|[a, b]| worst_channel(a, b));
+            let [a, b] = pairs[usize::from(down < across)];
             // The mean per channel, rounded up.
             pixels[at] = (a | b) - ((a ^ b) >> 1 & 0x007f_7f7f);
         }
     }
-}
-
-fn contrast([a, b]: [u32; 2]) -> u32 {
-    worst_channel(a, b)
 }

@@ -1,3 +1,4 @@
+use super::light::smooth;
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
@@ -62,10 +63,7 @@ fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
 
 fn noise(p: [f64; 2]) -> f64 {
     let cell = p.map(f64::floor);
-    let s = [0, 1].map(|i| {
-        let f = p[i] - cell[i];
-        f * f * (3.0 - 2.0 * f)
-    });
+    let s = [0, 1].map(|i| smooth(p[i] - cell[i]));
     let mut sum = 0.0;
     for corner in [[0, 0], [1, 0], [0, 1], [1, 1]] {
         let share = |i: usize| if corner[i] == 1 { s[i] } else { 1.0 - s[i] };

@@ -47,10 +47,8 @@ pub fn techniques() -> Vec<Technique> {
         for (depth, least_contribution) in FOLLOWED {
             let mut quality = Quality { depth, least_contribution, ..Quality::DEFAULT };
             set_tolerance(&mut quality, to);
-            add(
-                format!("tolerance {to}, depth {depth}, contribution {least_contribution}"),
-                quality,
-            );
+            let name = format!("tolerance {to}, depth {depth}, contribution {least_contribution}");
+            add(name, quality);
         }
     }
     all

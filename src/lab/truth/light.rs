@@ -61,10 +61,8 @@ impl<'a> SphereLight<'a> {
         // Unfold the path to a line.
         let to_surface = ray.at(-length) - self.position;
         let ratio = (to_surface.length() / self.radius).max(1.0);
-        ratio
-            * ratio
-            * cone(self.light, to_surface.normalize_or_zero())
-            * self.light.colour.as_dvec3()
+        let share = cone(self.light, to_surface.normalize_or_zero());
+        ratio * ratio * share * self.light.colour.as_dvec3()
     }
 
     pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
