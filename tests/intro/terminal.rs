@@ -1,14 +1,11 @@
 //! Without a display the intro plays in a terminal (tmux), and restores it at the end.
 
 use eightfold_stage::{linked_intro, needs, run, succeed, tool, try_for, wait_for};
-use std::{
-    env, fs,
-    path::PathBuf,
-    process,
-    sync::atomic::{AtomicUsize, Ordering::Relaxed},
-    thread::sleep,
-    time::Duration,
-};
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::thread::sleep;
+use std::time::Duration;
+use std::{env, fs, process};
 
 struct Terminal {
     socket: PathBuf,

@@ -1,13 +1,10 @@
 //! System tools that some tests need. A test without its tools prints a line and passes, or fails if `EIGHTFOLD_TOOLS` is
 //! `required`, as in `tests/run`.
 
-use std::{
-    env,
-    io::{Write, stderr},
-    path::PathBuf,
-    process::Command,
-    thread,
-};
+use std::io::{Write, stderr};
+use std::path::PathBuf;
+use std::process::Command;
+use std::{env, thread};
 
 /// Tools and their Debian packages. A tool is a command, or a shared library if its name contains `.so`.
 const PACKAGES: &str = include_str!("tools.txt");

@@ -2,11 +2,9 @@ use eightfold::show;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_stage::{allocations::Counting, on_displays};
 use eightfold_tracer::Quality;
-use eightfold_window::{
-    cpu,
-    render_target::{InnerSize, Next, RenderTarget},
-    window::Window,
-};
+use eightfold_window::cpu;
+use eightfold_window::render_target::{InnerSize, Next, RenderTarget};
+use eightfold_window::window::Window;
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting::new();

@@ -1,8 +1,6 @@
 use eightfold_stage::{on_displays, run, screenshot, tool};
-use eightfold_window::{
-    render_target::{InnerSize, Next, RenderTarget},
-    window::Window,
-};
+use eightfold_window::render_target::{InnerSize, Next, RenderTarget};
+use eightfold_window::window::Window;
 use std::{env, thread::sleep, time::Duration};
 
 type Size = (usize, usize);

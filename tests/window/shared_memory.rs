@@ -1,11 +1,9 @@
 //! Shared memory with the X server, which fails in containers.
 
 use eightfold_stage::{DISPLAY, Process, Server, intro, needs, succeed, wait_for};
-use std::{
-    env, fs,
-    path::{Path, PathBuf},
-    process::Command,
-};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
 
 /// A system that creates shared memory but maps none.
 const NO_ADDRESSES: &str = "

@@ -4,11 +4,9 @@ use eightfold_harness::{error::Difference, threaded_renderer::ThreadedRenderer};
 use eightfold_stage::{DISPLAY, Process, Server, headless, needs, run, try_for, wait_for};
 use eightfold_tracer::{Quality, scene::Moment};
 use eightfold_window::cpu;
-use std::{
-    process::Command,
-    thread::sleep,
-    time::{Duration, Instant},
-};
+use std::process::Command;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
 #[test]
 fn window_has_title_and_size_and_shows_a_frame() {
