@@ -1,5 +1,5 @@
 use eightfold::show;
-use eightfold_stage::{headless, qualities, run, texts};
+use eightfold_stage::{ended, headless, qualities, run, succeed};
 use eightfold_window::cpu;
 
 #[test]
@@ -12,10 +12,8 @@ fn bad_argument_is_named_in_one_line() {
         let row = row.replace("\\e", "\x1b");
         let (arguments, named) = row.split_once(" | ").expect("two columns");
         let words = arguments.split(' ').map(|word| word.trim_matches('"'));
-        let (output, _) = run(headless("").args(words));
-        let (said, errors) = texts(&output);
-        assert_eq!(output.status.code(), Some(2), "{arguments}: {errors}");
-        assert_eq!(said, "", "{arguments}");
+        let (code, said, errors) = ended(headless("").args(words));
+        assert_eq!((code, &*said), (Some(2), ""), "{arguments}: {errors}");
         assert_eq!(errors.lines().count(), 1, "{arguments}: {errors}");
         assert!(errors.starts_with("eightfold: "), "{arguments}: {errors}");
         assert!(errors.contains(named), "{arguments}: {errors}");
@@ -24,8 +22,7 @@ fn bad_argument_is_named_in_one_line() {
 
 #[test]
 fn help_and_version_are_printed() {
-    let (output, help) = run(&mut headless("--help"));
-    assert_eq!(output.status.code(), Some(0));
+    let help = succeed(&mut headless("--help"));
     let flags = "--size --fullscreen --threads --isa --seconds --loop --fps --psnr --quality --exhaustive --uncapped \
                  --silent --hud --still --help --version";
     let length = format!("({}; endless with --loop)", show::LENGTH);
@@ -34,10 +31,8 @@ fn help_and_version_are_printed() {
         assert!(help.contains(text), "{text}: {help}");
     }
     assert_eq!(run(&mut headless("-h")).1, help);
-    let (output, version) = run(&mut headless("--version"));
-    assert_eq!(output.status.code(), Some(0));
     let expected = concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n");
-    assert_eq!(version, expected);
+    assert_eq!(succeed(&mut headless("--version")), expected);
 }
 
 #[test]
@@ -65,14 +60,12 @@ fn instruction_set_of_another_cpu_is_refused() {
     assert!(help.contains(&list), "{help}");
     for name in ["avx2", "sse2", "neon", "portable"] {
         let options = format!("--isa {name} --seconds 0.2 --size 64x48");
-        let (output, said) = run(&mut headless(&options));
-        let (_, errors) = texts(&output);
+        let (code, said, errors) = ended(&mut headless(&options));
         if here.contains(&name) {
             assert!(said.contains(&format!(", {name}, ")), "{said}");
         } else {
-            assert_eq!(output.status.code(), Some(2));
             let line = format!("eightfold: --isa is '{name}'; must be NAME: {list}");
-            assert_eq!(errors, line);
+            assert_eq!((code, errors), (Some(2), line));
         }
     }
 }

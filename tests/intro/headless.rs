@@ -1,6 +1,6 @@
 use eightfold::sound::Synthesizer;
 use eightfold_stage::{
-    DISPLAY, Process, Server, headless, intro, linked_intro, needs, qualities, run, texts, tool,
+    DISPLAY, Process, Server, ended, headless, intro, linked_intro, needs, qualities, run, tool,
     wait_for,
 };
 use std::{fs, net::TcpListener, path::Path, process::Command, thread::sleep, time::Duration};
@@ -18,8 +18,8 @@ fn soundtrack_is_played() {
     let mut command = Command::new(intro());
     command.args(["--seconds", "2", "--size", "64x48"]);
     command.env_remove("DISPLAY");
-    let (output, _) = run(command.env("ALSA_CONFIG_PATH", &configuration));
-    assert_eq!(texts(&output).1, NO_SCREEN);
+    let (_, _, errors) = ended(command.env("ALSA_CONFIG_PATH", &configuration));
+    assert_eq!(errors, NO_SCREEN);
     let heard = fs::read(out).unwrap();
     let mut samples = vec![[0.0; 2]; heard.len() / 8];
     assert!((85_000..130_000).contains(&samples.len()));
@@ -43,9 +43,8 @@ fn processor_without_avx2_gets_one_line() {
         let program = if code == 0 { intro() } else { linked_intro() };
         command.args(["-cpu", "Nehalem"]).arg(program);
         command.args(options.split(' ')).env_remove("DISPLAY");
-        let output = run(&mut command).0;
-        let (_, errors) = texts(&output);
-        assert_eq!(output.status.code(), Some(code), "{options}: {errors}");
+        let (status, _, errors) = ended(&mut command);
+        assert_eq!(status, Some(code), "{options}: {errors}");
         assert!(errors.contains(line), "{options}: {errors}");
         assert_eq!(errors.lines().count(), usize::from(code > 0), "{errors}");
     }
@@ -72,8 +71,8 @@ fn pulseaudio_plays_at_normal_speed() {
     command.args(["--seconds", "4", "--size", "64x48"]);
     command.env("PULSE_SERVER", format!("unix:{}", socket.display()));
     command.env_remove("DISPLAY");
-    let (output, said) = run(command.env("ALSA_CONFIG_PATH", &configuration));
-    assert_eq!(texts(&output).1, NO_SCREEN);
+    let (_, said, errors) = ended(command.env("ALSA_CONFIG_PATH", &configuration));
+    assert_eq!(errors, NO_SCREEN);
     // With the plugin's buffer it took at least 5 s. A busy machine is late by less.
     let seconds = said.split(" in ").nth(1).and_then(|rest| rest.split(' ').next());
     let seconds: f32 = seconds.expect("the report").parse().expect("seconds");
@@ -104,11 +103,10 @@ fn missing_linker_or_descriptors_print_one_line() {
     let copied = Command::new("install").arg(intro()).arg(folder.path()).status();
     assert!(copied.unwrap().success());
     let mut alone = Command::new("chroot");
-    let (output, _) = run(alone.arg(folder.path()).arg("/eightfold"));
-    let errors = texts(&output).1;
+    let (code, _, errors) = ended(alone.arg(folder.path()).arg("/eightfold"));
     // Only root can use chroot.
     if !errors.starts_with("chroot: cannot change root") {
-        assert_eq!((output.status.code(), &*errors), (Some(1), told));
+        assert_eq!((code, &*errors), (Some(1), told));
     }
     let few = shell("ulimit -n 3; exec PACKED --version");
     assert_eq!(few, (Some(1), told.to_owned()));
@@ -117,9 +115,9 @@ fn missing_linker_or_descriptors_print_one_line() {
 #[test]
 fn unavailable_display_is_skipped() {
     for display in ["", ":54321", "nonsense", "localhost:54321"] {
-        let (output, _) = run(headless("--seconds 0.1 --size 64x48").env("DISPLAY", display));
-        let (_, errors) = texts(&output);
-        assert_eq!(output.status.code(), Some(0), "{display}: {errors}");
+        let mut intro = headless("--seconds 0.1 --size 64x48");
+        let (code, _, errors) = ended(intro.env("DISPLAY", display));
+        assert_eq!(code, Some(0), "{display}: {errors}");
         assert!(errors.contains(NO_SCREEN), "{display}: {errors}");
     }
 }
@@ -130,10 +128,10 @@ fn library_that_cannot_be_loaded_is_named() {
     let library = folder.path().join("libX11.so.6");
     fs::write(&library, "not a library").unwrap();
     let mut intro = headless("--seconds 0.1 --size 64x48");
-    let (output, _) = run(intro.env("LD_LIBRARY_PATH", folder.path()));
+    let (_, _, errors) = ended(intro.env("LD_LIBRARY_PATH", folder.path()));
     let why = format!("{}: file too short", library.display());
     let expected = format!("eightfold: {why}; playing without a screen\n");
-    assert_eq!(texts(&output).1, expected);
+    assert_eq!(errors, expected);
 }
 
 /// `INTRO` in the script is the linked intro, `PACKED` the packed file. Returns the exit code and the standard error.
@@ -141,8 +139,8 @@ fn shell(script: &str) -> (Option<i32>, String) {
     let script = script.replace("INTRO", &linked_intro().display().to_string());
     let script = script.replace("PACKED", &intro().display().to_string());
     let mut bash = Command::new("bash");
-    let (output, _) = run(bash.env_remove("DISPLAY").args(["-c", &script]));
-    (output.status.code(), texts(&output).1)
+    let (code, _, errors) = ended(bash.env_remove("DISPLAY").args(["-c", &script]));
+    (code, errors)
 }
 
 #[test]

@@ -1,7 +1,7 @@
 #![cfg(target_arch = "x86_64")]
 
 use eightfold_harness::cargo::Build;
-use eightfold_stage::{intro, linked_intro, run, texts};
+use eightfold_stage::{ended, intro, linked_intro};
 use std::{fs, path::Path, process::Command};
 
 /// `linked` is the unpacked program, see `src/pack/build/mod.rs`.
@@ -40,9 +40,9 @@ fn damaged_or_cut_intro_prints_one_line() {
         // Another process copies it: Linux starts no program that a child of another test has open for writing.
         let copied = Command::new("install").args([&source, &path]).status();
         assert!(copied.expect("install is there").success());
-        let (output, _) = run(Command::new(&path).arg("--version"));
-        assert_eq!(output.status.code(), Some(1), "{what}: {output:?}");
-        assert_eq!(texts(&output).1, "eightfold: this file is damaged\n", "{what}");
+        let (code, _, errors) = ended(Command::new(&path).arg("--version"));
+        let told = "eightfold: this file is damaged\n";
+        assert_eq!((code, &*errors), (Some(1), told), "{what}");
     };
     let (middle, last) = (packed.len() / 2, packed.len() - 1);
     for place in (CHECKED..5000).step_by(460).chain([middle, last]) {
@@ -62,9 +62,8 @@ fn too_little_memory_is_named_in_one_line() {
     for (kilobytes, told) in [(80_000, told), (105_000_000_u32.div_ceil(1024), "")] {
         let mut bash = Command::new("bash");
         let limited = format!("ulimit -d {kilobytes}; exec \"$0\" --version");
-        let (output, _) = run(bash.args(["-c", &limited]).arg(intro()));
-        assert_eq!(texts(&output).1, told);
-        assert_eq!(output.status.success(), told.is_empty(), "{kilobytes}");
+        let (code, _, errors) = ended(bash.args(["-c", &limited]).arg(intro()));
+        assert_eq!((&*errors, code == Some(0)), (told, told.is_empty()), "{kilobytes}");
     }
 }
 

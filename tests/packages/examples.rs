@@ -1,5 +1,5 @@
 use eightfold_harness::cargo::Build;
-use eightfold_stage::{DISPLAY, Server, needs, reader::read_png, run, succeed, texts, wait_for};
+use eightfold_stage::{DISPLAY, Server, ended, needs, reader::read_png, succeed, wait_for};
 use std::{collections::BTreeSet, fs, path::Path, process::Command, sync::LazyLock};
 use tempfile::TempDir;
 
@@ -80,9 +80,8 @@ fn assert_shows(program: &mut Command, name: &str) {
 fn intro_shows_a_picture_until_esc() {
     needs!(DISPLAY);
     assert_shows(&mut example("intro"), "Ten seconds");
-    let (output, _) = run(example("intro").env_remove("DISPLAY"));
-    assert_eq!(output.status.code(), Some(1));
-    assert_eq!(texts(&output).1, "intro: X display is missing\n");
+    let (code, _, errors) = ended(example("intro").env_remove("DISPLAY"));
+    assert_eq!((code, &*errors), (Some(1), "intro: X display is missing\n"));
 }
 
 #[test]

@@ -1,5 +1,5 @@
 use crate::display::{SCENE, SIZE, View, bright, rendered};
-use eightfold_stage::{run, wait_for};
+use eightfold_stage::{ended, wait_for};
 use std::fs;
 use std::process::Command;
 
@@ -69,9 +69,8 @@ fn lost_server_is_reported_by_the_viewer() {
 #[test]
 fn missing_display_is_reported_in_one_line() {
     let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-    let (output, _) = run(lab.arg("view").env_remove("DISPLAY"));
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{errors}");
+    let (code, _, errors) = ended(lab.arg("view").env_remove("DISPLAY"));
+    assert_eq!(code, Some(1), "{errors}");
     assert_eq!(errors.lines().count(), 1, "{errors}");
     assert!(errors.contains("X display is missing"), "{errors}");
 }
