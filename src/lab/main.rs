@@ -49,9 +49,7 @@ fn main() -> ExitCode {
         Command::Truth(arguments) => truth::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
     };
-    let Err(error) = done else {
-        return ExitCode::SUCCESS;
-    };
+    let Err(error) = done else { return ExitCode::SUCCESS };
     complain(&format!("{error:#}"));
     error.downcast_ref::<Exit>().map_or(ExitCode::FAILURE, |exit| exit.code.into())
 }

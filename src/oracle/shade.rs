@@ -204,9 +204,7 @@ impl Oracle<'_> {
     fn secondary(&self, hit: &Hit<'_>, weight: f32, path: u32, traced: &mut Traced) -> [DVec3; 2] {
         let [mut seen, mut untraced] = [DVec3::ZERO; 2];
         for (bounce, node) in hit.bounces().into_iter().zip(2 * path..) {
-            let Some((d, share)) = bounce else {
-                continue;
-            };
+            let Some((d, share)) = bounce else { continue };
             let weight = weight * share;
             let film = self.film(hit).filter(|_| node % 2 == 0);
             let is_traced = depth(path) < self.quality.depth && film.is_none();

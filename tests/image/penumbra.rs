@@ -28,9 +28,7 @@ fn errors(scene: &Scene) -> [f64; 2] {
     let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0);
     for (i, &pixel) in drawn.pixels.iter().enumerate() {
         let hit = oracle.surface(oracle.ray((i % size) as f64, (i / size) as f64));
-        let Some(p) = hit.map(|hit| hit.ray.o).filter(|p| p.y.abs() < 1e-9) else {
-            continue;
-        };
+        let Some(p) = hit.map(|hit| hit.ray.o).filter(|p| p.y.abs() < 1e-9) else { continue };
         let cosine = (LIGHT.position.as_dvec3() - p).normalize().y;
         let share = f64::from(pixel & 0xff) / 255.0 / cosine;
         let off = (share - visible_share(&oracle, p)).abs();

@@ -208,9 +208,7 @@ fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let mut shadows: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for i in (0..exhaustive.len()).filter(|&i| exhaustive[i] == SHADED) {
         let hit = oracle.surface(oracle.ray((i % view.width) as f64, (i / view.width) as f64));
-        let Some(p) = hit.filter(|hit| hit.n == DVec3::Y).map(|hit| hit.ray.o) else {
-            continue;
-        };
+        let Some(p) = hit.filter(|hit| hit.n == DVec3::Y).map(|hit| hit.ray.o) else { continue };
         let to_light = Ray::new(p, (light - p).normalize());
         for (occluder, sphere) in scene.spheres.iter().enumerate() {
             if Shape::from(sphere).meet(to_light, light.distance(p)).is_some() {

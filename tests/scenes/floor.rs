@@ -80,9 +80,7 @@ pub fn shadow(random: &mut Random) -> View {
     let side = view.side();
     let pixels = random.power(-0.3, 1.5);
     let height = view.scene.planes[0].centre.y;
-    let Some((at, size)) = view.place(random, height, pixels) else {
-        return view;
-    };
+    let Some((at, size)) = view.place(random, height, pixels) else { return view };
     let direction = random.vector(vec3(-1.0, 0.0, -1.0), Vec3::ONE);
     let steep = side * random.one_of([1.0, 0.1, 0.01]);
     let direction = direction.normalize_or(Vec3::Y) * vec3(1.0, steep, 1.0);
@@ -107,9 +105,7 @@ pub fn image(random: &mut Random) -> View {
     view.mirror();
     let pixels = random.power(0.0, 1.5);
     let height = view.scene.planes[0].centre.y;
-    let Some((at, size)) = view.place(random, height, pixels) else {
-        return view;
-    };
+    let Some((at, size)) = view.place(random, height, pixels) else { return view };
     let d = at - view.scene.camera.eye;
     let back = d * vec3(1.0, -1.0, 1.0) * random.power(-2.0, 1.0);
     let size = size * (1.0 + back.length() / d.length());
@@ -145,9 +141,7 @@ pub fn contact(random: &mut Random) -> View {
     }
     for number in 1..2 + random.below(40) {
         let pixels = random.power(-0.2, 1.5);
-        let Some((at, size)) = view.place(random, height, pixels) else {
-            continue;
-        };
+        let Some((at, size)) = view.place(random, height, pixels) else { continue };
         let share = random.one_of([0.1, 1e-2, 1e-3, 1e-4, 1e-5, 0.0]);
         let rise = size * share * random.between(0.2, 1.0);
         let material = numbered(number, 28);

@@ -170,9 +170,7 @@ fn add_air(scene: &mut Scene, random: &mut Random) {
 }
 
 fn add_groups(scene: &mut Scene, random: &mut Random) {
-    let Some(&last) = scene.spheres.last() else {
-        return;
-    };
+    let Some(&last) = scene.spheres.last() else { return };
     let beside = |direction: Vec3, radius: f32| Sphere {
         centre: last.centre + direction.normalize_or(Vec3::X) * (last.radius + radius),
         radius: radius.abs(),

@@ -18,9 +18,7 @@ const LIBRARIES: [&str; 5] =
 /// Returns whether one of the tools is missing.
 #[must_use]
 pub fn lacks(tools: &[&str]) -> bool {
-    let Some(missing) = tools.iter().find(|tool| !is_there(tool)) else {
-        return false;
-    };
+    let Some(missing) = tools.iter().find(|tool| !is_there(tool)) else { return false };
     let needs = format!("needs {missing}: apt-get install {}", package(missing));
     let required = env::var_os("EIGHTFOLD_TOOLS").is_some_and(|value| value == "required");
     assert!(!required, "this test {needs}");

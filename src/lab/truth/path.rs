@@ -71,9 +71,7 @@ impl<'a> PathTracer<'a> {
                 found += throughput * f64::from(share) * film * self.oracle.untraced(d, true);
             }
             found += throughput * self.direct(&surface, random);
-            let Some(next) = surface.bounce(random) else {
-                return found;
-            };
+            let Some(next) = surface.bounce(random) else { return found };
             ray = hit.ray.turned(next.d);
             throughput *= next.weight;
             length = if next.is_rough { Some(0.0) } else { length.map(|length| length + t) };

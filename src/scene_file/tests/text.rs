@@ -35,9 +35,7 @@ fn refuse<T: Serialize + DeserializeOwned>(
         let (line, column) = place(&fault).expect(&fault);
         let is_at = (start..=text.numbers[i].start).contains(&(column - 1));
         assert!(line == 1 && is_at, "{name}: {fault}");
-        let Some((least, most)) = refusal.range.split_once(" to ") else {
-            continue;
-        };
+        let Some((least, most)) = refusal.range.split_once(" to ") else { continue };
         if let (Ok(least), Ok(most)) = (least.parse::<f32>(), most.parse::<f32>()) {
             for (end, beyond) in [(least, least.next_down()), (most, most.next_up())] {
                 assert_eq!(range(beyond), Some(refusal.range), "{name} {beyond}");

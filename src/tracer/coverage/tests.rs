@@ -103,9 +103,7 @@ impl Bounds {
     /// Returns whether a listed outline reaches the pixels around a place.
     fn have(&self, scene: &Scene, [x, y]: [usize; 2], is_asked: impl Fn(Outline) -> bool) -> bool {
         let (prepared, coverage) = (&*self.prepared, &*self.coverage);
-        let Some(number) = self.number(is_asked) else {
-            return false;
-        };
+        let Some(number) = self.number(is_asked) else { return false };
         let rect = coverage.axes.rect(rectangle(x, y, x + 1, y + 1));
         let rects = coverage.axes.rects(baseline(), [x, y], [1, 1]);
         let region = coverage.region(World { scene, prepared }, number);
@@ -202,17 +200,13 @@ fn certain_points_are_in_shadow() {
         let (coverage, axes) = (&bounds.coverage, &bounds.coverage.axes);
         let (eye, block) = (scene.camera.eye.as_dvec3(), &scene.blocks[0]);
         let light = scene.lights[0].position.as_dvec3();
-        let Some(number) = bounds.number(is_shadow_of(1)) else {
-            continue;
-        };
+        let Some(number) = bounds.number(is_shadow_of(1)) else { continue };
         let (scene, prepared) = (&scene, &bounds.prepared);
         let region = coverage.region(World { scene, prepared }, number);
         for &at in &points {
             let point = within(block, at);
             let below = light + (point - light) * (light.y / (light.y - point.y));
-            let Some([x, y]) = pixel_of(axes, scene.camera.eye, below) else {
-                continue;
-            };
+            let Some([x, y]) = pixel_of(axes, scene.camera.eye, below) else { continue };
             let rect = axes.rect(rectangle(x, y, x + 1, y + 1));
             if region.corners(rect) & 1 != 0 {
                 let [right, down, ahead] = axes.rows.map(Vec3A::as_dvec3);
@@ -240,9 +234,7 @@ fn images_of_sunk_spheres_have_certain_points() {
         let bounds = Bounds::of(&scene);
         let (coverage, axes) = (&bounds.coverage, &bounds.coverage.axes);
         let number = bounds.number(|it| matches!(it, Outline::Image(id) if id.index() == 0));
-        let Some(number) = number else {
-            continue;
-        };
+        let Some(number) = number else { continue };
         let region = coverage.region(World { scene: &scene, prepared: &bounds.prepared }, number);
         let (eye, sphere) = (scene.camera.eye.as_dvec3(), &scene.spheres[0]);
         let is_met = |from: DVec3, ray: DVec3, length: f64| {

@@ -148,9 +148,7 @@ fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
             false => aim + random.direction() * (2.0 * half.length()),
         };
         let (o, d) = (o.as_vec3(), unit(aim - o));
-        let Some(met) = met(by, world, o, d).filter(|met| !met.is_inside) else {
-            continue;
-        };
+        let Some(met) = met(by, world, o, d).filter(|met| !met.is_inside) else { continue };
         let (p, n, error, departure) = (met.p, met.n, met.error, met.departure);
         let what = std::format!("{isa}: {block:?} from {o} along {d}");
         let direction = || random.direction_from(n);

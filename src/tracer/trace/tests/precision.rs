@@ -58,9 +58,7 @@ fn outcome(by: &dyn Kernels, distance: f64, is_in_origin: bool) -> (usize, f64) 
                 let is_hit = object == 0;
                 let exact = exact(o.as_dvec3() - c, *d, r);
                 wrong += usize::from(is_hit != exact.is_some());
-                let Some((t, across)) = exact.filter(|_| is_hit) else {
-                    continue;
-                };
+                let Some((t, across)) = exact.filter(|_| is_hit) else { continue };
                 if across < 0.9 {
                     off = off.max((f64::from(t_hit) - t).abs() / r);
                 }
