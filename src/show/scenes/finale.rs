@@ -1,37 +1,29 @@
 //! The finale: the sun slips behind a glass ball and, with its reflection in the sea, becomes an 8.
 
 use crate::show::captions::Cue;
-use crate::show::environment::{Environment, Now, point, softbox};
+use crate::show::environment::{Environment, Now, point};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use crate::show::solids::{add_block, add_sphere};
+use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{
-    Ambience, Light, Material, Method, Presentation, Scene, Shape, Waves,
-};
+use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape, Waves};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
     ShowScene { captions: CAPTIONS, ..ShowScene::new(&ENVIRONMENT, SHOTS) };
 
-const SUN: [f32; 3] = [0.0, 36.0, -140.0];
+const SUN: [f32; 3] = [0.0, 26.0, -140.0];
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.87, 0.207, 0.042),
-    sky: vec3(-0.82, -0.191, 0.057),
-    ambient: vec3(0.4, 0.2, 0.35),
-    ambience: Ambience { occlusion: 1.0, reach: 0.5, ground: vec3(0.1, 0.025, 0.01), bounce: 0.0 },
-    haze: 0.007,
+    background: vec3(0.75, 0.17, 0.04),
+    sky: vec3(-0.75, -0.165, 0.06),
+    ambient: vec3(0.35, 0.22, 0.42),
+    haze: 0.0045,
     vignette: 0.25,
     floor: Some(&WATER),
     swell: Waves { slope: 0.0015, length: 10.0, phase: 0.1 },
-    lights: &[
-        Light { drawn_radius: 21.0, glow: 11.0, ..point(SUN, [5.0, 2.9, 1.3]) },
-        point([0.0, 28.0, -60.0], [7.0, 3.6, 1.5]),
-    ],
-    // The blue night behind the camera.
-    softboxes: &[softbox([-3.0, 5.0, 8.0], [0.9, 0.8, 2.5], [1.6, 2.4, 4.0])],
+    lights: &[Light { drawn_radius: 21.0, glow: 8.0, ..point(SUN, [5.0, 2.9, 1.3]) }],
     field_of_view: 0.75,
     add,
     present,
@@ -41,11 +33,11 @@ static ENVIRONMENT: Environment = Environment {
 static SHOTS: &[Shot] = &[shot(
     6,
     &[
-        view([0.0, 1.2, 19.0], SUN),
-        view([-0.9, 1.1, 15.5], [0.0, 33.0, -140.0]),
-        view([-0.9, 1.0, 12.5], [0.0, 5.4, -10.0]),
-        view([0.0, 0.9, 10.8], [0.0, 2.2, 0.8]),
-        view([0.0, 0.9, 10.8], [0.0, 2.2, 0.8]),
+        view([0.0, 2.2, 19.0], SUN),
+        view([-0.9, 2.2, 16.5], [0.0, 25.0, -140.0]),
+        view([-0.9, 2.0, 13.5], [0.0, 5.4, -10.0]),
+        view([0.0, 1.8, 11.8], [0.0, 2.2, 0.8]),
+        view([0.0, 1.8, 11.8], [0.0, 2.2, 0.8]),
     ],
 )];
 
@@ -56,7 +48,7 @@ static CAPTIONS: &[Cue] = &[
 ];
 
 static WATER: Material =
-    Material { kr: 0.35, fresnel: 0.9, ..Material::matt(vec3(0.0112, 0.0062, 0.063), 0.0) };
+    Material { kr: 0.03, fresnel: 0.8, ..Material::matt(vec3(0.003, 0.03, 0.13), 0.0) };
 static GLASS: Material = Material {
     ks: 0.9,
     exponent: 200.0,
@@ -67,14 +59,17 @@ static GLASS: Material = Material {
     ..Material::BLACK
 };
 /// A film, no mirror: images of the sun in the balls would be thinner than a square.
-static PLUM: Material = Material {
+const PLUM: Material = Material {
     ks: 0.25,
     exponent: 10.0,
-    kr: 0.5,
+    kr: 0.4,
     fresnel: 0.3,
     film_thickness: 210.0,
     ..Material::matt(vec3(0.476, 0.125, 0.193), 0.95)
 };
+
+/// Thick films make bands.
+static PLANET: Material = Material { film_thickness: 400.0, ..PLUM };
 
 /// The light of the gold square at the end, relative to the ambient light.
 const GOLD: Vec3 = vec3(5.25, 4.7, 0.34);
@@ -86,16 +81,22 @@ fn add(now: Now, scene: &mut Scene) {
     if last.count > 0 {
         return end(last.since, scene);
     }
-    // The sun sinks behind the ball until bar 4.
-    scene.lights[0].position.y -= 14.0 * smooth_step(now.beat / 16.0);
+    // Sun and planets sink until bar 4.
+    let sunk = 8.0 * smooth_step(now.beat / 16.0);
+    scene.lights[0].position.y -= sunk;
+    add_sphere(vec3(-60.0, 37.0 - sunk, -112.0), 24.0, &PLANET, scene);
+    add_sphere(vec3(52.0 - 0.3 * now.beat, 20.0 - sunk, -130.0), 7.0, &PLANET, scene);
     add_sphere(BALL, 2.2, &GLASS, scene);
-    for row in 0..4 {
-        let row = row as f32;
-        let float = 0.06 * sin(now.beat * 0.8 + row);
-        for side in [-1.0, 1.0] {
-            let centre = vec3((2.0 + 0.62 * row) * side, 0.47 + float, 0.8 + 1.3 * row);
-            add_sphere(centre, 0.38, &PLUM, scene);
+    // Two spiral arms turn around the glass.
+    let [mut out, mut radius] = [3.8, 0.4];
+    for number in 0..4 {
+        let number = number as f32;
+        let up = Vec3::Y * radius * (1.2 + 0.15 * sin(now.beat * 0.8 - number));
+        for arm in [-0.14, 0.36] {
+            let turns = arm - 0.08 * number + 0.004 * now.beat;
+            add_sphere(around(turns) * out + up, radius, &PLUM, scene);
         }
+        (out, radius) = (1.6 * out, 1.35 * radius);
     }
 }
 
@@ -112,7 +113,6 @@ fn end(beats: f32, scene: &mut Scene) {
     scene.planes.clear();
     scene.lights.clear();
     (scene.background, scene.sky) = (Vec3::ZERO, Vec3::ZERO);
-    scene.ambience.occlusion = 0.0;
     let gold = Material::matt(GOLD * (1.0 - 2.0 * beats).max(0.0), 1.0);
     add_block(Shape::Box, BALL, Vec3::splat(0.3), Mat3::IDENTITY, &gold, scene);
 }
