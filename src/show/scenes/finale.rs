@@ -58,9 +58,9 @@ static GLASS: Material = Material {
     tint: vec3(0.8, 0.75, 0.8),
     ..Material::BLACK
 };
-/// A film, no mirror: images of the sun in the balls would be thinner than a square.
+/// A film, no mirror, and dim highlights: the sun's would be thinner than a square.
 const PLUM: Material = Material {
-    ks: 0.25,
+    ks: 0.05,
     exponent: 10.0,
     kr: 0.4,
     fresnel: 0.3,
@@ -69,7 +69,7 @@ const PLUM: Material = Material {
 };
 
 /// Thick films make bands.
-static PLANET: Material = Material { film_thickness: 400.0, ..PLUM };
+static PLANET: Material = Material { ks: 0.25, film_thickness: 400.0, ..PLUM };
 
 /// The light of the gold square at the end, relative to the ambient light.
 const GOLD: Vec3 = vec3(5.25, 4.7, 0.34);
@@ -93,7 +93,7 @@ fn add(now: Now, scene: &mut Scene) {
         let number = number as f32;
         let up = Vec3::Y * radius * (1.2 + 0.15 * sin(now.beat * 0.8 - number));
         for arm in [-0.14, 0.36] {
-            let turns = arm - 0.08 * number + 0.004 * now.beat;
+            let turns = arm - 0.06 * number + 0.004 * now.beat;
             add_sphere(around(turns) * out + up, radius, &PLUM, scene);
         }
         (out, radius) = (1.6 * out, 1.35 * radius);
