@@ -26,7 +26,7 @@ static ENVIRONMENT: Environment = Environment {
         ..point(LAMP, [4.2, 2.6, 1.7])
     }],
     // Draws gold filigree on the outer sides of the gems.
-    softboxes: &[softbox([1.0, 0.35, 0.8], [0.8, 0.16, 0.1], [20.0, 13.0, 5.0])],
+    softboxes: &[softbox([1.0, 0.35, 0.8], [0.8, 0.2, 0.25], [20.0, 13.0, 5.0])],
     field_of_view: 0.9,
     add,
     present: |now, presentation| {
