@@ -1,11 +1,12 @@
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw, draw_best, jagged, of_the_show};
+use crate::drawn::{draw, draw_best, jagged, shown};
 use crate::error::Difference;
+use crate::threaded_renderer::Shown;
 use eightfold_harness::patches::{largest, largest_of, lost};
 use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{Random, cases, coloured, solids};
 use eightfold_tracer::glam::{Vec3, vec3};
-use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape};
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Moment, Presentation, Scene, Shape};
 use eightfold_tracer::{Preset, Quality};
 
 const SIZE: [usize; 2] = [1280, 720];
@@ -15,21 +16,34 @@ const LARGE: [usize; 2] = [1920, 1080];
 const FLOOR: usize = 8;
 
 /// Returns the PSNR against the exhaustive picture in dB, and the size of the largest patch.
-pub fn compared(isa: Isa, scene: &Scene, quality: Quality, size: [usize; 2]) -> (f64, usize) {
+pub fn compared<'a>(
+    isa: Isa,
+    shown: impl Into<Shown<'a>>,
+    quality: Quality,
+    size: [usize; 2],
+) -> (f64, usize) {
+    let shown = shown.into();
     let [exact, drawn] = [quality.reference(), quality]
-        .map(|quality| draw(isa, 2, scene, &quality, size[0], size[1]).pixels);
+        .map(|quality| draw(isa, 2, shown, &quality, size[0], size[1]).pixels);
     let patch = largest(&exact, &drawn, size[0]);
     (Difference::between(&exact, &drawn).psnr, patch)
 }
 
-fn assert_near(
+/// Returns a scene of the show, folded, without captions and marked squares.
+fn of_the_show(time: f32) -> Moment {
+    let Moment { scene, presentation } = shown(time);
+    let presentation = Presentation { sectors: presentation.sectors, ..Presentation::default() };
+    Moment { scene, presentation }
+}
+
+fn assert_near<'a>(
     what: &str,
-    scene: &Scene,
+    shown: impl Into<Shown<'a>>,
     quality: Quality,
     size: [usize; 2],
     (limit, least): (usize, f64),
 ) {
-    let (psnr, patch) = compared(cpu::best(), scene, quality, size);
+    let (psnr, patch) = compared(cpu::best(), shown, quality, size);
     let what = format!("{what}, {size:?}: {psnr:.1} dB, a patch of {patch}, {}", quality.antialias);
     println!("{what}");
     assert!(patch <= limit && psnr >= least, "{what}");
