@@ -58,18 +58,18 @@ static SPECK: Material = Material::matt(vec3(4.0, 2.4, 1.6), 0.9);
 /// The bubbles' centres, at rest, and radii.
 static BUBBLES: [(Vec3, f32); 8] = [
     (vec3(0.0, 0.0, 0.0), 0.78),
-    (vec3(1.9, -0.95, 0.5), 0.42),
-    (vec3(-2.5, 0.9, -0.6), 0.42),
-    (vec3(-1.4, -1.05, 1.0), 0.2),
-    (vec3(2.9, 1.1, -2.0), 0.34),
-    (vec3(1.3, 1.6, -4.0), 0.24),
-    (vec3(-4.5, -0.9, -3.0), 0.26),
-    (vec3(3.6, -0.4, -1.0), 0.2),
+    (vec3(2.0, -0.95, 0.5), 0.6),
+    (vec3(-2.6, 1.1, -0.6), 0.65),
+    (vec3(-0.9, -1.6, 1.0), 0.3),
+    (vec3(3.3, 1.4, -2.0), 0.55),
+    (vec3(1.3, 1.8, -4.0), 0.4),
+    (vec3(-4.5, -0.9, -3.0), 0.45),
+    (vec3(3.6, -0.4, -1.0), 0.3),
 ];
 
 fn add(now: Now, scene: &mut Scene) {
     // One near the camera, and specks that rise far behind. The guard has no bounds of specks seen in bubbles, so they are tiny.
-    add_bubble(vec3(-2.3, -1.6, 3.2), 0.7, 3.0, now, scene);
+    add_bubble(vec3(-2.0, -1.5, 3.2), 0.8, 3.0, now, scene);
     for number in 0..16 {
         let spread = (number * number) as f32 * 0.618_034;
         let up = fraction(now.beat * 0.02 + (number * number) as f32 * 0.754_877);

@@ -93,7 +93,7 @@ fn add(now: Now, scene: &mut Scene) {
     add_stars(scene);
     let kick = now.cue(Track::Kick);
     let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
-    let sun = around(0.87 - 0.005 * steps) * 400.0 + Vec3::Y * 140.0;
+    let sun = around(0.87 - 0.0025 * steps) * 400.0 + Vec3::Y * 140.0;
     scene.lights[0].position = sun;
     scene.lights[1].spot = Some(Spot { aim: sun, inner_angle: 0.9, outer_angle: 2.0 });
 }
