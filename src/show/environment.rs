@@ -17,8 +17,6 @@ pub(super) struct Environment {
     pub vignette: f32,
     /// The floor is endless, at y = 0.
     pub floor: Option<&'static Material>,
-    /// The floor's waves, of which `phase` is the distance per beat.
-    pub swell: Waves,
     pub lights: &'static [Light],
     pub softboxes: &'static [Softbox],
     /// In radians, see [`Camera::field_of_view`](eightfold_tracer::scene::Camera::field_of_view).
@@ -40,7 +38,6 @@ impl Environment {
         scatter: 0.0,
         vignette: 0.0,
         floor: None,
-        swell: Waves::CALM,
         lights: &[],
         softboxes: &[],
         field_of_view: 0.6,
@@ -92,7 +89,7 @@ impl Environment {
         if let Some(&material) = self.floor {
             scene.planes.push(Plane::new(Vec3::ZERO, FAR, FAR, material));
         }
-        scene.water = Waves { phase: self.swell.phase * now.beat, ..self.swell };
+        scene.water = Waves::CALM;
         scene.lights.clear();
         for &light in self.lights {
             scene.lights.push(light);

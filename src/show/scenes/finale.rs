@@ -7,7 +7,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
@@ -22,7 +22,6 @@ static ENVIRONMENT: Environment = Environment {
     haze: 0.0045,
     vignette: 0.25,
     floor: Some(&WATER),
-    swell: Waves { slope: 0.0015, length: 10.0, phase: 0.1 },
     lights: &[Light { drawn_radius: 21.0, glow: 8.0, ..point(SUN, [5.0, 2.9, 1.3]) }],
     field_of_view: 0.75,
     add,
