@@ -55,3 +55,20 @@ fn threads_order_observers_and_probes_change_no_bit() {
         }
     }
 }
+
+/// Whether a floor hides a light at its height from a point must not depend on other points of the packet.
+#[test]
+fn lights_level_with_a_floor_change_no_corner() {
+    let (width, height) = (320, 240);
+    for low in [1e-40, 1e-9, 1e-7] {
+        let mut scene = show::model_scene(7.4);
+        scene.lights[0].position.y = low;
+        let [filled, exact] = [8, 1].map(|square| {
+            let quality = Quality { square, ..Quality::THESIS };
+            draw(cpu::best(), 2, &scene, &quality, width, height).pixels
+        });
+        for i in (0..width * height).filter(|i| i % 8 == 0 && i / width % 8 == 0) {
+            assert_eq!(filled[i], exact[i], "{low}, pixel {i}");
+        }
+    }
+}

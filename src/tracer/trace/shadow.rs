@@ -115,7 +115,7 @@ impl<S: Isa> ShadowRays<S> {
                 self.o.y.simd_gt(height)
             };
             if behind.any_true() {
-                blocked |= plane::hit(simd, rectangle, self.o, self.d, self.distance).0;
+                blocked |= behind & plane::hit(simd, rectangle, self.o, self.d, self.distance).0;
             }
         }
         blocked
