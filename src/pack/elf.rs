@@ -64,8 +64,10 @@ impl Segment {
 pub fn header(entry: u64, segments: u16) -> Vec<u8> {
     let mut bytes = b"\x7fELF\x02\x01\x01".to_vec();
     bytes.resize(16, 0);
+    // 62 is x86-64; then the version, 32 bits.
     bytes.extend([EXECUTABLE, 62, 1, 0].map(u16::to_le_bytes).as_flattened());
     bytes.extend([entry, HEADER_SIZE as u64, 0].map(u64::to_le_bytes).as_flattened());
+    // Flags of 32 bits, sizes, and no sections.
     let end = [0, 0, HEADER_SIZE as u16, Segment::SIZE as u16, segments, 0, 0, 0];
     bytes.extend(end.map(u16::to_le_bytes).as_flattened());
     bytes

@@ -21,7 +21,7 @@ pub(super) fn add_block(
     scene.blocks.push(Block { centre, half, axes, shape, material: *material });
 }
 
-/// Adds stars behind a scene at the origin, seen from z.
+/// Adds stars behind a scene at the origin, seen from z. Few are bright.
 pub(super) fn add_stars(scene: &mut Scene) {
     for number in 0..64 {
         let number = number as f32;

@@ -6,12 +6,14 @@ use std::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
 const PRESETS: usize = Preset::LADDER.len();
+/// The presets, and two steps with smaller frames.
 const RUNGS: usize = PRESETS + 2;
 
 fn rung(preset: Preset) -> usize {
     preset as usize - Preset::Finest as usize
 }
 
+/// Frames after a step in which a governor measures its effect.
 const COMPARED: usize = 8;
 
 /// The time or the frame, the old and the new rung.

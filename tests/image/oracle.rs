@@ -108,7 +108,7 @@ fn show_matches_the_oracle() {
         let silhouettes = frame.silhouettes();
         // Otherwise the tolerance for silhouettes would hide errors.
         let on = silhouettes.iter().filter(|&&on| on).count();
-        assert!(on < 240 * 135 * 3 / 10, "{time} ms: {on} pixels");
+        assert!(on < 240 * 135 / 4, "{time} ms: {on} pixels");
         let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 240, 135);
         for (isa, drawn_by) in &drawn {
             let what = format!("{time} ms by {}", isa.name);

@@ -162,16 +162,16 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 30, [450, 45]);
 }
 
-/// Limits the points relative to unguarded frames: 1.25 times around the chimes' round plate and among the city's towers.
+/// Limits the points relative to unguarded frames: 1.19 times among the chimes, 1.17 times among the city's towers.
 #[test]
 fn hidden_objects_open_few_squares() {
-    for time in [65.0, 54.0] {
+    for (time, limit) in [(65.0, 1.21), (54.0, 1.19)] {
         let scene = of_the_show(time);
         let [guarded, unguarded] = [Quality::DEFAULT, bare(Quality::DEFAULT)].map(|quality| {
             let drawn = draw_best(&scene, &jagged(quality), 1280, 720);
             drawn.counts.points as f64
         });
-        assert!(guarded <= 1.27 * unguarded, "{}", guarded / unguarded);
+        assert!(guarded <= limit * unguarded, "{}", guarded / unguarded);
     }
 }
 

@@ -14,7 +14,7 @@ start_wine() {
     $wineserver --persistent
     $wine wineboot --init > /dev/null 2>&1
     cargo build --quiet --release --package eightfold --bin eightfold
-    # The linked program starts faster than the packed one.
+    # The linked program starts faster than the packed one. Other builds leave theirs in the same folder.
     for own in "${CARGO_TARGET_DIR:-target}"/release/deps/eightfold-*.unpacked; do
         ! cmp -s "${own%.unpacked}" "${CARGO_TARGET_DIR:-target}/release/eightfold" || break
     done

@@ -15,7 +15,10 @@ pub const DISPLAY: &[&str] =
 const LIBRARIES: [&str; 5] =
     ["/usr/lib/x86_64-linux-gnu", "/usr/lib64", "/usr/lib", "/usr/local/lib", "/lib"];
 
-/// Returns whether one of the tools is missing.
+/// Returns whether one of the tools is missing, and prints that the test is skipped.
+///
+/// # Panics
+/// If a tool is missing and all are required.
 #[must_use]
 pub fn lacks(tools: &[&str]) -> bool {
     let Some(missing) = tools.iter().find(|tool| !is_there(tool)) else { return false };

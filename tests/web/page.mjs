@@ -159,11 +159,10 @@ const tests = {
     const said = await page.value("document.querySelector('#verdict p').textContent");
     const sentences = ({ squares }) => squares.map(({ w, h, what }) => `${w}×${h} ${what}`).join("\n");
     // Browsers round a pointer's place.
-    const pixel = `(() => {
+    const [column, row] = await page.value(`(() => {
       const canvas = document.getElementById("picture");
       return ["offsetX", "offsetY"].map((offset) => Math.floor((eightfold.view.place[offset] * canvas.width) / canvas.clientWidth));
-    })()`;
-    const [column, row] = await page.value(pixel);
+    })()`);
     assert.ok(Math.abs(column - 30 * split - 5) <= 2 && Math.abs(row - 301) <= 2, `(${column}, ${row})`);
     assert.equal(said, sentences(await page.value(`eightfold.inspect(${column}, ${row})`)));
     writeFileSync(join(screenshots, "web-verdict.png"), await page.screenshot());

@@ -116,6 +116,7 @@ pub fn record(range: Range<u32>) -> Vec<[f32; 2]> {
     samples
 }
 
+/// 48 kHz, 32-bit floating point.
 pub fn wav(samples: &[[f32; 2]]) -> Vec<u8> {
     let size = samples.len() as u32 * FRAME;
     // Format 3 is floating point.

@@ -105,6 +105,8 @@ fn compile_stub(toolchain: &Toolchain, system: &str, object: &Path) -> Result<()
         .args([object, &source])
         .status();
     let status = at(&toolchain.rustc, done)?;
-    let failed = || format!("{}: rustc failed: {status}", source.display()).into();
-    status.success().then_some(()).ok_or_else(failed)
+    if !status.success() {
+        return Err(format!("{}: rustc failed: {status}", source.display()).into());
+    }
+    Ok(())
 }

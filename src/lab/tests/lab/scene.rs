@@ -34,9 +34,16 @@ fn every_command_reports_mistake_in_one_line() {
     fs::write(&bad, "Scene(\n    haze: -1.0,\n)\n").expect("it can be written");
     fs::write(&moving, MOVING).expect("it can be written");
     let out = folder.path().join("none").display().to_string();
-    let commands = "bench|trade|figures|view|render --out -|truth --out -|capture --png OUT|\
-                    capture --sheet -";
-    for command in commands.split('|') {
+    for command in [
+        "bench",
+        "trade",
+        "figures",
+        "view",
+        "render --out -",
+        "truth --out -",
+        "capture --png OUT",
+        "capture --sheet -",
+    ] {
         for (name, says) in [
             (&bad, "2:11: haze is -1; must be 0 to 1000"),
             (&moving, "4:65: motions[0] sets spheres[0].radius to -0.2629"),
