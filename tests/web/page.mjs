@@ -174,8 +174,13 @@ const tests = {
     // A key moves the loupe by a square.
     await page.key("ArrowRight", "ArrowRight", true);
     const beside = await page.value(`eightfold.inspect(${column + 8}, ${row})`);
-    assert.equal(await page.value("document.querySelector('#verdict p').textContent"), sentences(beside));
+    const shown = "document.querySelector('#verdict p').textContent";
+    assert.equal(await page.value(shown), sentences(beside));
     assert.equal(await page.value("eightfold.clock.time()"), 20);
+    // A repeated move keeps the loupe where a key has moved it.
+    await page.mouse("mouseMoved", x, y);
+    await sleep(300);
+    assert.equal(await page.value(shown), sentences(beside));
     await page.mouse("mouseMoved", 1, 1);
     await page.until("document.getElementById('verdict').hidden");
   },

@@ -547,11 +547,15 @@ function listen() {
     module.calls.govern(HELD);
   });
   get("picture").addEventListener("pointermove", (event) => {
+    // Chromium repeats the last move when the layout changes.
+    if (event.clientX === inspect.pointer?.[0] && event.clientY === inspect.pointer[1]) return;
+    inspect.pointer = [event.clientX, event.clientY];
     get("verdict").hidden = true;
     clearTimeout(inspect.timer);
     if (!clock.isPlaying && event.pointerType === "mouse") inspect.timer = setTimeout(() => explainSquare(event), 150);
   });
   get("picture").addEventListener("pointerleave", () => {
+    inspect.pointer = null;
     get("verdict").hidden = true;
     clearTimeout(inspect.timer);
   });
