@@ -54,8 +54,7 @@ fn most_traced(quality: &Quality, width: usize, height: usize) -> u64 {
     // on either side, three if `edge` is below 20.
     let of_pixel = if quality.edge < 20 { 15 } else { 11 };
     let middles = usize::from(quality.antialias) * of_pixel * width * height;
-    // Crowds of mirrors have squares of 4 pixels at most.
-    (most_points(quality.square.min(4), width, height) + middles) as u64
+    (most_points(quality.square, width, height) + middles) as u64
 }
 
 fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<Difference> {
