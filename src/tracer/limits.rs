@@ -7,7 +7,7 @@
 //!
 //! | property | figure |
 //! | --- | --- |
-//! | objects in direct view that an exhaustive frame shows and a preset misses | 0 |
+//! | objects in direct view, and slits between bars, that an exhaustive frame shows and a preset misses | 0 |
 //! | missed shadows of spheres on planes, from point lights, darker by 2/255 or more; except "low lights" below | 0 |
 //! | missed images of spheres and boxes in a flat first plane, of 2x2 pixels or more | 0 |
 //! | missed highlights in direct view, of 5 pixels or more around the point that mirrors the light | 0 |

@@ -4,7 +4,7 @@ use core::str::FromStr;
 
 /// Settings that trade accuracy for speed: the refinement of squares and the depth of rays.
 ///
-/// A square is filled if its corners have one 8-bit colour, or if their colours differ by at most a tolerance; otherwise it is split.
+/// A square is filled if its corners show one object, in one 8-bit colour or in colours within a tolerance; otherwise it is split.
 /// Corners with equal *keys* show the same objects in the same light and, in mirrors and glass, the same fields of patterns. A tolerance
 /// is in units of 1/255 of a channel, for squares of 8 pixels; it doubles for squares of 4 pixels, where an error covers a quarter of the
 /// pixels, and so on.
@@ -15,7 +15,7 @@ pub struct Quality {
     pub square: usize,
     /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The tolerance for different keys, 0 to infinity. If both are equal, keys are not computed.
+    /// The tolerance for different keys of one object, 0 to infinity. If both are equal, keys are not computed.
     pub tolerance_differing: f32,
     /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within it, the
     /// midpoint is their mean.
@@ -25,8 +25,8 @@ pub struct Quality {
     /// `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: most such light has no bounds.
-    /// Below infinity, a square is also split where a sphere or a block may be in shadow, and where its corners show several objects in one
-    /// colour: no thin thing is missed. Ignored unless `guarded`.
+    /// Below infinity, a square is also split where a sphere or a block may be in shadow: no thin thing is missed. Ignored unless
+    /// `guarded`.
     pub unguarded_weight: f32,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,

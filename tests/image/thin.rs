@@ -1,7 +1,10 @@
 use crate::drawn::{draw, isa_of, named, with_antialias};
 use crate::error::worst_channel;
 use eightfold_harness::patches::largest_of;
-use eightfold_scenes::{Seen, cases};
+use eightfold_scenes::{Random, Seen, cases, solids};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Block, Camera, Material, Scene};
+use glam::{Mat3, Vec3, vec3};
 use std::collections::HashMap;
 
 /// The least difference, of 255, that shows a bar or a wrong pixel.
@@ -46,6 +49,42 @@ fn assert_whole(count: u64) -> usize {
 fn thin_bars_have_no_holes() {
     let shown = assert_whole(5);
     assert!(shown > 300_000, "{shown}");
+}
+
+/// A fence against the sky, without light: all its bars have the colour of the corners of squares.
+fn fence(random: &mut Random) -> Scene {
+    let shape = random.one_of(solids::SHAPES);
+    let turn = Mat3::from_rotation_z(random.between(-1.6, 1.6));
+    // In pixels of 1/100 unit.
+    let (bar, slit) = (random.between(4.0, 20.0), random.between(0.6, 3.0));
+    let mut scene = Scene {
+        camera: Camera::new(vec3(0.0, 0.0, 10.0), Vec3::ZERO, 0.12),
+        background: Vec3::ONE,
+        ..Scene::default()
+    };
+    for i in -15..15_i8 {
+        let half = solids::fitting(shape, vec3(0.005 * bar, 2.0, 0.005 * bar));
+        let centre = turn * vec3(0.01 * (bar + slit) * f32::from(i), 0.0, 0.0);
+        let block = Block::new(shape, centre, half, Material::BLACK);
+        scene.blocks.push(Block { axes: turn, ..block });
+    }
+    scene
+}
+
+#[test]
+fn slits_in_black_fences_are_shown() {
+    let mut shown = 0;
+    for mut random in cases(12) {
+        let scene = fence(&mut random);
+        let isa = isa_of(random.seed);
+        let exhaustive = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 160, 120).pixels;
+        shown += exhaustive.iter().filter(|&&pixel| pixel != 0).count();
+        for quality in named() {
+            let drawn = draw(isa, 1, &scene, &with_antialias(false, quality), 160, 120).pixels;
+            assert!(drawn == exhaustive, "case {} by {quality:?}", random.seed);
+        }
+    }
+    assert!(shown > 20_000, "{shown}");
 }
 
 #[test]

@@ -45,7 +45,7 @@ pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
 pub(super) struct Verdict {
     pub agreeing: Bits,
     pub flat: Bits,
-    /// The corners have the same 8-bit colour, or differ within the limit.
+    /// The corners show one object, in the same 8-bit colour or within the limit.
     pub filled: Bits,
     /// A corner shows a pattern finer than squares.
     pub patterned: Bits,
@@ -92,7 +92,7 @@ fn judge_by<S: Simd>(
             let [a, b, c, d]: [U<S>; 4] = corners(simd, rows);
             let agreeing = a.simd_eq(b) & a.simd_eq(c) & a.simd_eq(d);
             let agreeing = agreeing.to_bitmask() << first;
-            let (mut near, mut flat, mut patterned) = ([0; 2], 0, 0);
+            let (mut near, mut flat, mut shared, mut patterned) = ([0; 2], 0, 0, 0);
             for half in [0, n / 2] {
                 let samples = x + half..=x + half + n / 2;
                 let rows = (&above.samples[samples.clone()], &below.samples[samples]);
@@ -104,14 +104,16 @@ fn judge_by<S: Simd>(
                 for (near, limit) in near.iter_mut().zip(limits) {
                     *near |= within(simd, max, min, limit) << first;
                 }
-                flat |= same_pixel(simd, max, min) << first;
+                let [colours, objects] = same(simd, max, min).map(|same| same << first);
+                flat |= colours;
+                shared |= objects;
                 patterned |= any_patterned(simd, samples) << first;
             }
             let [near_agreeing, near_differing] = near;
             let near = near_agreeing & agreeing | near_differing & !agreeing;
             verdict.agreeing.0[word] |= agreeing & squares;
             verdict.flat.0[word] |= flat & squares;
-            verdict.filled.0[word] |= (near | flat) & squares;
+            verdict.filled.0[word] |= (near | flat) & shared & squares;
             verdict.patterned.0[word] |= patterned & squares;
         }
     }
@@ -140,12 +142,14 @@ fn within<S: Simd>(simd: S, max: S::i16s, min: S::i16s, limit: Limit) -> u64 {
     excess.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
 }
 
-/// Rounding is monotonic, so comparing the extremes suffices.
+/// Returns where corners have one colour, rounded, and where they show one object. Rounding is monotonic: comparing the extremes suffices.
 #[inline(always)]
-fn same_pixel<S: Simd>(simd: S, max: S::i16s, min: S::i16s) -> u64 {
+fn same<S: Simd>(simd: S, max: S::i16s, min: S::i16s) -> [u64; 2] {
     let half = S::i16s::splat(simd, STEP as i16 / 2);
     let step = |channel: S::i16s| (channel + half) >> STEP.trailing_zeros();
-    let differing: S::u64s = (step(max) ^ step(min)).bitcast();
-    let differing = differing & S::u64s::splat(simd, Sample::COLOUR);
-    differing.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
+    let differing = [(step(max) ^ step(min), Sample::COLOUR), (max ^ min, !Sample::COLOUR)];
+    differing.map(|(bits, mask)| {
+        let bits: S::u64s = bits.bitcast();
+        (bits & S::u64s::splat(simd, mask)).simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
+    })
 }

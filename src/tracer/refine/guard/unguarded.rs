@@ -22,8 +22,7 @@ impl Squares<'_> {
         }
     }
 
-    /// Returns whether a square may show light without a bound, or has corners that show several objects in one colour: the verdict would
-    /// fill it, and lose a slit between the objects.
+    /// Returns whether a square may show light without a bound.
     fn may_show_unguarded(&self, x: usize, y: usize) -> bool {
         let row = &self.grid[y * self.stride + x..];
         let samples = [row[0], row[1], row[self.stride], row[self.stride + 1]].map(Sample);
@@ -31,11 +30,9 @@ impl Squares<'_> {
             return true;
         }
         let [first, others @ ..] = samples;
-        if others.map(Sample::object) != [first.object(); 3] {
-            let pixel = |sample: Sample| sample.pixel(Sample::HALF_STEP);
-            return others.map(pixel) == [pixel(first); 3];
-        }
-        first.object().is_some_and(|id| self.may_be_shadowed(id, x, y))
+        // The verdict splits squares of several objects.
+        let is_alike = others.map(Sample::object) == [first.object(); 3];
+        is_alike && first.object().is_some_and(|id| self.may_be_shadowed(id, x, y))
     }
 
     /// Returns whether a shadow without an outline may fall on the part of the object `id` that a square shows.
