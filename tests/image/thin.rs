@@ -51,7 +51,7 @@ fn thin_bars_have_no_holes() {
     assert!(shown > 300_000, "{shown}");
 }
 
-/// A fence against the sky, without light: all its bars have the colour of the corners of squares.
+/// A black fence against the sky.
 fn fence(random: &mut Random) -> Scene {
     let shape = random.one_of(solids::SHAPES);
     let turn = Mat3::from_rotation_z(random.between(-1.6, 1.6));
