@@ -36,38 +36,39 @@ static ENVIRONMENT: Environment = Environment {
     ..Environment::EMPTY
 };
 
-/// Stays in the centre while the camera sways, so that the gems are cut into other figures.
+/// Stays in the centre while the camera sways.
 const LAMP: [f32; 3] = [0.0, 6.5, 0.0];
 
 static SHOTS: &[Shot] = &[shot(
     6,
+    // Swaying only along the drawn wedge's diagonal, without a roll (large tilts): resting gems leave no slivers at mirrors.
     &[
-        view([0.0, 20.7, 0.0], LAMP).tilted(0.0, -1.0),
-        view([3.0, 18.0, 4.0], LAMP).tilted(0.0, -1.0),
-        view([-2.0, 18.0, -1.5], LAMP).tilted(0.0, -1.0),
-        view([3.0, 18.0, 3.0], LAMP).tilted(0.0, -1.0),
-        view([0.0, 19.0, 0.0], LAMP).tilted(0.0, -1.0),
+        view([0.0, 20.7, 0.0], LAMP).tilted(0.0, -9.0),
+        view([0.5, 18.0, 0.5], LAMP).tilted(0.0, -9.0),
+        view([0.0, 19.0, 0.0], LAMP).tilted(0.0, -9.0),
+        view([0.3, 17.5, 0.3], LAMP).tilted(0.0, -9.0),
+        view([0.0, 19.0, 0.0], LAMP).tilted(0.0, -9.0),
     ],
 )];
 
 static FLOOR: Material = Material::matt(vec3(0.4, 0.2, 0.09), 0.9);
 
-/// Amber, ruby, amethyst and sapphire.
+/// Pearl, ruby, amethyst and sapphire.
 static COLOURS: [Vec3; 4] =
-    [vec3(0.75, 0.2, 0.01), vec3(0.5, 0.0, 0.03), vec3(0.1, 0.01, 0.36), vec3(0.0, 0.09, 0.42)];
+    [vec3(0.85, 0.75, 0.6), vec3(0.5, 0.0, 0.03), vec3(0.1, 0.01, 0.36), vec3(0.0, 0.09, 0.42)];
 
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
     let kicked = 1.0 - smooth_step(kick.since);
-    // Half a gem's spacing per kick: gems stand next to a mirror, or on it.
-    let mut turns = (kick.count as f32 + smooth_step(kick.since * 2.0)) * 0.03125;
-    // On each kick the lamp flares, and the rings widen.
+    // Half a gem's spacing per kick: gems rest on mirrors or halfway between.
+    let mut turns = (kick.count as f32 + smooth_step(kick.since * 3.0)) * 0.0625;
+    // Kicks flare the lamp and widen the rings.
     scene.lights[0].colour *= 1.0 + 0.3 * kicked;
     let mut distance = 3.0 + 0.22 * kicked;
     // Each of the first three booms adds a ring.
     for &colour in COLOURS.iter().take(now.cue(Track::Boom).count as usize + 1) {
-        // The shadows have the colour, too. Films grow, so their colours change.
-        // Without highlights: two next to a mirror look like eyes.
+        // Shadows have the colour, too. Films grow, so their colours change.
+        // No highlights: pairs at a mirror look like eyes.
         let gem = Material {
             // Below 0.3: every pixel of a crowd of mirrors is traced.
             kr: 0.18,
@@ -75,13 +76,13 @@ fn add(now: Now, scene: &mut Scene) {
             tint: colour,
             ..Material::matt(colour, 0.65)
         };
-        for number in 0..16 {
-            let out = around(number as f32 * 0.0625 + turns);
+        for number in 0..8 {
+            let out = around(number as f32 * 0.125 + turns);
             // Above the floor: all of the shadow of a sphere that cuts it would be traced.
-            add_sphere((out + Vec3::Y * 0.36) * distance, 0.16 * distance, &gem, scene);
+            add_sphere((out + Vec3::Y * 0.34) * distance, 0.22 * distance, &gem, scene);
         }
-        // The next ring turns back, and its gems stand between.
-        turns = 0.03125 - turns;
-        distance *= 1.42;
+        // The next ring turns back; its gems stand between.
+        turns = 0.0625 - turns;
+        distance *= 1.46;
     }
 }
