@@ -67,6 +67,36 @@ fn balls_land_on_their_notes() {
     }
 }
 
+#[test]
+fn resting_gems_leave_no_slivers_at_mirrors() {
+    let first = show::cut("kaleidoscope");
+    let beats = (0..24 * 16).map(|i| i as f32 / 16.0);
+    for beat in beats.filter(|&beat| cue(Track::Kick, first, beat).since > 0.34) {
+        let Moment { scene, presentation } = shown(first as f32 * grid::BAR + beat * grid::BEAT);
+        let raster = scene.camera.raster(16, 9);
+        let [right, down] = [raster.dx, raster.dy].map(Vec3::normalize);
+        let from_eye = |point: Vec3| point - scene.camera.eye;
+        let depth = |point| from_eye(point).dot(right.cross(down));
+        let place = |point| [right, down].map(|axis| from_eye(point).dot(axis) / depth(point));
+        let [left, top] = place(scene.lights[0].position);
+        for gem in scene.spheres.iter() {
+            let [x, y] = place(gem.centre);
+            let ([x, y], radius) = ([x - left, y - top], gem.radius / depth(gem.centre));
+            // Wide and tall pictures.
+            let inside = match presentation.sectors {
+                1.0 => [f32::INFINITY; 2],
+                2.0 => [x; 2],
+                4.0 => [x.min(y); 2],
+                _ => [y.min((x - y) * 0.707), x.min((y - x) * 0.707)],
+            };
+            for inside in inside {
+                let is_whole = !(-1.0..-0.1).contains(&(inside / radius));
+                assert!(is_whole, "beat {beat}: {inside} of {radius}");
+            }
+        }
+    }
+}
+
 /// The method begins where the still life ends.
 #[test]
 fn camera_jumps_on_bars_and_at_cuts() {

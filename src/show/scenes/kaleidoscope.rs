@@ -1,4 +1,4 @@
-//! The kaleidoscope: rings of gems around the only light, whose shadows are beams of their colours, folded into eight.
+//! The kaleidoscope: rings of gems around the only light, with shadows of their colours, folded into eight.
 
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
@@ -25,7 +25,7 @@ static ENVIRONMENT: Environment = Environment {
         glow: 0.3,
         ..point(LAMP, [4.2, 2.6, 1.7])
     }],
-    // Draws gold filigree on the outer sides of the gems.
+    // Gold filigree on the gems' outer sides.
     softboxes: &[softbox([1.0, 0.35, 0.8], [0.8, 0.2, 0.25], [20.0, 13.0, 5.0])],
     field_of_view: 0.9,
     add,
