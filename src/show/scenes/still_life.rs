@@ -11,14 +11,14 @@ use glam::{Vec3, vec3};
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
 
 pub(super) static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.34, 0.285, 0.225),
-    sky: vec3(-0.30, -0.255, -0.20),
+    background: vec3(0.405, 0.333, 0.26),
+    sky: vec3(-0.24, -0.2, -0.16),
     ambient: vec3(0.36, 0.37, 0.42),
     ambience: Ambience { occlusion: 1.0, reach: 1.0, ground: vec3(0.18, 0.15, 0.12), bounce: 0.9 },
     haze: 0.022,
     vignette: 0.2,
     floor: Some(&PAPER),
-    lights: &[Light { diameter: 20.0, ..point([-30.0, 48.0, 27.0], [1.75, 1.6, 1.35]) }],
+    lights: &[Light { diameter: 800.0, ..point([-600.0, 960.0, 540.0], [1.75, 1.6, 1.35]) }],
     field_of_view: 0.62,
     add,
     ..Environment::EMPTY
@@ -31,17 +31,17 @@ static SHOTS: &[Shot] = &[
     shot(
         4,
         &[
-            view([-0.5, 1.8, 8.55], [0.0, 1.0, 0.0]),
-            view([-1.6, 1.5, 7.7], [0.2, 0.9, 0.2]),
-            view([-1.4, 1.0, 6.2], [0.5, 0.7, 0.5]),
+            view([-0.5, 2.3, 8.45], [0.0, 1.0, 0.0]),
+            view([-1.6, 2.1, 7.6], [0.2, 0.8, 0.2]),
+            view([-1.4, 1.7, 6.1], [0.5, 0.7, 0.5]),
         ],
     ),
     shot(
         2,
         &[
-            view([4.2, 0.8, 6.3], [1.0, 0.7, 0.9]),
-            view([3.2, 0.8, 6.0], PEARL_BALL),
-            view([2.4, 0.75, 5.8], PEARL_BALL),
+            view([4.2, 1.7, 6.1], [1.0, 0.7, 0.9]),
+            view([3.2, 1.5, 6.2], PEARL_BALL),
+            view([2.5, 1.3, 6.3], PEARL_BALL),
         ],
     ),
 ];
@@ -63,7 +63,7 @@ static GLASS: Material = Material {
     exponent: 120.0,
     kr: 0.05,
     fresnel: 1.0,
-    kt: 0.95,
+    kt: 0.85,
     index: 1.4,
     tint: vec3(0.62, 0.66, 0.68),
     ..Material::BLACK
