@@ -7,7 +7,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_sphere, fraction};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Light, Material, Scene};
+use eightfold_tracer::scene::{Light, Material, Pattern, Scene};
 use glam::{Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS);
@@ -19,12 +19,12 @@ static ENVIRONMENT: Environment = Environment {
     vignette: 0.4,
     lights: &[
         Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [0.6, 0.2, 0.11]) },
-        Light { diameter: 0.5, ..point([-9.0, 3.2, 2.0], [3.0, 2.7, 2.3]) },
+        Light { diameter: 0.5, ..point([-6.0, 3.0, 6.0], [2.0, 1.75, 1.5]) },
     ],
     softboxes: &[
-        // A window behind the camera, a strip of evening sun, and a pale sky above.
-        softbox([-7.0, 6.5, 9.0], [0.5, 0.4, 0.3], [26.0, 22.0, 18.0]),
-        softbox([9.0, -1.0, 6.0], [0.2, 1.2, 0.2], [12.0, 5.0, 2.6]),
+        // Long strips of daylight and of evening sun, and a pale sky above.
+        softbox([-9.0, 2.0, 5.0], [0.5, 20.0, 0.8], [16.0, 14.0, 11.0]),
+        softbox([9.0, -1.0, 5.0], [0.5, 20.0, 0.8], [8.0, 3.5, 2.0]),
         softbox([0.0, 1.0, 0.2], [2.5, 2.5, 2.5], [1.2, 1.0, 1.1]),
     ],
     add,
@@ -53,6 +53,8 @@ static SHOTS: &[Shot] = &[
 const FILM: Material =
     Material { kr: 0.22, fresnel: 0.9, kt: 0.97, tint: Vec3::ONE, ..Material::BLACK };
 
+/// Seen through a film, stronger swirls would tear.
+static WORLD: Material = Material { pattern: Pattern { swirl: 0.08, ..GIANT.pattern }, ..GIANT };
 static SPECK: Material = Material::matt(vec3(4.0, 2.4, 1.6), 0.9);
 
 /// The bubbles' centres, at rest, and radii.
@@ -80,7 +82,7 @@ fn add(now: Now, scene: &mut Scene) {
     let world = smooth_step((now.beat - 14.0) / 8.5);
     if world > 0.06 {
         // Off its centre, the guard would miss that the bubble hides it.
-        add_sphere(float(0.0, now), 0.68 * world, &GIANT, scene);
+        add_sphere(float(0.0, now), 0.68 * world, &WORLD, scene);
     }
     let pop = now.cue(Track::Pop);
     for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {

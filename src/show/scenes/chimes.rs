@@ -12,7 +12,7 @@ pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS)
 
 static ENVIRONMENT: Environment = Environment {
     background: vec3(0.03, 0.09, 0.125),
-    sky: vec3(-0.027, -0.08, -0.105),
+    sky: vec3(-0.025, -0.08, -0.1),
     ambient: vec3(0.21, 0.16, 0.12),
     haze: 0.045,
     vignette: 0.3,
@@ -21,7 +21,7 @@ static ENVIRONMENT: Environment = Environment {
         Light { diameter: 1.8, glow: 0.18, core: 0.55, ..point([0.0, 1.4, 0.0], [3.0, 1.7, 0.7]) },
         Light { glow: 0.2, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
     ],
-    softboxes: &[softbox([-4.0, 0.0, 8.0], [1.0, 20.0, 1.3], [2.5, 2.0, 1.4])],
+    softboxes: &[softbox([-4.0, 0.0, 8.0], [1.0, 20.0, 1.25], [2.5, 2.0, 1.5])],
     field_of_view: 0.75,
     add,
     ..Environment::EMPTY
@@ -32,10 +32,10 @@ static SHOTS: &[Shot] = &[
         5,
         &[
             view([-1.2, 3.6, 6.9], [-0.834, 2.76, 2.568]),
-            view([1.4, 4.0, 9.6], [0.0, 2.3, 0.0]),
-            view([4.0, 4.0, 9.4], [0.0, 2.3, 0.0]),
-            view([6.6, 4.0, 7.8], [0.0, 2.3, 0.0]),
-            view([8.8, 4.6, 5.2], [0.0, 2.1, 0.0]),
+            view([1.5, 4.0, 9.5], [0.0, 2.25, 0.0]),
+            view([4.0, 4.0, 9.5], [0.0, 2.25, 0.0]),
+            view([6.5, 4.0, 7.75], [0.0, 2.25, 0.0]),
+            view([8.75, 4.5, 5.25], [0.0, 2.1, 0.0]),
         ],
     ),
     shot(

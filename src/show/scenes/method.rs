@@ -18,15 +18,15 @@ static ENVIRONMENT: Environment = Environment { present, ..still_life::ENVIRONME
 static SHOTS: &[Shot] = &[shot(
     8,
     &[
-        view([2.5, 1.3, 6.3], PEARL_BALL),
+        view([2.5, 1.25, 6.25], PEARL_BALL),
         view([0.5, 1.0, 6.6], [0.9, 0.7, 0.7]),
         view([-1.6, 1.4, 7.2], [0.5, 0.9, 0.2]),
         view([-3.4, 1.7, 7.2], [0.2, 1.0, 0.0]),
         view([-1.0, 1.6, 7.8], [0.4, 0.9, 0.2]),
         view([1.8, 1.2, 6.8], [0.8, 0.7, 0.6]),
-        view([2.4, 1.3, 6.0], [1.1, 0.6, 1.1]),
-        view([2.1, 1.3, 6.0], PEARL_BALL),
-        view([2.1, 1.3, 6.0], PEARL_BALL),
+        view([2.5, 1.25, 6.0], [1.1, 0.6, 1.1]),
+        view([2.0, 1.25, 6.25], PEARL_BALL),
+        view([2.0, 1.25, 6.25], PEARL_BALL),
     ],
 )];
 
