@@ -18,7 +18,7 @@ static ENVIRONMENT: Environment = Environment {
     vignette: 0.3,
     floor: Some(&FLOOR),
     lights: &[
-        Light { diameter: 1.8, glow: 0.18, core: 0.55, ..point([0.0, 1.4, 0.0], [3.0, 1.7, 0.7]) },
+        Light { diameter: 2.5, glow: 0.2, core: 0.5, ..point([0.0, 1.4, 0.0], [3.0, 1.7, 0.7]) },
         Light { glow: 0.2, spot: Some(Spot::new(Vec3::Y, 0.9)), ..point([0.0; 3], [0.0; 3]) },
     ],
     softboxes: &[softbox([-4.0, 0.0, 8.0], [1.0, 20.0, 1.25], [2.5, 2.0, 1.5])],
@@ -109,7 +109,7 @@ fn add(now: Now, scene: &mut Scene) {
     let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 2.0 * u) };
     // The lamp goes out, so that the last mouth is the only disc.
     scene.lights[0].colour *= if is_last { 1.0 - u } else { 0.7 + 0.5 * glow };
-    let half = vec3(3.7, 0.15, 3.7);
+    let half = vec3(3.7, 0.2, 3.7);
     add_block(Shape::Cylinder, Vec3::Y * half.y, half, Mat3::IDENTITY, &DISC, scene);
     for note in 0..8 {
         let mut end = top(note);
