@@ -162,7 +162,7 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 30, [450, 45]);
 }
 
-/// Limits the points relative to unguarded frames: 1.19 times among the chimes (1.46 with penumbrae and their disc, which hides shadows),
+/// Limits the points relative to unguarded frames: 1.19 times among the chimes (1.47 with penumbrae and their disc, which hides shadows),
 /// 1.17 times among the city's towers.
 #[test]
 fn hidden_objects_open_few_squares() {
