@@ -162,8 +162,8 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 30, [450, 45]);
 }
 
-/// Limits the points relative to unguarded frames: 1.19 times among the chimes (1.47 with penumbrae and their disc, which hides shadows),
-/// 1.17 times among the city's towers.
+/// Limits the points relative to unguarded frames: 1.19 times among the chimes (1.47 with penumbrae and
+/// disc), 1.17 times among the city's towers.
 #[test]
 fn hidden_objects_open_few_squares() {
     let mut chimes = of_the_show(65.0);

@@ -53,7 +53,7 @@ static SHOTS: &[Shot] = &[
 const FILM: Material =
     Material { kr: 0.22, fresnel: 0.9, kt: 0.97, tint: Vec3::ONE, ..Material::BLACK };
 
-/// Seen through a film, stronger swirls would tear.
+/// Through films, stronger swirls would tear.
 static WORLD: Material = Material { pattern: Pattern { swirl: 0.08, ..GIANT.pattern }, ..GIANT };
 static SPECK: Material = Material::matt(vec3(4.0, 2.4, 1.6), 0.9);
 
