@@ -7,7 +7,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape};
+use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape, Waves};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
@@ -22,7 +22,7 @@ static ENVIRONMENT: Environment = Environment {
     haze: 0.0045,
     vignette: 0.25,
     floor: Some(&WATER),
-    lights: &[Light { drawn_radius: 21.0, glow: 8.0, ..point(SUN, [5.0, 2.9, 1.3]) }],
+    lights: &[Light { core: 17.0, glow: 3.0, ..point(SUN, [5.0, 2.9, 1.3]) }],
     field_of_view: 0.75,
     add,
     present,
@@ -68,7 +68,7 @@ const PLUM: Material = Material {
 };
 
 /// Thick films make bands.
-static PLANET: Material = Material { ks: 0.25, film_thickness: 400.0, ..PLUM };
+static PLANET: Material = Material { kd: 0.0, ks: 0.25, film_thickness: 400.0, ..PLUM };
 
 /// The light of the gold square at the end, relative to the ambient light.
 const GOLD: Vec3 = vec3(5.25, 4.7, 0.34);
@@ -86,16 +86,17 @@ fn add(now: Now, scene: &mut Scene) {
     add_sphere(vec3(-60.0, 37.0 - sunk, -112.0), 24.0, &PLANET, scene);
     add_sphere(vec3(52.0 - 0.3 * now.beat, 20.0 - sunk, -130.0), 7.0, &PLANET, scene);
     add_sphere(BALL, 2.2, &GLASS, scene);
-    // Two spiral arms turn around the glass.
+    scene.water = Waves { slope: 0.007, length: 8.0, phase: 0.1 * now.beat };
+    // Two spiral arms float around the glass.
     let [mut out, mut radius] = [3.8, 0.4];
     for number in 0..4 {
         let number = number as f32;
-        let up = Vec3::Y * radius * (1.2 + 0.15 * sin(now.beat * 0.8 - number));
-        for arm in [-0.14, 0.36] {
-            let turns = arm - 0.06 * number + 0.004 * now.beat;
+        let up = Vec3::Y * radius * (0.55 + 0.15 * sin(now.beat * 0.8 - number));
+        for arm in [-0.16, 0.26] {
+            let turns = arm - 0.02 * number + 0.003 * now.beat;
             add_sphere(around(turns) * out + up, radius, &PLUM, scene);
         }
-        (out, radius) = (1.6 * out, 1.35 * radius);
+        (out, radius) = (1.42 * out, 1.35 * radius);
     }
 }
 
