@@ -18,8 +18,8 @@ static ENVIRONMENT: Environment = Environment {
     vignette: 0.3,
     lights: &[
         Light { diameter: 8.5, ..point([-400.0, 140.0, 40.0], [3.2, 2.9, 2.5]) },
-        // The air at the giant's rim.
-        Light { core: 0.935, glow: 0.025, ..point([0.0; 3], [0.3, 0.65, 1.4]) },
+        // The air.
+        Light { core: 0.75, glow: 0.25, ..point([0.0; 3], [0.125, 0.25, 0.625]) },
         nebula([110.0, -20.0, -170.0], [0.16, 0.04, 0.12]),
         nebula([-90.0, 30.0, -170.0], [0.01, 0.08, 0.12]),
     ],
@@ -78,7 +78,8 @@ static STONE: Material = Material {
         swirl: 0.2,
         ..Pattern::NONE
     },
-    ..Material::matt(vec3(0.52, 0.476, 0.434), 1.0)
+    // Amplifies ambient light only.
+    ..Material::matt(vec3(16.0, 15.0, 14.0), 0.03125)
 };
 
 fn add(now: Now, scene: &mut Scene) {
@@ -87,7 +88,8 @@ fn add(now: Now, scene: &mut Scene) {
     for number in 0..5 {
         let moon = number as f32;
         let out = around(0.21 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
-        let centre = out + Vec3::Y * (-0.25 * out.x - 0.2 * out.z);
+        // Outside the giant's shadow.
+        let centre = out + Vec3::Y * (0.3 - 0.07 * out.x - 0.25 * out.z);
         add_sphere(centre, 0.05 + 0.18 * fraction(moon * 0.37), &STONE, scene);
     }
     add_stars(scene);
@@ -95,5 +97,5 @@ fn add(now: Now, scene: &mut Scene) {
     let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
     let sun = around(0.87 - 0.0025 * steps) * 400.0 + Vec3::Y * 140.0;
     scene.lights[0].position = sun;
-    scene.lights[1].spot = Some(Spot { aim: sun, inner_angle: 0.9, outer_angle: 2.0 });
+    scene.lights[1].spot = Some(Spot { aim: sun, inner_angle: 2.0, outer_angle: 3.0 });
 }
