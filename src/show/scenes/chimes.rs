@@ -14,7 +14,7 @@ static ENVIRONMENT: Environment = Environment {
     background: vec3(0.03, 0.09, 0.125),
     sky: vec3(-0.025, -0.08, -0.1),
     ambient: vec3(0.21, 0.16, 0.12),
-    haze: 0.045,
+    haze: 0.06,
     vignette: 0.3,
     floor: Some(&FLOOR),
     lights: &[
@@ -56,14 +56,6 @@ static BRASS: Material = Material {
     kr: 0.55,
     film_thickness: 158.0,
     anisotropy: 0.85,
-    ..Material::matt(vec3(0.69, 0.355, 0.084), 0.4)
-};
-/// Its own shadow would take 1.3 % of the points.
-static DISC: Material = Material {
-    ks: 1.0,
-    exponent: 8.0,
-    metallic: 1.0,
-    tint: Vec3::ONE,
     ..Material::matt(vec3(0.69, 0.355, 0.084), 0.4)
 };
 /// Bronze.
@@ -109,8 +101,6 @@ fn add(now: Now, scene: &mut Scene) {
     let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 2.0 * u) };
     // The lamp goes out, so that the last mouth is the only disc.
     scene.lights[0].colour *= if is_last { 1.0 - u } else { 0.7 + 0.5 * glow };
-    let half = vec3(3.7, 0.2, 3.7);
-    add_block(Shape::Cylinder, Vec3::Y * half.y, half, Mat3::IDENTITY, &DISC, scene);
     for note in 0..8 {
         let mut end = top(note);
         // In beats: bores glow on.
