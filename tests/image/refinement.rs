@@ -40,7 +40,7 @@ fn default_has_45_db_and_42_in_fields() {
     }
 }
 
-/// Returns the number of pixels and of corners outside the picture. A square and its fourths can end at different corners outside.
+/// Returns the number of pixels, and of the corners that squares of each size may have outside.
 pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     let sizes = || iter::successors(Some(square), |size| Some(size / 2).filter(|&half| half > 0));
     let corners = |side: usize, tile: usize| -> usize {

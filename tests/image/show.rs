@@ -82,7 +82,6 @@ fn resting_gems_leave_no_slivers_at_mirrors() {
         for gem in scene.spheres.iter() {
             let [x, y] = place(gem.centre);
             let ([x, y], radius) = ([x - left, y - top], gem.radius / depth(gem.centre));
-            // Wide and tall pictures.
             let inside = match presentation.sectors {
                 1.0 => [f32::INFINITY; 2],
                 2.0 => [x; 2],

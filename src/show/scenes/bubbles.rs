@@ -22,7 +22,7 @@ static ENVIRONMENT: Environment = Environment {
         Light { diameter: 0.5, ..point([-6.0, 3.0, 6.0], [2.0, 1.75, 1.5]) },
     ],
     softboxes: &[
-        // Long strips of daylight and of evening sun, and a pale sky above.
+        // Daylight, evening sun, and a pale sky above.
         softbox([-9.0, 2.0, 5.0], [0.5, 4.0, 0.8], [16.0, 14.0, 11.0]),
         softbox([9.0, -1.0, 5.0], [0.5, 4.0, 0.8], [8.0, 3.5, 2.0]),
         softbox([0.0, 1.0, 0.2], [2.5, 2.5, 2.5], [1.2, 1.0, 1.1]),

@@ -41,7 +41,7 @@ const LAMP: [f32; 3] = [0.0, 6.5, 0.0];
 
 static SHOTS: &[Shot] = &[shot(
     6,
-    // Swaying only along the drawn wedge's diagonal, without a roll (large tilts): resting gems leave no slivers at mirrors.
+    // Along the drawn wedge's diagonal, without a roll: resting gems leave no slivers at mirrors.
     &[
         view([0.0, 20.7, 0.0], LAMP).tilted(0.0, -9.0),
         view([0.5, 18.0, 0.5], LAMP).tilted(0.0, -9.0),
@@ -62,7 +62,6 @@ fn add(now: Now, scene: &mut Scene) {
     let kicked = 1.0 - smooth_step(kick.since);
     // Half a gem's spacing per kick: gems rest on mirrors or halfway between.
     let mut turns = (kick.count as f32 + smooth_step(kick.since * 3.0)) * 0.0625;
-    // Kicks flare the lamp and widen the rings.
     scene.lights[0].colour *= 1.0 + 0.3 * kicked;
     let mut distance = 3.0 + 0.22 * kicked;
     // Each of the first three booms adds a ring.

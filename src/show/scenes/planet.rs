@@ -18,7 +18,6 @@ static ENVIRONMENT: Environment = Environment {
     vignette: 0.3,
     lights: &[
         Light { diameter: 8.5, ..point([-400.0, 140.0, 40.0], [3.2, 2.9, 2.5]) },
-        // The air.
         Light { core: 0.75, glow: 0.25, ..point([0.0; 3], [0.125, 0.25, 0.625]) },
         nebula([110.0, -20.0, -170.0], [0.16, 0.04, 0.12]),
         nebula([-90.0, 30.0, -170.0], [0.01, 0.08, 0.12]),
