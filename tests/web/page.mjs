@@ -175,7 +175,7 @@ const tests = {
     await page.key("ArrowRight", "ArrowRight", true);
     const beside = await page.value(`eightfold.inspect(${column + 8}, ${row})`);
     const shown = "document.querySelector('#verdict p').textContent";
-    assert.equal(await page.value(shown), sentences(beside));
+    await page.until(`${shown} === ${JSON.stringify(sentences(beside))}`);
     assert.equal(await page.value("eightfold.clock.time()"), 20);
     // A repeated move keeps the loupe where a key has moved it.
     await page.mouse("mouseMoved", x, y);

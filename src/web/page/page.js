@@ -459,6 +459,7 @@ function explainSquare({ offsetX, offsetY }) {
 
 /** Moves the loupe by a number of squares, initially from the centre. */
 function moveLoupe(right, down) {
+  clearTimeout(inspect.timer);
   const { clientWidth, clientHeight } = canvas;
   const square = (8 * clientWidth) / canvas.width;
   const { offsetX, offsetY } = view.place ?? { offsetX: clientWidth / 2, offsetY: clientHeight / 2 };
@@ -547,15 +548,15 @@ function listen() {
     module.calls.govern(HELD);
   });
   get("picture").addEventListener("pointermove", (event) => {
-    // Chromium repeats the last move when the layout changes.
-    if (event.clientX === inspect.pointer?.[0] && event.clientY === inspect.pointer[1]) return;
-    inspect.pointer = [event.clientX, event.clientY];
+    // Chromium repeats the last move, rounded, when the layout changes.
+    const { clientX, clientY } = inspect.pointer ?? {};
+    if (Math.abs(event.clientX - clientX) < 1 && Math.abs(event.clientY - clientY) < 1) return;
+    inspect.pointer = event;
     get("verdict").hidden = true;
     clearTimeout(inspect.timer);
     if (!clock.isPlaying && event.pointerType === "mouse") inspect.timer = setTimeout(() => explainSquare(event), 150);
   });
   get("picture").addEventListener("pointerleave", () => {
-    inspect.pointer = null;
     get("verdict").hidden = true;
     clearTimeout(inspect.timer);
   });
