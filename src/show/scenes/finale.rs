@@ -7,7 +7,7 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =
@@ -86,7 +86,6 @@ fn add(now: Now, scene: &mut Scene) {
     add_sphere(vec3(-60.0, 37.0 - sunk, -112.0), 24.0, &PLANET, scene);
     add_sphere(vec3(52.0 - 0.3 * now.beat, 20.0 - sunk, -130.0), 7.0, &PLANET, scene);
     add_sphere(BALL, 2.2, &GLASS, scene);
-    scene.water = Waves { slope: 0.007, length: 8.0, phase: 0.1 * now.beat };
     // Two spiral arms float around the glass.
     let [mut out, mut radius] = [3.8, 0.4];
     for number in 0..4 {
