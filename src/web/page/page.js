@@ -526,7 +526,8 @@ function listen() {
     const isAgain = event.repeat && !key.startsWith("Arrow");
     if (isAgain && key === "Enter" && target.matches("button")) event.preventDefault();
     // The focused element has its own keys.
-    const own = key === " " ? "button, [type=checkbox]" : key.startsWith("Arrow") && "input, [role=slider]";
+    const arrows = shiftKey ? "[type=range], [role=slider]" : "input, [role=slider]";
+    const own = key === " " ? "button, [type=checkbox]" : key.startsWith("Arrow") && arrows;
     const isUsed = target.matches("textarea, select") || (own && target.matches(own));
     if (isUsed || ctrlKey || altKey || metaKey) return;
     const quality = Number(key) - 1;
