@@ -99,7 +99,7 @@ fn add(now: Now, scene: &mut Scene) {
     let glow = if is_last { 1.0 } else { 1.0 / (1.0 + 2.0 * u) };
     // The lamp goes out, so that the last mouth is the only disc.
     scene.lights[0].colour *= if is_last { 1.0 - u } else { 0.7 + 0.5 * glow };
-    // A plane, whose shadows the guard looks for, takes 7 % more time.
+    // A plane, with guarded shadows, takes 7 % more time.
     add_block(Shape::Box, Vec3::NEG_Y, vec3(99.0, 1.0, 99.0), Mat3::IDENTITY, &FLOOR, scene);
     for note in 0..8 {
         let mut end = top(note);

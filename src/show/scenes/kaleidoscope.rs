@@ -36,7 +36,7 @@ static ENVIRONMENT: Environment = Environment {
     ..Environment::EMPTY
 };
 
-/// Stays in the centre while the camera sways.
+/// Stays central while the camera sways.
 const LAMP: [f32; 3] = [0.0, 6.5, 0.0];
 
 static SHOTS: &[Shot] = &[shot(
