@@ -25,7 +25,7 @@ pub trait Observer: Copy + Sync {
 pub enum Split {
     /// It may show a feature that its corners do not, see [`Quality::guarded`](crate::Quality::guarded).
     Uncovered,
-    /// Its corners show several objects, or have different keys, and colours beyond
+    /// Its corners show several objects, or their keys differ and their colours exceed
     /// [`tolerance_differing`](crate::Quality::tolerance_differing).
     Keys,
     /// Its corners have equal keys, and colours beyond [`tolerance_agreeing`](crate::Quality::tolerance_agreeing).

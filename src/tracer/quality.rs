@@ -15,7 +15,7 @@ pub struct Quality {
     pub square: usize,
     /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The tolerance for different keys of one object, 0 to infinity. If both are equal, keys are not computed.
+    /// The tolerance for different keys of one object, 0 to infinity. If both tolerances are equal, keys are not computed.
     pub tolerance_differing: f32,
     /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within it, the
     /// midpoint is their mean.

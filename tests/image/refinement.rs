@@ -8,7 +8,6 @@ use eightfold_scenes::{Random, cases, crowd};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use std::collections::BTreeSet;
-use std::iter;
 
 fn psnr(scene: &Scene, quality: Quality, size: [usize; 2]) -> f64 {
     compared(cpu::best(), scene, quality, size).0
@@ -42,13 +41,10 @@ fn default_has_45_db_and_42_in_fields() {
 
 /// Returns the number of pixels, and of the corners that squares of each size may have outside.
 pub fn most_points(square: usize, width: usize, height: usize) -> usize {
-    let sizes = || iter::successors(Some(square), |size| Some(size / 2).filter(|&half| half > 0));
     let corners = |side: usize, tile: usize| -> usize {
         let parts = (0..side).step_by(tile).map(|start| (side - start).min(tile));
-        let outside = |part: usize| {
-            sizes().map(|size| part.next_multiple_of(size)).collect::<BTreeSet<_>>().len()
-        };
-        parts.map(|part| part + outside(part)).sum()
+        let ends = |part: usize| (0..=square.ilog2()).map(move |i| part.next_multiple_of(1 << i));
+        parts.map(|part| part + ends(part).collect::<BTreeSet<_>>().len()).sum()
     };
     if square == 1 { width * height } else { corners(width, TILE[0]) * corners(height, TILE[1]) }
 }

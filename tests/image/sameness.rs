@@ -56,7 +56,7 @@ fn threads_order_observers_and_probes_change_no_bit() {
     }
 }
 
-/// Whether a floor hides a light at its height from a point must not depend on other points of the packet.
+/// Whether a floor hides a light in its plane must not depend on the packet's other rays.
 #[test]
 fn lights_level_with_a_floor_change_no_corner() {
     let (width, height) = (320, 240);

@@ -162,8 +162,7 @@ fn random_objects_are_shown() {
     assert_objects(sunk, 30, [450, 45]);
 }
 
-/// Limits the points relative to unguarded frames: 1.11 times among the chimes, 1.17 times among the city's
-/// towers.
+/// The guard traces 1.11 times an unguarded frame's points among the chimes, 1.17 times among the towers.
 #[test]
 fn hidden_objects_open_few_squares() {
     for (time, limit) in [(65.0, 1.13), (54.0, 1.19)] {

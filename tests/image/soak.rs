@@ -1,6 +1,4 @@
 //! Any scene, size and quality draws the same bits on any number of threads and after any other frame, for bounded work.
-//!
-//! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600).
 
 use crate::drawn::isa_of;
 use crate::error::Difference;
@@ -110,9 +108,8 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<f
             }
         }
     }
-    let is_measured = quality == Quality::DEFAULT && !is_corrupt && scene.scene.haze == 0.0;
-    let is_measured = is_measured && pixels.len() > 5000;
-    is_measured.then(|| {
+    let is_clear = !is_corrupt && scene.scene.haze == 0.0;
+    (is_clear && quality == Quality::DEFAULT && pixels.len() > 5000).then(|| {
         let off = Difference::between(&others, &pixels).mean;
         if off > MAX_MEAN_ERROR {
             let quality = Preset::Finest.quality();

@@ -65,8 +65,8 @@ fn fence(random: &mut Random) -> Scene {
     for i in -15..15_i8 {
         let half = solids::fitting(shape, vec3(0.005 * bar, 2.0, 0.005 * bar));
         let centre = turn * vec3(0.01 * (bar + slit) * f32::from(i), 0.0, 0.0);
-        let block = Block::new(shape, centre, half, Material::BLACK);
-        scene.blocks.push(Block { axes: turn, ..block });
+        let bar = Block { axes: turn, ..Block::new(shape, centre, half, Material::BLACK) };
+        scene.blocks.push(bar);
     }
     scene
 }

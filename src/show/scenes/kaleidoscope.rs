@@ -1,4 +1,4 @@
-//! The kaleidoscope: rings of gems around the only light, with shadows of their colours, folded into eight.
+//! The kaleidoscope, folded into eight: rings of gems around the only light cast shadows of their colours.
 
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
@@ -25,7 +25,7 @@ static ENVIRONMENT: Environment = Environment {
         glow: 0.3,
         ..point(LAMP, [4.2, 2.6, 1.7])
     }],
-    // Gold filigree on the gems' outer sides.
+    // Gold filigree.
     softboxes: &[softbox([1.0, 0.35, 0.8], [0.8, 0.2, 0.25], [20.0, 13.0, 5.0])],
     field_of_view: 0.9,
     add,

@@ -104,9 +104,9 @@ fn judge_by<S: Simd>(
                 for (near, limit) in near.iter_mut().zip(limits) {
                     *near |= within(simd, max, min, limit) << first;
                 }
-                let [colours, objects] = same(simd, max, min).map(|same| same << first);
-                flat |= colours;
-                shared |= objects;
+                let [pixels, objects] = same_pixels_and_objects(simd, max, min);
+                flat |= pixels << first;
+                shared |= objects << first;
                 patterned |= any_patterned(simd, samples) << first;
             }
             let [near_agreeing, near_differing] = near;
@@ -142,9 +142,10 @@ fn within<S: Simd>(simd: S, max: S::i16s, min: S::i16s, limit: Limit) -> u64 {
     excess.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
 }
 
-/// Returns where corners have one colour, rounded, and where they show one object. Rounding is monotonic: comparing the extremes suffices.
+/// Returns the squares whose corners have one rounded colour, and those whose corners show one object. Rounding is monotonic, so comparing
+/// the extremes suffices.
 #[inline(always)]
-fn same<S: Simd>(simd: S, max: S::i16s, min: S::i16s) -> [u64; 2] {
+fn same_pixels_and_objects<S: Simd>(simd: S, max: S::i16s, min: S::i16s) -> [u64; 2] {
     let half = S::i16s::splat(simd, STEP as i16 / 2);
     let step = |channel: S::i16s| (channel + half) >> STEP.trailing_zeros();
     let differing = [(step(max) ^ step(min), Sample::COLOUR), (max ^ min, !Sample::COLOUR)];
