@@ -23,9 +23,10 @@ impl<O: Observer> Tile<'_, '_, O> {
         let method = &plan.method;
         let both = method.squares.max(method.points);
         let blends = [0.0, method.squares, method.points, both].map(|mark| {
-            // The picture's weight in 256ths, and the white to add. Their sum never exceeds full brightness.
-            let white = byte(mark);
-            (byte((1.0 - mark) * method.picture).min(255 - white), white)
+            let white = rounded(mark, 255);
+            // The picture's weight in 256ths. The sum never exceeds full brightness.
+            let left = rounded((1.0 - mark) * method.picture, 256);
+            (left.min(256 - white), white)
         });
         for y in 0..self.area.rows(0) {
             let marks = self.marks(y);
@@ -33,9 +34,12 @@ impl<O: Observer> Tile<'_, '_, O> {
             let row = &mut self.band.pixels[row + start..row + self.area.right];
             for (pixel, &mark) in row.iter_mut().zip(&marks[start - self.area.left..]) {
                 let (left, white) = blends[mark as usize];
-                let red_blue = (((*pixel & 0xff_00_ff) * left) >> 8) & 0xff_00_ff;
-                let green = (((*pixel & 0xff_00) * left) >> 8) & 0xff_00;
-                *pixel = red_blue + green + white * 0x01_01_01;
+                // Most pixels of a coarse picture stay.
+                if left < 256 {
+                    let red_blue = (((*pixel & 0xff_00_ff) * left) >> 8) & 0xff_00_ff;
+                    let green = (((*pixel & 0xff_00) * left) >> 8) & 0xff_00;
+                    *pixel = red_blue + green + white * 0x01_01_01;
+                }
             }
             // The front is in this tile.
             if start > self.area.left {
@@ -69,6 +73,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-fn byte(share: f32) -> u32 {
-    u32::from((share * 255.0 + 0.5) as u8)
+/// Returns a share of `most`, 0 to `most`.
+fn rounded(share: f32, most: u16) -> u32 {
+    ((share * f32::from(most) + 0.5) as u32).min(u32::from(most))
 }
