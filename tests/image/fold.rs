@@ -72,7 +72,8 @@ fn folded_picture_equals_its_reflections() {
     let mut renderers = [1, 3].map(ThreadedRenderer::new);
     let jagged = Quality { antialias: false, ..Quality::EXHAUSTIVE };
     for size in SIZES {
-        for quality in [Quality::DEFAULT, Quality::THESIS, Quality::EXHAUSTIVE, jagged] {
+        let coarse = Quality { square: 32, ..Quality::DEFAULT };
+        for quality in [Quality::DEFAULT, coarse, Quality::THESIS, Quality::EXHAUSTIVE, jagged] {
             for sectors in SECTORS {
                 let [x, y] = centre(size).map(|at| at % 8.0);
                 let (x, y) =

@@ -34,7 +34,8 @@ pub(super) fn fill<S: Simd>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
 /// Fills squares of `1 << LOG` pixels, and larger ones in parts.
 #[inline(always)]
 fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
-    let parts = if LOG < 3 { 1 } else { 1 << (run.level as u32 - LOG) };
+    let halvings = if LOG < 3 { 0 } else { run.level as u32 - LOG };
+    let parts = 1 << halvings;
     let mut aside = [0; MAX_PIXELS];
     run.filled.for_each(
         #[inline(always)]
@@ -47,7 +48,7 @@ fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>)
             let (x, y) = (run.x + (i << run.level), run.y);
             for part in 0..parts * parts {
                 let [i, j] = [part % parts, part / parts];
-                let corners = part_corners(corners, [i, j], parts);
+                let corners = part_corners(corners, [i, j], halvings);
                 let (x, y) = (x + (i << LOG), y + (j << LOG));
                 if x < band.width && y * band.stride + x < band.pixels.len() {
                     fill_part::<S, LOG>(simd, band, [x, y], corners, run.dither, &mut aside);
@@ -88,23 +89,19 @@ fn fill_part<S: Simd, const LOG: u32>(
     }
 }
 
-/// Returns the corners of part (i, j) of `parts` along each side.
+/// Returns the corners of part (i, j) of `1 << halvings` along each side.
 #[inline(always)]
-fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4] {
-    if parts == 1 {
-        return corners;
-    }
-    [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]].map(|[i, j]| {
-        let [i, j, parts] = [i as u64, j as u64, parts as u64];
+fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], halvings: u32) -> [u64; 4] {
+    let mut corners = corners.map(Sample);
+    for bit in (0..halvings).rev() {
         let [a, b, c, d] = corners;
-        let channel = |shift: u32| {
-            let at = |corner: u64| corner >> shift & 0xffff;
-            let upper = at(a) * (parts - i) + at(b) * i;
-            let lower = at(c) * (parts - i) + at(d) * i;
-            ((upper * (parts - j) + lower * j) / (parts * parts)) << shift
-        };
-        channel(0) | channel(16) | channel(32)
-    })
+        let (upper, lower) = (a.mean(b), c.mean(d));
+        let [a, b, c, d] =
+            if i >> bit & 1 == 0 { [a, upper, c, lower] } else { [upper, b, lower, d] };
+        let (left, right) = (a.mean(c), b.mean(d));
+        corners = if j >> bit & 1 == 0 { [a, b, left, right] } else { [left, right, c, d] };
+    }
+    corners.map(|corner| corner.0)
 }
 
 const MAX_PIXELS: usize = 64;

@@ -84,9 +84,9 @@ impl<O: Observer> Tile<'_, '_, O> {
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         let marks = &mut self.worker.marks;
         for (y, row) in marks.squares[top][..rows].iter_mut().enumerate() {
-            let start = plan.fold.start((self.area.top + (y << top)) / CELL, 1) * CELL;
-            // Coarse squares have several rows of cells.
-            let start = if 1 << top > CELL { 0 } else { start };
+            let first = (self.area.top + (y << top)) / CELL;
+            let cells = first..first + (1 << top).max(CELL) / CELL;
+            let start = cells.map(|row| plan.fold.start(row, 1)).min().unwrap_or(0) * CELL;
             let hidden = start.saturating_sub(self.area.left) >> top;
             *row = Bits::first(columns).without(Bits::first(hidden));
         }
@@ -189,7 +189,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let quality = &plan.quality;
         let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
         let is_smooth = tolerance / CELL as f32 + 2.0 < f32::from(quality.edge);
-        if quality.square == CELL && is_smooth && plan.coarse < 2 {
+        if quality.square >= CELL && is_smooth && plan.coarse < 2 {
             let squares = &self.worker.marks.squares[level][y];
             self.band.rough[y][self.area.left / TILE_WIDTH] = squares.0[0] & !filled.0[0];
         }
