@@ -23,7 +23,7 @@
 //! | ... of a sphere that is 10 to 10,000 radii away, seen through a telescope | 40 dB |
 //! | PSNR of a scene scaled by 1e-8 to 1e8, to the original | 50 dB |
 //! | pixels of mirrors that show themselves, of points in their own shadow, and of light that leaks through a sphere or a block | 0 |
-//! | darkening of white objects in uniform white light (a white furnace), at any depth and least contribution | 5/255 |
+//! | darkening of white objects in uniform white light (a white furnace), at any `depth` and `least_contribution` | 5/255 |
 //! | black pixels in facing mirrors, unless the background and the ambient light are black | 0 |
 //! | rays of a point, each with one shadow ray per light | `2^(depth + 1) - 1` |
 //! | rays of a scene made [invalid](crate::scene::Scene::validate), relative to the same scene while valid | 2.5 times |

@@ -50,8 +50,8 @@ fn corrupt(scene: &mut Moment, random: &mut Random) -> bool {
 }
 
 fn most_traced(quality: &Quality, width: usize, height: usize) -> u64 {
-    // Antialiasing traces a point to the right of a pixel and one below, twice between parts of a picture. Each has up to two more
-    // on either side, three if `edge` is below 20.
+    // Antialiasing traces the midpoints to the right of a pixel and below it; between stretches and between bands twice. Bisection adds up
+    // to two points on each side of a midpoint, three if `edge` is below 20.
     let of_pixel = if quality.edge < 20 { 15 } else { 11 };
     let middles = usize::from(quality.antialias) * of_pixel * width * height;
     (most_points(quality.square, width, height) + middles) as u64

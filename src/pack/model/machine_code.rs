@@ -26,10 +26,9 @@ pub const EXTENSION: usize = 21;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 22;
 pub const LENGTH: usize = 23;
-/// The length of the match, times 0x100: how many of the newest bytes, at most [`LONGEST_MATCH`], equal those before the byte in
-/// [`AFTER_MATCH`].
+/// 0x100 times the number of newest bytes, at most [`LONGEST_MATCH`], that also precede the byte in [`AFTER_MATCH`].
 pub const MATCH: usize = 24;
-/// The two newest bytes in the next byte's place: of its kind, in instructions with the same opcode. The newer is in the lower bits.
+/// The two newest bytes of the next byte's kind in instructions with the same opcode. The newer is in the lower bits.
 pub const SAME_OPCODE: usize = 25;
 /// The last two bytes after the same operand.
 pub const SAME_OPERAND: usize = 26;
@@ -196,7 +195,7 @@ impl Reader {
             _ => RELATIVE_JUMP + 3,
         };
         if opcode & !7 == 0xb8 && features[PREFIXES] & 0xf8 == 0x48 {
-            // `mov` of an 8-byte constant: a displacement and an immediate.
+            // Parse the 8-byte constant of `mov` as a displacement and an immediate.
             self.operand = after;
             return DISPLACEMENT + 3;
         }

@@ -81,7 +81,7 @@ fn add(now: Now, scene: &mut Scene) {
     // A world grows in the first bubble, from the size of a square.
     let world = smooth_step((now.beat - 14.0) / 8.5);
     if world > 0.06 {
-        // Off its centre, the guard would miss that the bubble hides it.
+        // Off the bubble's centre, the guard would miss that the bubble hides the world.
         add_sphere(float(0.0, now), 0.68 * world, &WORLD, scene);
     }
     let pop = now.cue(Track::Pop);

@@ -30,7 +30,7 @@ static ENVIRONMENT: Environment = Environment {
     ..Environment::EMPTY
 };
 
-/// Never before the slit left of the G's bar: its image, which has no bounds, came and went.
+/// No shot is in front of the slit left of the G's bar: the slit's image has no bounds, and flickered.
 static SHOTS: &[Shot] = &[
     shot(
         3,

@@ -40,7 +40,7 @@ pub(crate) struct Highlight {
     pub object: ObjectId,
     /// In pixels.
     middle: Vec2,
-    /// In pixels: the least x and y, then the greatest x and y, negated.
+    /// In pixels: the least x and y, and the negated greatest x and y.
     pub bounds: Vec4,
     decay: [f32; 3],
     /// The peak, of 255.

@@ -39,8 +39,8 @@ impl Mirror {
         }
     }
 
-    /// Adds the mirror point of an endless cylinder if it is on the capsule's straight part. Otherwise adds the point of this part nearest
-    /// to it and the mirror point of the end's sphere, since a highlight may continue across the joint.
+    /// Adds the mirror point of an endless cylinder if it is on the capsule's straight part. Otherwise adds two points, since a highlight
+    /// may continue across the joint: the nearest one on this part, and the mirror point of the end's sphere.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);
@@ -59,9 +59,8 @@ impl Mirror {
 
     /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
-    /// Seen along the axis, the normal bisects the directions to the eye and the light. The point's height along the axis is between those
-    /// of the eye and the light. It differs from the eye's and from the light's height in the ratio of their distances from the point, seen
-    /// along the axis.
+    /// Seen along the axis, the normal bisects the directions to the eye and the light. The point's height along the axis divides the
+    /// interval from the eye's height to the light's in the ratio of their distances from the point, seen along the axis.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));

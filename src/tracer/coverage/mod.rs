@@ -9,7 +9,7 @@
 //! | object | the cone of rays from the eye that meet it | enough corners show it, or the corners show an occluder that hides it | `object` |
 //! | image | the cone of rays from the mirrored eye | no corner shows the plane, or enough corners show the plane and are inside the bound (`refine::guard::planes` has two exceptions) | `image` |
 //! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow of the light covers the square | `shadow` |
-//! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as the brightest point in the square | `highlight` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or a corner that shows it is nearly as bright as the square's brightest point | `highlight` |
 //!
 //! # Guarantees
 //!
@@ -17,18 +17,18 @@
 //!   occluder hides the object in the whole square. An untraced pixel may get the mean colour of two traced points; it counts as showing
 //!   the objects of both.
 //! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
-//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the margins. The shadow may still be
-//!   lost if that corner would be as dark without the shadow.
-//! - A frame shows every image of a sphere or a box in a flat first plane, of at least 2x2 pixels, that no other image partly covers. A
-//!   corner that shows the plane and is inside the outline shows this image or a nearer one.
+//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the error margins. The shadow may still
+//!   be lost if that corner would be as dark without the shadow.
+//! - A frame shows every image of a sphere or a box in a flat first plane if the image has 2x2 pixels or more and no other image covers a
+//!   part of it. A corner that shows the plane and is inside the outline shows this image or a nearer one.
 //! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). A
 //!   lower bound of an outline's width decides whether it is thin: the object's least extent, seen at its farthest distance.
 //!
 //! # Best effort
 //!
 //! - An area light counts as a point light at its centre. A spotlight whose cone may meet a plane counts as shining on the whole plane.
-//! - A capsule's shadow has the bound of its bounding cylinder's shadow, and a cylinder's round end counts as the hexagon around it. A
-//!   corner may count as dark although it is outside a cylinder's shadow, by up to 0.087 radii at the rim of an end.
+//! - A capsule's shadow has the bound of its bounding cylinder's shadow, and a cylinder's round end counts as the hexagon around it. At the
+//!   rim of a cylinder's end, a corner up to 0.087 radii outside the shadow may count as dark.
 //! - A square is split for a slit of light if two shadows from one light each cover some of its corners, or if a shadow covers some corners
 //!   and an object hides all others.
 //! - Images of cylinders and capsules have the bounds of prisms, like their shadows.
@@ -37,8 +37,8 @@
 //!
 //! # Light without a bound
 //!
-//! `Quality::unguarded_weight` also splits squares with light that has no bound, see `refine::guard::unguarded`. `limits` has all
-//! exceptions in figures.
+//! `Quality::unguarded_weight` also splits squares with light that has no bound, see `refine::guard::unguarded`. `limits` lists all
+//! exceptions.
 
 mod highlight;
 mod image;
@@ -89,7 +89,7 @@ pub(crate) struct Coverage {
     /// By plane and light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     pub highlights: List<Highlight, MAX_HIGHLIGHTS>,
-    /// All outlines but those behind the eye or without finite bounds.
+    /// All outlines except behind the eye or without finite bounds.
     pub outlines: [Outline; MAX_OUTLINES],
     pub screen: [ScreenBounds; MAX_OUTLINES],
     /// The least width of each outline in pixels, up to 255.
@@ -149,8 +149,8 @@ impl Coverage {
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
         if let Some((plane, viewer)) = shown {
             let [min, max] = self.heights(id, &world.planes()[plane], viewer);
-            // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly
-            // inside, except for a sphere's image: if its greater part is on the eye's side, the sphere hides the other points.
+            // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly inside,
+            // except in a sphere's image: a sphere mostly on the eye's side hides all points inside that show no image.
             let is_image_of_sphere = view.side == 0.0 && self.objects[id.index()].power.is_some();
             let lowest = if is_image_of_sphere { min + max } else { min };
             if lowest < 0.0 {

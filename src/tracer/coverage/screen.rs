@@ -118,7 +118,7 @@ impl ScreenBounds {
         self.0 = self.0.min(other.0);
     }
 
-    /// Clips rectangles to the bounds' range of u; those above and below become empty.
+    /// Clips rectangles to the bounds' range of u; rectangles above or below become empty.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
         let simd = rects.left.token();

@@ -22,8 +22,7 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 const SHORTEST: f32 = 1e-20;
 
-/// How many tangents cut each end of a row's range, one after another. The first touches at the rectangle's end, each later one at the new
-/// end after the previous cut.
+/// The number of successive cuts at each end of a row's range. Each cut is by the tangent at the current end, first the rectangle's.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
@@ -228,7 +227,7 @@ impl Region {
 /// block's axes, and the viewpoint is the origin.
 ///
 /// Each lane projects the block along an axis to a rectangle, which has two corners on the silhouette. Seen along its own axis, a cylinder
-/// or capsule is a circle. The other lanes see it from the side, as a prism on a hexagon whose inscribed circle has `hexagon` times the
+/// or capsule is a circle. The other lanes see it from the side, as a hexagonal prism whose inscribed circle has `hexagon` times the
 /// radius.
 #[inline(never)]
 fn silhouette_terms(
@@ -270,8 +269,8 @@ fn silhouette_terms(
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Each lane belongs to one axis, and gets the vector's two coordinates perpendicular to it. The axes are a box's three, or a cylinder's
-/// own and three across it, 60 degrees apart.
+/// Returns, for the axis of each lane, the vector's two coordinates perpendicular to it. A box has three axes. A cylinder has its own and
+/// three across it, 60 degrees apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     match shape {

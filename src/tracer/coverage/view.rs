@@ -14,9 +14,9 @@ use glam::{Vec3A, Vec4};
 
 /// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
 ///
-/// For a shadow, the eye's ray d meets the plane in a point x, and the tests need `m (x - light)` with `m = -d.y`. It is the sum of `m (x -
-/// c)` and `m (c - light)`, where c is the object's centre. The first is `H d + (c - eye) d.y`, where H is the eye's height. The light's
-/// position is not in it, so distant lights add no error. The eye's own view sets H to 1 and m to 0, which leaves d.
+/// For a shadow, the eye's ray d meets the plane in a point x, and the tests need `m (x - light)` with `m = -d.y`. This vector is the sum
+/// of `m (x - c)` and `m (c - light)`, where c is the object's centre. The first term is `H d + (c - eye) d.y`, where H is the eye's
+/// height. It lacks the light's position, so distant lights add no error. The eye's own view sets H to 1 and m to 0, which leaves d.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,

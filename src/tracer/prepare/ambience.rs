@@ -41,13 +41,13 @@ pub(crate) struct Neighbour {
 #[derive(Clone, Copy)]
 pub(crate) struct Tap {
     pub height: f32,
-    /// The block covers nothing at `range` from the tap.
+    /// At the distance `range` from the tap, the block covers nothing.
     pub range: f32,
     pub weight: f32,
 }
 
-/// The taps' heights as shares of the reach, and their weights, fitted to three taps. The first is the farthest: a block farther from it
-/// than its height is out of range of all taps.
+/// The taps' heights as shares of the reach, and their weights, fitted to three taps. The first is the highest: a block farther from it
+/// than this height is out of range of all taps.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 
 /// Slightly below 1, so that a convex block is out of range of its own points.

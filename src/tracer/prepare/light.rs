@@ -78,8 +78,8 @@ pub(crate) struct ShadowCone {
     /// The squared radius minus the discriminant's rounding error (plus it if the light is inside): a ray that leaves the sphere is not in
     /// its shadow.
     pub r2: f32,
-    /// The block's shadow is between two planes through the light, at equal angles to the plane through the light and the block's longer
-    /// axis. This is that plane's normal, of any length.
+    /// A normal, of any length, of the plane through the light and the block's longer axis. The block's shadow is between two planes
+    /// through the light, at equal angles to this plane.
     pub side: Vec3,
     /// The squared sine of these angles, times the squared length of `side`.
     pub sine2: f32,

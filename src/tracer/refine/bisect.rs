@@ -20,9 +20,8 @@ const FIELD: usize = 21;
 
 const SIGN: u64 = 1 << (FIELD - 1);
 
-/// The units of a change in a sample's unit, so that all weights are whole. `Pyramid::changes` has a
-/// word per pixel and axis: blue, green and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the
-/// next one.
+/// The number of a change's units in a sample's unit: all weights are whole. `Pyramid::changes` has a word per pixel and axis: blue, green
+/// and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
 /// Adds a midpoint on one side of a pixel to the pixel's changes, and queues the interval if it has an edge.

@@ -65,7 +65,7 @@ pub(super) fn sky<S: Isa>(simd: S, world: World<'_>, d: &Vec3x<S>) -> Vec3x<S> {
     horizon.add_scaled(sky, gradient).add_scaled(scattered, towards * towards)
 }
 
-/// The least cosine between a direction and the aim of a softbox that it sees.
+/// The least cosine between the aim of a softbox and a direction that sees the softbox.
 const BESIDE: f32 = 1e-3;
 
 #[inline(always)]
@@ -93,7 +93,7 @@ const FARTHEST: f32 = 1e15;
 ///
 /// At the distance r from a light, the air of a glow with the radius a emits `a^2 / 2 (r^2 + a^2)^(-3/2)`. The integral along a ray that
 /// passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))` with
-/// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray. With a core, h is the height of the seen part of the ray above it.
+/// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray. With a core, h is the least height of the visible part of the ray above the core.
 #[inline(always)]
 pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
     let t = at_most::<S>(t, splat(simd, FARTHEST));

@@ -181,7 +181,7 @@ fn by_block<S: Isa>(
         let tap = p.add_scaled(n, splat(simd, height));
         let out = solid_distance::outside(simd, block, &tap).out;
         let distance: F<S> = out.dot(out).sqrt();
-        // The other tap is in range only within the height of this one.
+        // The block reaches the second tap only if it is within the first tap's height.
         if i == 0 && !(near & distance.simd_lt(splat(simd, height))).any_true() {
             return None;
         }

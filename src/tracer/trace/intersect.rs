@@ -75,7 +75,8 @@ pub(crate) fn nearest<S: Isa>(
     hit
 }
 
-/// Returns the powers of rays' origins with respect to a sphere: 0 for rays that leave it outward, below 0 inward.
+/// Returns the powers of rays' origins with respect to a sphere: 0 for rays that leave the sphere outward, negative for rays that leave it
+/// inward.
 #[inline(always)]
 fn power<S: Isa>(rays: &Rays<S>, node: &BvhNode) -> F<S> {
     let simd = rays.weight.token();

@@ -33,8 +33,8 @@ impl<S: Isa> TexturePoint<S> {
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// Returns the pattern's factor on the colour, 0 to 1, negative where the pattern is fine, seen along `d` from the distance `t`
-    /// (times the length of `d`); and a hash of the field between the pattern's edges.
+    /// Returns the pattern's factor on the colour, and a hash of the field between the pattern's edges, seen along `d` from the distance
+    /// `t`, in lengths of `d`. The factor is 0 to 1, negated where the pattern is fine.
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -153,8 +153,8 @@ fn hits<S: Isa>(
 /// The largest distance of a pixel from the nearest corner of a square of 8 pixels.
 const REACH: f32 = 5.7;
 
-/// The change of a pattern within [`REACH`], in halves of its range, that may be interpolated. 0.2 costs 1 % of a colonnade's time
-/// for 2 dB in the worst of 2,000 random patterns.
+/// The largest change of a pattern within [`REACH`] that may be interpolated, in halves of the pattern's range. 0.2 costs 1 % of a
+/// colonnade's time for 2 dB in the worst of 2,000 random patterns.
 const SMOOTH: f32 = 0.5;
 
 /// The slope of an octave of noise, divided by `warp * grain`. It is at most 3.8 where all octaves agree, but mostly below 1. In
@@ -264,7 +264,7 @@ fn shifted<S: Isa>(p: F<S>, u: F<S>, strength: F<S>) -> F<S> {
     (f * strength).mul_add(f.abs() - 0.5, p)
 }
 
-/// Returns the noise along x, in periods, and its slope in periods per scene unit. It is constant along one oblique direction.
+/// Returns the noise along x, in periods, and its slope in periods per scene unit. The noise is constant along one oblique direction.
 #[inline(always)]
 fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> (F<S>, f32) {
     let mut u: F<S> = (p.z * 0.6 + p.x) * pattern.grain;

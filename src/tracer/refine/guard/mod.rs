@@ -1,4 +1,4 @@
-//! Finds the squares of a tile that may show a feature between their corners.
+//! Finds the squares of a tile that may show a feature between their corners. `docs/guard.md` has pictures of the rules.
 //!
 //! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. A sample does not record
 //! shadows and images, so the guard tests the corner's place: a corner that shows the plane and is inside an outline shows that shadow or
@@ -42,8 +42,8 @@ impl Guard {
         }
     }
 
-    /// Tests highlights in `all` squares of a level, and outlines in those that `open` has on entry. On return `open` has the squares that
-    /// may show a feature that too few of their corners show.
+    /// Tests highlights in `all` squares of a level, and outlines in the squares of `open`. Sets `open` to the squares that may show a
+    /// feature that too few of their corners show.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -121,7 +121,7 @@ impl Search<'_> {
             #[inline(always)]
             |y, [first, last]| {
                 Bits::masks(first, last, |i, mask| {
-                    // Another test of a square that is open already can only show that the outline must be tested at the next level.
+                    // A test of an open square could only set `may_be_missed`.
                     let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
                     each(open[y].0[i] & mask & !known, |bit| {
                         let x = 64 * i + bit;

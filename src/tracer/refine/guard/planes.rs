@@ -28,7 +28,7 @@ impl Covered {
 impl Search<'_> {
     /// Tests one square against an image or a shadow on a plane that some of its corners show.
     ///
-    /// An image opens the square unless a corner that shows the plane is inside the region (all four corners, if the image is thin). If
+    /// An image opens the square unless a corner that shows the plane is inside the region; a thin image needs all four such corners. If
     /// only one straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that
     /// meets a square contains a corner. The square is also opened if some corners are outside the region and none of these shows the
     /// plane: between them and the region, the plane may be visible.
@@ -45,7 +45,6 @@ impl Search<'_> {
             _ => region.corners(rect),
         };
         let covered = &mut self.covered[y % SQUARE_ROWS];
-        // Objects hide all corners outside the region: between them and the region, the plane may be visible.
         let is_between = shown != ALL && shown & !inside == 0;
         let is_open = is_between || shown & inside < self.enough;
         if inside == ALL {
