@@ -1,3 +1,5 @@
+//! The program of the intro: arguments, clock, keys.
+
 mod flags;
 mod options;
 mod playing;

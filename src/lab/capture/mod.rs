@@ -1,3 +1,5 @@
+//! `cargo lab capture`: writes frames and sound as files.
+
 mod recorder;
 mod video;
 

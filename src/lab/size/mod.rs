@@ -1,3 +1,5 @@
+//! `cargo lab size`: the parts of the packed intro.
+
 mod program;
 
 use crate::arguments::{self, within};

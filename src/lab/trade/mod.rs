@@ -1,3 +1,5 @@
+//! `cargo lab trade`: speed against accuracy, as plots.
+
 mod plots;
 mod sweep;
 

@@ -1,3 +1,5 @@
+//! `cargo lab truth`: a path tracer.
+
 mod light;
 mod path;
 

@@ -1,3 +1,5 @@
+//! `cargo lab view`: plays scenes in a window.
+
 pub mod controls;
 pub mod frame_viewer;
 mod panel;

@@ -1,3 +1,5 @@
+//! Prepares a scene for tracing: a BVH, and lights and surfaces for packets.
+
 mod ambience;
 mod film;
 mod light;

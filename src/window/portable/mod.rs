@@ -1,3 +1,5 @@
+//! The portable backend: `minifb` and std.
+
 #[path = "../small/arguments.rs"]
 pub mod arguments;
 pub mod clock;

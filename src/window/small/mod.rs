@@ -1,3 +1,5 @@
+//! The small backend, for x86-64 Linux: Xlib and libc.
+
 #[path = "../abort.rs"]
 mod abort;
 pub mod arguments;

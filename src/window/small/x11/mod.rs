@@ -1,3 +1,5 @@
+//! Windows and keys, through Xlib.
+
 mod errors;
 mod fullscreen;
 mod functions;
