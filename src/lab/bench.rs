@@ -12,8 +12,7 @@ use std::path::{Path, PathBuf};
 
 /// Measures the speed and the error of frames
 ///
-/// Prints a Markdown table with a row per setting and scene; exhaustive frames are always among the settings. Ctrl-C prints the figures so
-/// far.
+/// Prints a Markdown table with a row per setting and scene, relative to exhaustive frames. Ctrl-C prints the figures so far.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -29,14 +28,14 @@ pub struct Arguments {
     /// Draws all frames with jagged edges; by default all but the checkerboard are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Adds rivals: frames drawn at 0.3 to 0.9 of the width and then enlarged, a checkerboard of traced pixels, and `default` without its
-    /// guard. Also prints by how many dB (to 64 samples) each quality beats an enlarged frame of equal time
+    /// Prints instead by how many dB (to 64 samples) each quality beats a smaller, enlarged frame of equal time, and the checkerboard's
+    /// figures. Adds `default` without its guard
     #[arg(long)]
     rivals: bool,
     /// Frames of each setting, at even intervals
     #[arg(long, value_name = "N", default_value = "101", value_parser = within(arguments::FRAMES))]
     frames: usize,
-    /// JSON file for the figures, or - for standard output; the table then goes to standard error
+    /// JSON file for the figures of all frames, or - for standard output; the table then goes to standard error
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -49,23 +48,24 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let scene = arguments.shot.scene;
     let measurement = measurement(arguments);
     let settings = measurement.run();
-    let rows = settings.iter().flat_map(|it| Row::of(&measurement, it));
-    let rows: Vec<Row> = rows.collect();
+    let rows: Vec<Row> = settings.iter().flat_map(|it| Row::of(&measurement, it)).collect();
     let titles = if scene == SceneName::Show {
-        "size, threads, scene, quality, fps median, worst second, ms median, ms p99, speed-up, traced"
+        "size, threads, scene, quality, fps median, worst second, ms p99, speed-up, traced"
     } else {
-        "size, threads, quality, fps median, ms median, ms p99, speed-up, traced, rays, shadow rays"
+        "size, threads, quality, ms median, ms p99, speed-up, traced, rays"
     };
-    let mut table = format!(
+    let is_asked = |row: &&Row| arguments.quality.iter().any(|it| it.name() == row.name);
+    let table = format!(
         "{}, {}; {scene}, {} frames per scene\n\n{}",
         machine(),
         measurement.isa.name,
         rows.iter().map(|row| row.frames).max().unwrap_or(0),
-        row::table(titles, &rows)
+        if arguments.rivals {
+            row::races(&rows)
+        } else {
+            row::table(titles, rows.iter().filter(is_asked))
+        }
     );
-    if arguments.rivals {
-        table += &format!("\n{}", row::races(&rows));
-    }
     match arguments.json.as_deref() {
         Some(file) if file == Path::new("-") => eprint!("{table}"),
         _ => output::write(Path::new("-"), table.as_bytes())?,
@@ -81,8 +81,7 @@ fn measurement(arguments: &Arguments) -> Measurement {
     if threads.is_empty() {
         threads.push(arguments::processors());
     }
-    let qualities = [Preset::Exhaustive].into_iter();
-    let qualities = qualities.chain(arguments.quality.iter().copied());
+    let qualities = [Preset::Exhaustive].into_iter().chain(arguments.quality.iter().copied());
     let antialias = !arguments.jagged;
     let techniques = qualities.map(|quality| Technique::named(quality, antialias));
     let rivals = Technique::rivals(antialias).filter(|_| arguments.rivals);

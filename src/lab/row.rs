@@ -106,7 +106,7 @@ fn worst_second(shot: &Shot, times: &[f64]) -> f64 {
     means.fold(0.0, f64::max)
 }
 
-const COLUMNS: [Column<Row>; 19] = [
+const COLUMNS: [Column<Row>; 18] = [
     ("size", |row| format!("{}x{}", row.width, row.height)),
     ("threads", |row| row.threads.to_string()),
     ("scene", |row| row.scene.clone()),
@@ -118,7 +118,6 @@ const COLUMNS: [Column<Row>; 19] = [
     ("speed-up", |row| format!("{:.2}", row.speedup)),
     ("traced", |row| percent(row.traced_fraction)),
     ("rays", |row| format!("{:.0}", row.rays)),
-    ("shadow rays", |row| format!("{:.0}", row.shadow_rays)),
     ("dB to exhaustive", |row| known(row.psnr_db, 1)),
     ("worst frame", |row| known(row.psnr_worst_db, 1)),
     ("over 8/255", |row| format!("{:.1}", row.pixels_over_8)),

@@ -1,4 +1,3 @@
-use super::{cells, printed};
 use eightfold::show;
 use eightfold_harness::Size;
 use eightfold_harness::error::{Difference, pops};
@@ -111,14 +110,4 @@ fn larger_frames_are_enlarged_better() {
         Difference::between(&whole, &pixels).psnr
     });
     assert!(psnr[0] > 20.0 && psnr[1] > psnr[0] + 1.0 && psnr[2].is_infinite());
-}
-
-#[test]
-fn race_has_line_per_quality() {
-    let text = printed("bench --size 48x36 --frames 2 --views 1 --quality default --rivals");
-    let (_, races) = text.split_once("|\n\n").expect("two tables");
-    let lines = cells(races);
-    assert_eq!(lines[0][6], "ahead by");
-    let names: Vec<&str> = lines[1..].iter().map(|line| line[1]).collect();
-    assert_eq!(names, ["default", "unguarded"]);
 }
