@@ -1,5 +1,5 @@
-//! The reference for the library's pictures: a scalar, recursive ray tracer in f64, with textbook formulas, which shares only the scene
-//! description with the library.
+//! The crate of the oracle, a reference tracer for the library's pictures: scalar and recursive, in f64, with textbook formulas. It shares
+//! only the scene description with the library.
 
 mod ambient;
 pub mod frame;

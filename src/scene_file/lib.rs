@@ -1,4 +1,4 @@
-//! Scene files in RON, see docs/lab.md: the fields of [`Scene`] and [`Presentation`], named materials, and motions.
+//! The crate of scene files in RON, see docs/lab.md: the fields of [`Scene`] and [`Presentation`], named materials, and motions.
 
 mod check;
 mod message;

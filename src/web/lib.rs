@@ -1,4 +1,4 @@
-//! The show for browsers.
+//! The crate of the page: the show for browsers.
 //!
 //! Each worker, the sound and the page have an instance of this module, with one thread, so the mutexes never wait. Numbers, pixels and
 //! samples need no wasm-bindgen. Names must differ from the C library's, for tests elsewhere. A returned text is zero-terminated.

@@ -1,4 +1,4 @@
-//! Safe functions for the operating system.
+//! The crate of safe functions for the operating system.
 //!
 //! Three backends have the modules `window`, `threads`, `clock`, `memory` and `arguments`:
 //!

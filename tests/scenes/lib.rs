@@ -1,4 +1,4 @@
-//! Random scenes, by seed, for tests.
+//! The crate of random scenes, by seed, for tests.
 //!
 //! | kind | scenes |
 //! | --- | --- |

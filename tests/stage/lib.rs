@@ -1,4 +1,4 @@
-//! Support for tests of programs: the intro, X servers, tools, and readers of pictures.
+//! The crate that supports tests of programs: the intro, X servers, tools, and readers of pictures.
 
 pub mod allocations;
 pub mod reader;
