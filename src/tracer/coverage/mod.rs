@@ -6,10 +6,12 @@
 //!
 //! | kind | bound | the square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | enough corners show it, or the corners show an occluder that hides it | `object` |
-//! | image | the cone of rays from the mirrored eye | no corner shows the plane, or enough corners show the plane and are inside the bound (`refine::guard::planes` has two exceptions) | `image` |
-//! | shadow | the cone of rays from the light, projected onto the plane | the rule for images holds, or another shadow of the light covers the square | `shadow` |
-//! | highlight | the ellipse of a Gaussian | no corner shows the object, or a corner that shows it is nearly as bright as the square's brightest point | `highlight` |
+//! | object | the cone of rays from the eye that meet it | enough corners show it, or an occluder that all corners show hides it | `object` |
+//! | image | the cone of rays from the mirrored eye | no corner shows the plane, or enough that show it are inside the bound | `image` |
+//! | shadow | the cone of rays from the light, on the plane | the rule for images holds, or another shadow covers the square | `shadow` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as any point | `highlight` |
+//!
+//! Images and shadows have two exceptions, see `refine::guard::planes`.
 //!
 //! # Guarantees
 //!
