@@ -59,7 +59,7 @@ impl Now {
     }
 }
 
-/// Half the side of a seemingly endless floor, whose edge haze hides.
+/// Half the side of a floor that seems endless: haze hides its edge.
 const FAR: f32 = 400.0;
 
 pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {

@@ -110,7 +110,7 @@ mod tests {
             core::array::from_fn::<f32, 4, _>(|i| (to[i] - from[i]) / STEP)
         };
         let (arriving, leaving) = (slope(1.0 - STEP), slope(0.0));
-        // The first view drops out at the third, where a fifth comes in.
+        // At the third view the weight of the first ends, and the fifth's begins.
         assert!(arriving[0].abs() < 0.01 && leaving[3].abs() < 0.01);
         for i in 1..4 {
             assert!((arriving[i] - leaving[i - 1]).abs() < 0.01, "view {i}");

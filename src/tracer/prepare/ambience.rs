@@ -53,13 +53,13 @@ const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 /// Slightly below 1, so that a convex block is out of range of its own points.
 const RANGE: f32 = 0.98;
 
-/// A sphere's reach in radii: beyond it covers less than a twentieth.
+/// A sphere's reach in radii: beyond, it covers less than a twentieth.
 const FARTHEST: f32 = 5.0;
 
-/// A block's reach, as a factor of its middle extent.
+/// A block's reach, as a multiple of its middle extent.
 const BLOCK_REACH: f32 = 2.5;
 
-/// The share of ambient light that a near side of a solid reflects: the rest is occluded there, too.
+/// The share of the ambient light that arrives at a solid's near side: the rest is occluded.
 const AMBIENT_SHARE: f32 = 0.6;
 
 /// Boxes of the points that solids darken, a lane per solid.

@@ -65,8 +65,8 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The strong mirrors and glass solids that make a crowd. Of random scenes of 16 blocks with fewer, one in fifty is below 42 dB at the
-/// default quality.
+/// The number of strong mirrors and glass solids that makes a crowd. With fewer, one in fifty random scenes of 16 blocks is below 42 dB at
+/// the default quality.
 const CROWD: usize = 12;
 
 /// The least `kr + kt` of strong mirrors and glass: the presets' `key_weight`.

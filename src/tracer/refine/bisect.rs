@@ -77,7 +77,7 @@ fn halve(worker: &mut Worker, i: usize, edge: u8) {
     let mut interval = worker.intervals[i % BATCH];
     let [start, end] = interval.ends;
     let middle = spread(worker.batch.results.sample(i));
-    // From the mean of two points to the mean of three, by the trapezoid rule.
+    // Replace the mean of two points by the mean of three, by the trapezoid rule.
     let more = (2 * middle).wrapping_sub(start + end);
     let weight = u64::from(interval.half.unsigned_abs());
     let change = &mut worker.pyramid.changes()[usize::from(interval.word) % CHANGES];

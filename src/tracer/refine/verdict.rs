@@ -18,7 +18,7 @@ impl Limit {
         Self((limit * 0x0001_0001_0001) | (0xffff << 48))
     }
 
-    /// Returns whether two samples are within the limit, to 128th of a step. Halved channels leave a word's highest bit for the result.
+    /// Returns whether two samples are within the limit, to 1/128 of a step. Halved channels leave a word's highest bit for the result.
     pub fn has(self, a: Sample, b: Sample) -> bool {
         const HALF: u64 = 0x3fff_3fff_3fff;
         const GREATER: u64 = 0x8000_8000_8000;

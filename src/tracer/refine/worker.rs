@@ -60,7 +60,7 @@ pub(super) const CLUSTER_WIDTH: usize = 4;
 pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 
 pub(super) struct Marks {
-    /// The squares to judge: all of the top level, then the parts of split ones.
+    /// The squares to judge: all of the top level, then the parts of split squares.
     pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
     /// The squares that may show a feature between their corners; before the guard runs, parts of such squares.
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],

@@ -9,7 +9,7 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The untextured light, the sum of its channels in steps of 1/255, up to which patterns are interpolated. The filmic curve turns 1 step
+/// The brightest untextured light whose pattern is interpolated: the sum of its channels, in steps of 1/255. The filmic curve turns 1 step
 /// into at most 8.
 const DARK: f32 = 1.0;
 
@@ -86,7 +86,7 @@ impl Accumulator {
         }
     }
 
-    /// Adds a packet's contribution to its points; primary rays are the points' from `first` on.
+    /// Adds a packet's contribution to its points. Primary rays belong to the points from `first` on.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,
@@ -154,8 +154,8 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution by [`Film::sum_unit`]: twice full brightness, so that the sum over the deepest ray tree's 255
-/// nodes does not overflow.
+/// The upper limit of a ray's contribution times [`Film::sum_unit`]: twice full brightness. So the sum over the 255 nodes of the deepest
+/// ray tree does not overflow.
 const BRIGHTEST: f32 = 2.0;
 
 pub(super) struct Contribution<S: Isa> {

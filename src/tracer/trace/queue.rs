@@ -2,7 +2,7 @@ use crate::lanes::*;
 use core::ops::Range;
 use fearless_simd::{f32x4, i32x4, u32x4};
 
-/// The capacity: 16 kB of sums stay in the L1 cache.
+/// The most points in a batch: their 16 kB of sums stay in the L1 cache.
 pub(crate) const BATCH: usize = 1024;
 
 /// Positions are in 16ths of a pixel: the widest picture fits in 16 bits.

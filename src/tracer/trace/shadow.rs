@@ -14,7 +14,7 @@ pub(super) struct ShadowRays<S: Isa> {
 }
 
 impl Occluders {
-    /// Returns the rays that planes block (and spheres, if the light is a point), and lists other occluders.
+    /// Returns the rays that planes block, or spheres if the light is a point. Lists other occluders.
     ///
     /// A bound's shadow cone contains the cones of its solids. All solids of a leaf are tested without a branch.
     #[inline(always)]

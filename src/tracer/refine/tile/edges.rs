@@ -1,6 +1,6 @@
 //! Opens filled squares at which an edge ends: a feature crosses them between their corners.
 //!
-//! A bit per pair of pixels across the border of a smooth and a rough cell is set if they differ by an edge. The first pair is at a
+//! Each pair of pixels across the border of a smooth and a rough cell has a bit, set if they differ by an edge. The first pair is at a
 //! traced corner. If its bit is clear and another is set, the rough cell's edge does not continue in the smooth cell.
 
 use super::Tile;

@@ -225,7 +225,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             for (i, gaps) in gaps.0.iter_mut().enumerate() {
                 let filled = &mut self.worker.marks.filled[level][y].0[i];
                 let beside = here.0[i] << 1 & here.0[i] >> 1;
-                // Gaps at the ends of words stay filled.
+                // Gaps at the ends of 64-bit words stay filled.
                 *gaps = *filled & (beside | above.0[i] & below.0[i]);
                 *filled &= !*gaps;
             }

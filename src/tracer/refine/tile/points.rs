@@ -41,11 +41,11 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 
     fn trace_marked(&mut self, level: usize, rows: usize) {
-        // A row has one point more than squares; pixels fill all words.
+        // A row has one more point than squares; pixels fill whole words.
         let used = (self.area.columns(level) / 64 + 1).min(WORDS);
         for top in (0..rows).step_by(CLUSTER_HEIGHT) {
             for word in 0..used {
-                // Single words: mapping the strip's rows would copy them whole.
+                // Word by word: mapping the rows would copy them whole.
                 let rows = &self.worker.marks.traced[level][top..top + CLUSTER_HEIGHT];
                 let words: [u64; CLUSTER_HEIGHT] = array::from_fn(|y| rows[y].0[word]);
                 let mut columns = words.iter().fold(0, |all, word| all | word);
