@@ -28,8 +28,8 @@ pub struct Arguments {
     /// Draws all frames with jagged edges; by default all but the checkerboard are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Prints instead by how many dB (to 64 samples) each quality beats a smaller, enlarged frame of equal time, and the checkerboard's
-    /// figures. Adds `default` without its guard
+    /// Compares with rivals instead: prints by how many dB (to 64 samples) each quality beats a smaller, enlarged frame of equal time, and
+    /// the figures of a checkerboard. Adds `default` without its guard
     #[arg(long)]
     rivals: bool,
     /// Frames of each setting, at even intervals
