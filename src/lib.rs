@@ -4,13 +4,13 @@
 //! | --- | --- |
 //! | the show, and the model scene of measurements | [`show`] |
 //! | the soundtrack | [`sound`] |
-//! | the beats of picture and sound | [`grid`] |
+//! | the beats of picture and sound | [`tempo`] |
 //!
 //! The crate allocates nothing, and needs no std.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod grid;
 pub mod show;
 pub mod sound;
+pub mod tempo;

@@ -1,6 +1,6 @@
 use crate::arguments::{self, Exit, within};
 use clap::Args;
-use eightfold::show::{self, grid};
+use eightfold::show::{self, tempo};
 use eightfold_harness::Size;
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::scene::{MAX_SPHERES, Method, Moment, Presentation};
@@ -75,7 +75,7 @@ impl SceneName {
     pub fn start(self) -> Option<f32> {
         match self {
             Self::Show => Some(0.0),
-            Self::ShowScene(part) => Some(show::CUTS[part] as f32 * grid::BAR),
+            Self::ShowScene(part) => Some(show::CUTS[part] as f32 * tempo::BAR),
             _ => None,
         }
     }
@@ -86,7 +86,7 @@ impl SceneName {
             Self::Show => show::LENGTH,
             Self::ShowScene(part) => {
                 let end = show::CUTS.get(part + 1).unwrap_or(&show::BARS);
-                (end - show::CUTS[part]) as f32 * grid::BAR
+                (end - show::CUTS[part]) as f32 * tempo::BAR
             }
             Self::Model | Self::Field(_) => show::MODEL_LENGTH,
             Self::File(file) => file.length,

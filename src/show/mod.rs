@@ -11,7 +11,7 @@ mod solids;
 mod timeline;
 
 #[doc(no_inline)]
-pub use crate::grid;
+pub use crate::tempo;
 pub use field::field;
 pub use model::{MODEL_LENGTH, model, model_scene};
 pub use scenes::{BARS, CUTS, LENGTH, NAMES, cut};

@@ -1,6 +1,6 @@
 //! The model scene, the default of measurements: four spheres, a plane and two lights, after the 2008 thesis.
 
-use crate::grid::BEAT;
+use crate::tempo::BEAT;
 use eightfold_tracer::maths::{cos, sin};
 use eightfold_tracer::scene::{Camera, Light, Material, Plane, Scene, Sphere};
 use glam::{Vec3, vec3};

@@ -3,7 +3,7 @@ use super::environment::Now;
 use super::path::move_camera;
 use super::scene::ShowScene;
 use super::scenes::ALL;
-use crate::grid::{BAR, BEATS_PER_BAR};
+use crate::tempo::{BAR, BEATS_PER_BAR};
 use eightfold_tracer::scene::{Method, Moment, Presentation};
 
 const BEATS: f32 = BEATS_PER_BAR as f32;

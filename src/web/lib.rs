@@ -83,7 +83,7 @@ fn state() -> MutexGuard<'static, State> {
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
-        let start = bar as f32 * show::grid::BAR;
+        let start = bar as f32 * show::tempo::BAR;
         format!(r#"{{"name":"{name}","start":{start}}}"#)
     });
     let scenes: Vec<_> = scenes.collect();

@@ -1,5 +1,5 @@
 use crate::drawn::{draw_best, of_the_show as at, shown};
-use eightfold::show::{self, grid};
+use eightfold::show::{self, tempo};
 use eightfold::sound::{Track, cue};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
@@ -38,7 +38,7 @@ fn disc_stands_at_its_place_at_every_cut() {
         sum.map(|channel| channel / count)
     };
     for cut in &show::CUTS[1..] {
-        let cut = *cut as f32 * grid::BAR;
+        let cut = *cut as f32 * tempo::BAR;
         for time in [cut - 1.0 / 60.0, cut] {
             let (inside, outside) = (ring(time, 0.0, 0.13), ring(time, 0.22, 0.3));
             let difference = (0..3).map(|i| (inside[i] - outside[i]).abs()).fold(0.0, f32::max);
@@ -53,7 +53,7 @@ fn balls_land_on_their_notes() {
         let first = show::cut(name);
         let mut beat = 0.0;
         while beat < 23.0 {
-            let scene = at(first as f32 * grid::BAR + beat * grid::BEAT);
+            let scene = at(first as f32 * tempo::BAR + beat * tempo::BEAT);
             let ball = scene.spheres.last().expect("a ball");
             let ground = |block: &Block| {
                 let flat = (ball.centre - block.centre).with_y(0.0).length();
@@ -73,7 +73,7 @@ fn resting_gems_leave_no_slivers_at_mirrors() {
     let first = show::cut("kaleidoscope");
     let beats = (0..24 * 16).map(|i| i as f32 / 16.0);
     for beat in beats.filter(|&beat| cue(Track::Kick, first, beat).since > 0.34) {
-        let Moment { scene, presentation } = shown(first as f32 * grid::BAR + beat * grid::BEAT);
+        let Moment { scene, presentation } = shown(first as f32 * tempo::BAR + beat * tempo::BEAT);
         let raster = scene.camera.raster(16, 9);
         let [right, down] = [raster.dx, raster.dy].map(Vec3::normalize);
         let from_eye = |point: Vec3| point - scene.camera.eye;
@@ -129,18 +129,18 @@ fn name_fits_pictures_from_9_16_to_21_9() {
 #[test]
 fn captions_are_inside_the_picture_and_bright() {
     for (width, height) in [(640, 360), (3840, 2160), (360, 640)] {
-        let mut seen = 0;
-        for beat in 0..show::BARS * grid::BEATS_PER_BAR {
+        let mut last = 0;
+        for beat in 0..show::BARS * tempo::BEATS_PER_BAR {
             let mut scene = Moment::default();
             let captions = &mut scene.presentation.captions;
-            *captions = shown((beat as f32 + 0.5) * grid::BEAT).presentation.captions;
+            *captions = shown((beat as f32 + 0.5) * tempo::BEAT).presentation.captions;
             captions.iter_mut().for_each(|it| it.brightness = it.brightness.ceil());
             let bright = captions.iter().filter(|it| it.brightness > 0.0);
             let letters: usize = bright.map(|caption| caption.letters.len()).sum();
-            if letters == seen {
+            if letters == last {
                 continue;
             }
-            seen = letters;
+            last = letters;
             let pixels = draw_best(&scene, &Quality::DEFAULT, width, height).pixels;
             // The strokes of a letter are about twice its height.
             let bright = pixels.iter().filter(|&&pixel| pixel & 0xff > 0xb0).count();

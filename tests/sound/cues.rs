@@ -1,9 +1,9 @@
-use eightfold::show::grid;
+use eightfold::show::tempo;
 use eightfold::sound::{Cue, Track, cue};
 
 /// Returns the starts of a track's notes, in beats from the start of `bar`, and their digits.
 pub fn notes(track: Track, bar: u32, bars: u32) -> Vec<(f32, u8)> {
-    let end = (bars * grid::BEATS_PER_BAR) as f32;
+    let end = (bars * tempo::BEATS_PER_BAR) as f32;
     let (mut notes, mut now) = (Vec::new(), cue(track, bar, 0.0));
     loop {
         let at = if now.count > 0 { 0.0 } else { now.until };

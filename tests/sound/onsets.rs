@@ -1,5 +1,5 @@
 use super::{cues, song};
-use eightfold::show::{self, grid};
+use eightfold::show::{self, tempo};
 use eightfold::sound::{RATE, Track};
 
 const FRAME: usize = RATE as usize / 1000;
@@ -27,7 +27,7 @@ fn check(track: Track, bars: [u32; 2], digit: u8) -> usize {
     let notes = cues::notes(track, bars[0], bars[1] - bars[0]);
     let notes: Vec<_> = notes.into_iter().filter(|note| note.1 >= digit).collect();
     for (beat, _) in &notes {
-        let time = grid::BAR * bars[0] as f32 + grid::BEAT * beat;
+        let time = tempo::BAR * bars[0] as f32 + tempo::BEAT * beat;
         let at = (time * 1000.0) as usize;
         let steepest = (at - 60..at + 60).max_by(|&a, &b| rise(a).total_cmp(&rise(b)));
         let onset = steepest.expect("some milliseconds");

@@ -11,8 +11,8 @@ mod planet;
 mod still_life;
 
 use super::scene::ShowScene;
-use crate::grid::BAR;
 use crate::sound;
+use crate::tempo::BAR;
 
 const SCENES: &[(&str, ShowScene)] = &[
     ("eclipse", eclipse::SCENE),
