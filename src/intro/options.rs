@@ -152,8 +152,8 @@ fn preset(name: &[u8]) -> Option<Preset> {
     Preset::ALL.into_iter().find(|preset| preset.name().as_bytes() == name)
 }
 
-fn number(text: &[u8], most: usize) -> Option<usize> {
-    decimal(text, 1, most as u64).filter(|&number| number > 0).map(|number| number as usize)
+fn number(text: &[u8], max: usize) -> Option<usize> {
+    decimal(text, 1, max as u64).filter(|&number| number > 0).map(|number| number as usize)
 }
 
 fn size(text: &[u8]) -> Option<(usize, usize)> {
@@ -167,8 +167,8 @@ fn nanoseconds(text: &[u8]) -> Option<u64> {
     decimal(text, SECOND, MAX_SECONDS * SECOND)
 }
 
-/// Parses a decimal number as a multiple of 1 / `one`, rounded down, at most `most`. If `one` is 1, it has no fraction.
-fn decimal(text: &[u8], one: u64, most: u64) -> Option<u64> {
+/// Parses a decimal number as a multiple of 1 / `one`, rounded down, at most `max`. If `one` is 1, it has no fraction.
+fn decimal(text: &[u8], one: u64, max: u64) -> Option<u64> {
     let (mut number, mut unit) = (0, one);
     let (mut has_digits, mut has_point) = (false, false);
     for &byte in text {
@@ -185,7 +185,7 @@ fn decimal(text: &[u8], one: u64, most: u64) -> Option<u64> {
             } else {
                 number = number * 10 + digit * one;
             }
-            if number > most {
+            if number > max {
                 return None;
             }
         }

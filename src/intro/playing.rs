@@ -5,7 +5,7 @@ use eightfold_window::clock::SECOND;
 use eightfold_window::cpu::Isa;
 use eightfold_window::enlarge::{self, Small};
 use eightfold_window::line::{self, Writer};
-use eightfold_window::render_target::{Headless, InnerSize, MOST_PIXELS, Next, RenderTarget, fit};
+use eightfold_window::render_target::{Headless, InnerSize, MAX_PIXELS, Next, RenderTarget, fit};
 use eightfold_window::sound::{Player, Source};
 use eightfold_window::static_cell::StaticCell;
 use eightfold_window::terminal::Terminal;
@@ -27,7 +27,7 @@ const LARGE: usize = 1920 * 1080;
 const SMALLEST: usize = 320 * 240;
 
 /// Targets hold the largest frame.
-const _: () = assert!(MAX_WIDTH * MAX_HEIGHT == MOST_PIXELS);
+const _: () = assert!(MAX_WIDTH * MAX_HEIGHT == MAX_PIXELS);
 
 impl Source for Music {
     fn chunk(&mut self) -> &[[f32; 2]] {

@@ -6,11 +6,11 @@
 
 pub use crate::backend::memory::small;
 use crate::pool::Pool;
-use crate::render_target::{MAX_WIDTH, MOST_PIXELS};
+use crate::render_target::{MAX_PIXELS, MAX_WIDTH};
 
 /// The memory for small pictures, in pixels: the largest one is half as wide and high as the largest frame. Pixels after its end are read,
 /// but not shown.
-pub const MOST_SMALL: usize = MOST_PIXELS / 4 + LANES;
+pub const MAX_SMALL: usize = MAX_PIXELS / 4 + LANES;
 
 /// Pixels that are mixed at once.
 const LANES: usize = 4;
@@ -20,7 +20,7 @@ type Lanes = [u32; LANES];
 /// A row of the widest small picture, with a copy of the outermost pixel on each side.
 type Line = [u32; MAX_WIDTH / 2 + LANES];
 
-/// A picture in memory of [`MOST_SMALL`] pixels, as [`small`] returns.
+/// A picture in memory of [`MAX_SMALL`] pixels, as [`small`] returns.
 pub struct Small<'a> {
     pub pixels: &'a [u32],
     pub width: usize,

@@ -20,7 +20,7 @@ const SPINS: u32 = 1000;
 pub struct Pool {
     shared: Box<Shared>,
     /// The first `count` are initialised.
-    threads: [MaybeUninit<Thread>; Pool::MOST - 1],
+    threads: [MaybeUninit<Thread>; Pool::MAX_THREADS - 1],
     count: usize,
 }
 
@@ -46,9 +46,9 @@ unsafe impl Sync for Shared {}
 
 impl Pool {
     /// The maximum number of threads, including the caller's.
-    pub const MOST: usize = 256;
+    pub const MAX_THREADS: usize = 256;
 
-    /// Starts a pool of `count` threads including the caller's, at most [`Pool::MOST`]. It has fewer if the system refuses.
+    /// Starts a pool of `count` threads including the caller's, at most [`Pool::MAX_THREADS`]. It has fewer if the system refuses.
     #[must_use]
     pub fn new(count: usize) -> Pool {
         let shared = Box::new(Shared {
@@ -59,7 +59,7 @@ impl Pool {
             next: AtomicUsize::new(1),
             over: AtomicBool::new(false),
         });
-        let mut threads = [const { MaybeUninit::uninit() }; Pool::MOST - 1];
+        let mut threads = [const { MaybeUninit::uninit() }; Pool::MAX_THREADS - 1];
         let mut started = 0;
         let pointer = (&raw const *shared).cast_mut().cast();
         for thread in threads.iter_mut().take(count.saturating_sub(1)) {
@@ -181,18 +181,18 @@ impl Shared {
         }
     }
 
-    fn wait(&self, seen: u32) -> u32 {
+    fn wait(&self, last_run: u32) -> u32 {
         for _ in 0..SPINS {
             let run = self.run.load(Acquire);
-            if run != seen {
+            if run != last_run {
                 return run;
             }
             spin_loop();
         }
         self.sleeping.fetch_add(1, SeqCst);
         // The wait returns if the number has changed, so no run is missed.
-        while self.run.load(SeqCst) == seen {
-            wait(&self.run, seen);
+        while self.run.load(SeqCst) == last_run {
+            wait(&self.run, last_run);
         }
         self.sleeping.fetch_sub(1, SeqCst);
         self.run.load(Acquire)
@@ -216,9 +216,9 @@ extern "C" fn thread_main(shared: *mut c_void) -> *mut c_void {
     // SAFETY: `Pool::new` passes it, and `Pool::drop` joins this thread before freeing it.
     let shared = unsafe { &*shared.cast::<Shared>() };
     let thread = shared.next.fetch_add(1, Relaxed);
-    let mut seen = 0;
+    let mut last_run = 0;
     while !shared.over.load(Relaxed) {
-        seen = shared.wait(seen);
+        last_run = shared.wait(last_run);
         shared.take_part(thread);
     }
     null_mut()

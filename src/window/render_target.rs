@@ -4,7 +4,7 @@ use crate::backend::memory::pixels;
 pub const MAX_WIDTH: usize = 3840;
 /// In pixels.
 pub const MAX_HEIGHT: usize = 2160;
-pub const MOST_PIXELS: usize = MAX_WIDTH * MAX_HEIGHT;
+pub const MAX_PIXELS: usize = MAX_WIDTH * MAX_HEIGHT;
 
 /// The inner size of a new window, in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -27,14 +27,14 @@ impl InnerSize {
 
 /// A target for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or [`Headless`].
 pub trait RenderTarget {
-    /// Returns the target's width and height in pixels, at least 1. For more than [`MOST_PIXELS`], draw a smaller frame: it is
+    /// Returns the target's width and height in pixels, at least 1. For more than [`MAX_PIXELS`], draw a smaller frame: it is
     /// stretched.
     fn size(&self) -> (usize, usize);
 
     /// Returns the pixels of the next frame, `width` by `height`, `0x00RRGGBB`, row by row, with undefined content.
     ///
     /// # Panics
-    /// If `width * height` is above [`MOST_PIXELS`].
+    /// If `width * height` is above [`MAX_PIXELS`].
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32];
 
     fn show(&mut self) -> Next;
@@ -84,13 +84,13 @@ impl RenderTarget for Headless {
     }
 }
 
-/// Returns the target's size, or the largest size within `most` of its aspect ratio. No side is 0.
-pub fn fit((width, height): (usize, usize), most: (usize, usize)) -> (usize, usize) {
-    if width <= most.0 && height <= most.1 {
+/// Returns the target's size, or the largest size within `max` of its aspect ratio. No side is 0.
+pub fn fit((width, height): (usize, usize), max: (usize, usize)) -> (usize, usize) {
+    if width <= max.0 && height <= max.1 {
         (width.max(1), height.max(1))
-    } else if width * most.1 > height * most.0 {
-        (most.0, (height * most.0 / width).max(1))
+    } else if width * max.1 > height * max.0 {
+        (max.0, (height * max.0 / width).max(1))
     } else {
-        ((width * most.1 / height).max(1), most.1)
+        ((width * max.1 / height).max(1), max.1)
     }
 }

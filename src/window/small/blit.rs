@@ -12,7 +12,7 @@ use x11_dl::{xlib, xshm::XShmSegmentInfo};
 
 use super::memory::allocate;
 use super::x11::{Toplevel, XEXT, Xext};
-use crate::render_target::MOST_PIXELS;
+use crate::render_target::MAX_PIXELS;
 
 pub struct Frames {
     context: xlib::GC,
@@ -35,7 +35,7 @@ impl Frames {
         // SAFETY: the image is valid.
         let is_shared = unsafe { (*image).bits_per_pixel } == 32;
         let shared = if is_shared { frames.share(top) } else { None };
-        let memory = shared.unwrap_or_else(|| allocate(2 * MOST_PIXELS));
+        let memory = shared.unwrap_or_else(|| allocate(2 * MAX_PIXELS));
         // SAFETY: the image is valid.
         unsafe {
             // Xlib converts 32-bit pixels if the server's are smaller or have another byte order.
@@ -43,7 +43,7 @@ impl Frames {
             (*image).byte_order = xlib::LSBFirst;
             (top.x.XInitImage)(image);
         }
-        let (first, second) = memory.split_at_mut(MOST_PIXELS);
+        let (first, second) = memory.split_at_mut(MAX_PIXELS);
         frames.frames = [first, second];
         frames
     }
@@ -62,7 +62,7 @@ impl Frames {
             self.frames.swap(0, 1);
             return;
         }
-        let rows = (MOST_PIXELS / width.max(1)).max(1);
+        let rows = (MAX_PIXELS / width.max(1)).max(1);
         let mut first = 0;
         while first < height {
             let part = first..height.min(first + rows);
@@ -118,7 +118,7 @@ impl Frames {
     /// Allocates shared memory for two frames, if the server can attach it.
     fn share(&mut self, top: &Toplevel) -> Option<&'static mut [u32]> {
         let shared = XEXT.open()?;
-        let size = 2 * MOST_PIXELS * size_of::<u32>();
+        let size = 2 * MAX_PIXELS * size_of::<u32>();
         // SAFETY: the display is open and the image valid. The zeroed segment has this size, exists as long as the process, and is
         // read-only for the server. A zeroed `shmid_ds` is valid.
         unsafe {
@@ -147,7 +147,7 @@ impl Frames {
             if state.shm_nattch > 1 {
                 self.shared = Some(shared);
             }
-            Some(from_raw_parts_mut(memory, 2 * MOST_PIXELS))
+            Some(from_raw_parts_mut(memory, 2 * MAX_PIXELS))
         }
     }
 }

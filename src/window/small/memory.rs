@@ -1,13 +1,13 @@
 use core::{ptr::null_mut, slice};
 
-use crate::{enlarge::MOST_SMALL, line, render_target::MOST_PIXELS};
+use crate::{enlarge::MAX_SMALL, line, render_target::MAX_PIXELS};
 
 pub fn pixels() -> &'static mut [u32] {
-    allocate(MOST_PIXELS)
+    allocate(MAX_PIXELS)
 }
 
 pub fn small() -> &'static mut [u32] {
-    allocate(MOST_SMALL)
+    allocate(MAX_SMALL)
 }
 
 /// Returns zeroed pixels, committed when they are written. Ends the process if no address space is left.

@@ -23,7 +23,7 @@ const COUNT: usize = 8;
 const TURN: u64 = SECOND / 500;
 
 /// The number of polls after which the device is lost: 2 s.
-const MOST_TURNS: usize = 1000;
+const MAX_TURNS: usize = 1000;
 
 struct Buffer {
     header: WAVEHDR,
@@ -92,7 +92,7 @@ impl Device {
         // SAFETY: the field is valid; volatile, because the device changes it.
         while unsafe { flags.read_volatile() } & WHDR_INQUEUE != 0 {
             turns += 1;
-            if turns == MOST_TURNS {
+            if turns == MAX_TURNS {
                 return false;
             }
             clock::sleep(TURN);

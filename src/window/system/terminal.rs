@@ -171,9 +171,9 @@ impl RenderTarget for Terminal {
             size
         };
         // Some terminals report no size. The picture covers a part of an oversized one.
-        let side = |size: u16, usual: usize, most: usize| match usize::from(size) {
+        let side = |size: u16, usual: usize, max: usize| match usize::from(size) {
             0 => usual,
-            size => size.min(most),
+            size => size.min(max),
         };
         (side(size.ws_col, 80, MAX_WIDTH), 2 * side(size.ws_row, 24, MAX_HEIGHT / 2))
     }

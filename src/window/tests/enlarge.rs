@@ -1,4 +1,4 @@
-use eightfold_window::enlarge::{MOST_SMALL, Small};
+use eightfold_window::enlarge::{MAX_SMALL, Small};
 use eightfold_window::pool::Pool;
 
 /// Sides that 2 and 3 divide, or not; single pixels, rows and columns; the widest and the largest.
@@ -25,7 +25,7 @@ fn sides(at: usize, factor: usize, count: usize) -> [usize; 2] {
 
 #[test]
 fn enlarged_pixels_are_mixed_or_repeated() {
-    let pixels = (0..MOST_SMALL as u32).map(|i| i.wrapping_mul(0x9e37_79b1) >> 8);
+    let pixels = (0..MAX_SMALL as u32).map(|i| i.wrapping_mul(0x9e37_79b1) >> 8);
     let pixels: Vec<u32> = pixels.collect();
     for factor in [2, 3] {
         for [columns, rows] in SIZES {

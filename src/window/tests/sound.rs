@@ -82,7 +82,7 @@ fn play_on(
     times
 }
 
-fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
+fn assert_pace(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
     let times = play_on(folder, configuration, command, why_silent);
     let ((first, start), (last, end)) = (times[0], times[times.len() - 1]);
     let pace = (end - start) as f64 / (last - first) as f64;
@@ -98,7 +98,7 @@ fn to_file(file: &Path) -> String {
 
 fn device_plays_samples_in_order(folder: &Path) {
     let out = folder.join("out.raw");
-    hold(folder, &to_file(&out), PLAIN, None);
+    assert_pace(folder, &to_file(&out), PLAIN, None);
     let bytes = fs::read(out).expect("it was played");
     let sides: Vec<f32> = bytes
         .chunks_exact(4)
@@ -117,7 +117,7 @@ fn device_of_16_bits_plays_rounded_samples(folder: &Path) {
     let slave =
         format!("type file, slave.pcm {{ type null }}, file \"{}\", format raw", out.display());
     let device = format!("type linear, slave {{ pcm {{ {slave} }}, format S16_LE }}");
-    hold(folder, &format!("pcm.default {{ {device} }}"), PLAIN, None);
+    assert_pace(folder, &format!("pcm.default {{ {device} }}"), PLAIN, None);
     let bytes = fs::read(&out).expect("it was played");
     fs::remove_file(out).expect("it goes");
     let sides = bytes.chunks_exact(2);
@@ -146,30 +146,30 @@ fn device_of_another_format_is_converted(folder: &Path) {
 }
 
 fn null_device_keeps_time(folder: &Path) {
-    hold(folder, "pcm.default { type null }", PLAIN, None);
+    assert_pace(folder, "pcm.default { type null }", PLAIN, None);
 }
 
 fn time_continues_without_sound(folder: &Path) {
-    hold(folder, "", PLAIN, Some("sound device is missing"));
+    assert_pace(folder, "", PLAIN, Some("sound device is missing"));
     // It opens, and then ALSA reports "Rate doesn't match (requested 48000Hz, get 44100Hz)".
     let other_rate = "pcm.nothing { type null }
         pcm.default { type share, slave { pcm nothing, rate 44100, channels 2 }, bindings { 0 0, 1 1 } }";
     let why = "sound device lacks 48 kHz stereo";
-    hold(folder, other_rate, PLAIN, Some(why));
+    assert_pace(folder, other_rate, PLAIN, Some(why));
     let integers = "pcm.nothing { type null }
         pcm.default { type share, slave { pcm nothing, format S32_LE, channels 2 }, bindings { 0 0, 1 1 } }";
     let why = "sound device lacks floats and 16-bit integers";
-    hold(folder, integers, PLAIN, Some(why));
+    assert_pace(folder, integers, PLAIN, Some(why));
     // The file limit is half a second of sound; the signal for it is ignored.
     let short = folder.join("short.raw");
     let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
-    hold(folder, &to_file(&short), command, Some("sound device is lost"));
+    assert_pace(folder, &to_file(&short), command, Some("sound device is lost"));
     let played = fs::metadata(short).expect("it was played").len();
     assert!(played > 100_000, "{played} bytes before it disappeared");
     fs::write(folder.join("libasound.so.2"), "not a library").expect("it is written");
     let command = format!("LD_LIBRARY_PATH='{}' exec \"$0\"", folder.display());
     let why = format!("{}/libasound.so.2: file too short", folder.display());
-    hold(folder, "", &command, Some(&why));
+    assert_pace(folder, "", &command, Some(&why));
 }
 
 /// A named pipe opens when somebody reads it.
