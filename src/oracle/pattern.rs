@@ -53,7 +53,7 @@ fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     let mut grain = f64::from(pattern.grain);
     let mut strength = f64::from(pattern.warp);
     let mut sum = 0.0;
-    while strength > f64::from(Pattern::LEAST_WARP) {
+    while strength > f64::from(Pattern::MIN_WARP) {
         sum += strength * noise([u * grain, v * grain]);
         strength /= 2.0;
         grain *= 2.0;

@@ -5,9 +5,9 @@ use core::str::FromStr;
 /// Settings that trade accuracy for speed: the refinement of squares and the depth of rays.
 ///
 /// A square is filled if its corners show one object, in one 8-bit colour or in colours within a tolerance; otherwise it is split.
-/// Corners with equal *keys* show the same objects in the same light and, in mirrors and glass, the same fields of patterns. A tolerance
-/// is in units of 1/255 of a channel, for squares of 8 pixels; it doubles for squares of 4 pixels, where an error covers a quarter of the
-/// pixels, and so on.
+/// Corners with equal *keys* show the same objects in the same light and, in mirrors and glass, the same half-waves of patterns. A
+/// tolerance is in units of 1/255 of a channel, for squares of 8 pixels; it doubles for squares of 4 pixels, where an error covers a
+/// quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {

@@ -69,7 +69,7 @@ impl core::error::Error for RangeError {}
 pub(crate) struct Range(pub f32, pub f32, pub &'static str);
 
 impl Range {
-    pub fn holds(self, found: impl Into<Found>) -> bool {
+    pub fn contains(self, found: impl Into<Found>) -> bool {
         let is_inside = |number| (self.0..=self.1).contains(&number);
         match found.into() {
             Found::Number(number) => is_inside(number),
@@ -97,7 +97,7 @@ impl Checked {
         range: Range,
     ) -> Result<(), RangeError> {
         let found = found.into();
-        self.rule(field, found, range.holds(found), range.2)
+        self.rule(field, found, range.contains(found), range.2)
     }
 
     pub fn rule(

@@ -120,7 +120,7 @@ impl ScreenBounds {
 
     /// Clips rectangles to the bounds' range of u; rectangles above or below become empty.
     #[inline(always)]
-    pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
+    pub fn clip<S: Isa>(&self, rects: &mut Rects<S>) {
         let simd = rects.left.token();
         let [left, top, right, bottom] = self.0.to_array();
         rects.left = rects.left.max(splat(simd, left));

@@ -95,7 +95,7 @@ impl Sides {
 
     /// Clips each rectangle to the range of u whose rays may be at least `margin` deep inside. A cone's tangent planes clip both ends.
     #[inline(never)]
-    fn narrow<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
+    fn clip<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
         let simd = rects.left.token();
         match self {
             Self::All => {}
@@ -121,10 +121,10 @@ impl Sides {
                 }
             }
             Self::Flat { outer, .. } => {
-                for terms in outer.iter() {
-                    let terms = terms.map(|term| term.to_array());
+                for sides in outer.iter() {
+                    let sides = sides.map(|side| side.to_array());
                     for i in 0..4 {
-                        let [right, down, origin] = terms.map(|term| splat(simd, term[i]));
+                        let [right, down, origin] = sides.map(|side| splat(simd, side[i]));
                         rects.cut(right, down, origin - margin);
                     }
                 }
@@ -209,9 +209,9 @@ impl Region {
     /// Returns the least and greatest u of the region in each rectangle. If the region misses a rectangle, the least exceeds the
     /// greatest.
     #[inline(always)]
-    pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
-        self.bounds.narrow(&mut rects);
-        self.sides.narrow(&mut rects, -self.rounding);
+    pub fn clip<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
+        self.bounds.clip(&mut rects);
+        self.sides.clip(&mut rects, -self.rounding);
         [rects.left, rects.right]
     }
 

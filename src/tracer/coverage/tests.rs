@@ -107,7 +107,7 @@ impl Bounds {
         let rect = coverage.axes.rect(rectangle(x, y, x + 1, y + 1));
         let rects = coverage.axes.rects(baseline(), [x, y], [1, 1]);
         let region = coverage.region(World { scene, prepared }, number);
-        let [from, to] = region.narrow(rects);
+        let [from, to] = region.clip(rects);
         coverage.screen[number].meets(rect) && from.as_slice()[0] <= to.as_slice()[0]
     }
 }
@@ -225,7 +225,7 @@ fn certain_points_are_in_shadow() {
 #[test]
 fn images_of_sunk_spheres_have_certain_points() {
     let mut runner = TestRunner::deterministic();
-    let (mut certain, mut seen) = ([0; 2], [0; 2]);
+    let (mut certain, mut visible) = ([0; 2], [0; 2]);
     for _ in 0..200 {
         let mut scene = draw(&scene(0.0, 0.0), &mut runner);
         let height = draw(&(-0.9_f32..0.9), &mut runner);
@@ -255,10 +255,10 @@ fn images_of_sunk_spheres_have_certain_points() {
             let is_certain = region.corners(rect) & 1 != 0;
             assert!(shows_image || !is_certain, "{sphere:?}");
             certain[usize::from(height > 0.0)] += usize::from(is_certain);
-            seen[usize::from(height > 0.0)] += usize::from(shows_image);
+            visible[usize::from(height > 0.0)] += usize::from(shows_image);
         }
     }
-    assert!(certain[1] * 100 > seen[1] * 99 && seen[1] > 1000, "{certain:?} of {seen:?}");
+    assert!(certain[1] * 100 > visible[1] * 99 && visible[1] > 1000, "{certain:?} of {visible:?}");
 }
 
 #[test]

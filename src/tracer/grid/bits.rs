@@ -19,7 +19,7 @@ impl Bits {
     pub const ODD: Self = Self([0xaaaa_aaaa_aaaa_aaaa; WORDS]);
 
     #[inline(never)]
-    pub fn first(count: usize) -> Self {
+    pub fn below(count: usize) -> Self {
         let mut bits = Self::NONE;
         for (i, word) in bits.0.iter_mut().enumerate() {
             let count = count.saturating_sub(64 * i).min(64) as u32;

@@ -16,12 +16,12 @@ const HALF: u64 = 2 * STEP as u64;
 const QUARTER: u64 = 64 * STEP as u64;
 
 /// The bits of a channel in a change.
-const FIELD: usize = 21;
+const CHANNEL_BITS: usize = 21;
 
-const SIGN: u64 = 1 << (FIELD - 1);
+const SIGN: u64 = 1 << (CHANNEL_BITS - 1);
 
 /// The number of a change's units in a sample's unit: all weights are whole. `Pyramid::changes` has a word per pixel and axis: blue, green
-/// and red from the low bits up, signed fields of [`FIELD`] bits. A negative field borrows from the next one.
+/// and red from the low bits up, signed numbers of [`CHANNEL_BITS`] bits. A negative one borrows from the next.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
 /// Adds a midpoint on one side of a pixel to the pixel's changes, and queues the interval if it has an edge.
@@ -108,7 +108,7 @@ pub(super) fn mix_pixel(drawn: &mut u32, pixel: usize, worker: &mut Worker) {
     let change = if max_x < max_y { y } else { x };
     let sum = WEIGHTS * widened(*drawn) + colour(|_| UNIT / 2);
     let steps = sum.wrapping_add(change) / UNIT;
-    let channel = |number: usize| (steps >> ((FIELD - 8) * number)) as u32 & 0xff << (8 * number);
+    let channel = |i: usize| (steps >> ((CHANNEL_BITS - 8) * i)) as u32 & 0xff << (8 * i);
     *drawn = channel(0) | channel(1) | channel(2);
 }
 
@@ -120,14 +120,14 @@ fn contrast([a, b]: [u64; 2]) -> u64 {
 
 /// Blue is channel 0.
 fn channel(colour: u64, number: usize) -> u64 {
-    colour >> (FIELD * number) & ((1 << FIELD) - 1)
+    colour >> (CHANNEL_BITS * number) & ((1 << CHANNEL_BITS) - 1)
 }
 
 fn colour(channel: impl Fn(usize) -> u64) -> u64 {
-    channel(0) | channel(1) << FIELD | channel(2) << (2 * FIELD)
+    channel(0) | channel(1) << CHANNEL_BITS | channel(2) << (2 * CHANNEL_BITS)
 }
 
-/// Spreads the channels over the fields of a change.
+/// Widens the channels to [`CHANNEL_BITS`].
 #[inline(never)]
 fn spread(sample: Sample) -> u64 {
     colour(|number| sample.0 >> (16 * number) & 0xffff)

@@ -40,7 +40,7 @@ proptest! {
             const UNDRAWN: u32 = u32::MAX;
             let mut pixels = [UNDRAWN; 50 * 45];
             let mut band = Band { pixels: &mut pixels, stride: width, width, ..Band::none() };
-            let filled = Bits::first(1);
+            let filled = Bits::below(1);
             let run = Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND };
             (kernels.fill)(kernels.level, &mut band, &run);
             for (i, &pixel) in pixels.iter().enumerate() {

@@ -86,7 +86,7 @@ impl Light {
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        let is_drawable = self.drawn_radius == 0.0 || EXTENT.holds(self.drawn_radius);
+        let is_drawable = self.drawn_radius == 0.0 || EXTENT.contains(self.drawn_radius);
         of.field("position", self.position, POINT)?;
         of.field("colour", self.colour, LENGTH)?;
         of.rule("drawn_radius", self.drawn_radius, is_drawable, "0 or 1e-9 to 1e9")?;

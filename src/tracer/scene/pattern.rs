@@ -8,8 +8,8 @@ use glam::Vec3;
 ///
 /// Coordinates are relative to the object's centre, along a block's axes, or along the scene's axes for spheres and planes. Along each axis
 /// runs a triangle wave between -1 and 1 with a maximum at 0. The smallest of the waves' magnitudes, with the sign of their product, is
-/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three checkers with
-/// fields half a period wide. Noise along x turns stripes into marble.
+/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, along two or three checkers
+/// half a period wide. Noise along x turns stripes into marble.
 ///
 /// Swirls turn stripes into the bands of a giant planet. They shear the coordinates seven times along each axis, each time by finer
 /// waves: x by waves along y, y by waves along z, z by waves along x. Waves below four pixels vanish.
@@ -28,7 +28,7 @@ pub struct Pattern {
     /// share `(1 + balance) / 2`, which is the mean far from the eye. Near 1 thin dark veins are left.
     pub balance: f32,
     /// The amplitude in periods of the noise that shifts the pattern along x, 0 to 1000. Octaves of half the size and amplitude are added
-    /// while their amplitude is above [`Pattern::LEAST_WARP`].
+    /// while their amplitude is above [`Pattern::MIN_WARP`].
     pub warp: f32,
     /// Cells of the coarsest octave of noise and swirls per scene unit, 0 to 1000.
     pub grain: f32,
@@ -41,14 +41,14 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Returns checkers for horizontal planes, with fields of `side` scene units.
+    /// Returns checkers of `side` scene units, for horizontal planes.
     #[must_use]
     pub const fn checkers(side: f32, depth: f32) -> Self {
         Self { waves: Vec3::new(0.5 / side, 0.0, 0.5 / side), depth, edge: 30.0, ..Self::NONE }
     }
 
     /// The largest amplitude of noise octaves that are left out: a fifth of a period is hardly visible.
-    pub const LEAST_WARP: f32 = 0.2;
+    pub const MIN_WARP: f32 = 0.2;
 
     /// A uniform colour.
     pub const NONE: Self = Self {

@@ -40,7 +40,7 @@ impl Scene {
         let sky = "-background to 1e9 - background";
         self.camera.check(Checked::one("camera"))?;
         Checked::one("background").field("", self.background, LENGTH)?;
-        Checked::one("sky").rule("", self.sky, LENGTH.holds(zenith), sky)?;
+        Checked::one("sky").rule("", self.sky, LENGTH.contains(zenith), sky)?;
         Checked::one("haze").field("", self.haze, THOUSAND)?;
         Checked::one("haze_fall").field("", self.haze_fall, THOUSAND)?;
         Checked::one("scatter").field("", self.scatter, SHARE)?;

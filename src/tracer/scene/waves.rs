@@ -48,7 +48,7 @@ impl Waves {
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        let has_length = EXTENT.holds(self.length) || self.is_calm() && self.length == 0.0;
+        let has_length = EXTENT.contains(self.length) || self.is_calm() && self.length == 0.0;
         of.field("slope", self.slope, Range(0.0, 0.1, "0 to 0.1"))?;
         of.rule("length", self.length, has_length, EXTENT.2)?;
         of.field("phase", self.phase, Range(-1e6, 1e6, "-1e6 to 1e6"))

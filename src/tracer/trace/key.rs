@@ -1,7 +1,7 @@
 //! Keys: hashes of the objects that a point's ray tree hit.
 //!
 //! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the lights' states, or, below
-//! `state_depth`, the field of the object's pattern. Different trees collide with a probability of 2^-32: one frame in 40,000 fills a
+//! `state_depth`, the hash of the object's pattern. Different trees collide with a probability of 2^-32: one frame in 40,000 fills a
 //! square wrongly.
 
 use super::rays::{PATH_BITS, Rays};
@@ -52,13 +52,13 @@ impl<S: Isa> Keys<S> {
     }
 
     #[inline(always)]
-    pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>, field: U<S>) -> U<S> {
+    pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>, pattern_hash: U<S>) -> U<S> {
         let zero = U::<S>::splat(simd, 0);
         if !self.has_any {
             return zero;
         }
         let with_states = to_depth(simd, self.paths, quality.state_depth);
-        let states = with_states.select(self.states, field) << (PATH_BITS + OBJECT_BITS);
+        let states = with_states.select(self.states, pattern_hash) << (PATH_BITS + OBJECT_BITS);
         let mut h = self.paths | (objects << PATH_BITS) | states;
         // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.
         h ^= h >> 16;

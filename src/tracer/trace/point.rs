@@ -24,7 +24,7 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub reflectance: F<S>,
     /// See `Pattern::tint`.
     pub tint: Vec3x<S>,
-    pub field: U<S>,
+    pub pattern_hash: U<S>,
     /// The least cosine between normal and light, divided by the light's distance. Inside a sphere it is above 0: the far side blocks
     /// lights beyond the chord, which is twice the cosine times the radius long.
     pub horizon: F<S>,
@@ -87,7 +87,7 @@ impl<S: Isa> ShadingPoint<S> {
             anisotropy: zero,
             reflectance: splat(simd, 1.0),
             tint: Vec3x::splat(simd, Vec3A::ZERO),
-            field: U::<S>::splat(simd, 0),
+            pattern_hash: U::<S>::splat(simd, 0),
             horizon: inverse_radius * 0.5,
             inside: shaded,
             shaded,
@@ -127,8 +127,8 @@ impl<S: Isa> ShadingPoint<S> {
             }
             let pattern = &material.pattern;
             if pattern.depth > 0.0 {
-                let (left, field) = texture_point.reflectance(simd, world, pattern, d, hit.t);
-                self.field = same.select(field, self.field);
+                let (left, hash) = texture_point.reflectance(simd, world, pattern, d, hit.t);
+                self.pattern_hash = same.select(hash, self.pattern_hash);
                 self.reflectance = same.select(left, self.reflectance);
                 self.tint = Vec3x::select(same, Vec3x::splat(simd, pattern.tint), self.tint);
             }

@@ -31,7 +31,7 @@ pub(super) fn shade<S: Isa>(
     let mut colour = surface.emitted();
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
-    let mut field = U::<S>::splat(simd, 0);
+    let mut pattern_hash = U::<S>::splat(simd, 0);
     let mut scattered = Scattered::none(simd);
     let mut keys = Keys::new(simd, quality, active, rays);
     if shaded.any_true() {
@@ -42,7 +42,7 @@ pub(super) fn shade<S: Isa>(
             light::gather(tracer, &surface, point, ambient, &mut keys, occluders, counts);
         (colour, untextured) = textured(world, reflected, point);
         reflectance = point.reflectance;
-        field = point.field;
+        pattern_hash = point.pattern_hash;
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scattered = scatter(tracer, &parents, &surface, point, marks, &mut batch.stack);
@@ -60,7 +60,7 @@ pub(super) fn shade<S: Isa>(
     let untraced = untraced_light(tracer, rays, &surface, active, &scattered);
     Contribution {
         colour: untraced.add_scaled(colour, active.select(rays.weight, splat(simd, 0.0))),
-        key: keys.terms(simd, quality, hit.object, field),
+        key: keys.terms(simd, quality, hit.object, pattern_hash),
         untextured: untextured.scaled(weight),
         reflectance,
     }

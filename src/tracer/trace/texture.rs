@@ -33,8 +33,8 @@ impl<S: Isa> TexturePoint<S> {
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// Returns the pattern's factor on the colour, and a hash of the field between the pattern's edges, seen along `d` from the distance
-    /// `t`, in lengths of `d`. The factor is 0 to 1, negated where the pattern is fine.
+    /// Returns the pattern's factor on the colour, and a hash of the half-wave between the pattern's edges, seen along `d` from the
+    /// distance `t`, in lengths of `d`. The factor is 0 to 1, negated where the pattern is fine.
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -162,7 +162,7 @@ const SMOOTH: f32 = 0.5;
 const NOISE_SLOPE: f32 = 1.2;
 
 /// Returns a pattern's factor on the colour, 0 to 1, at the swirled points `own`, where a scene unit is `pixels` pixels long, and a
-/// hash of the field. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`],
+/// hash of the half-wave. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`],
 /// unless clamping keeps it constant.
 ///
 /// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
@@ -182,9 +182,9 @@ fn reflectance_by<S: Isa>(
     pixels: F<S>,
 ) -> (F<S>, U<S>) {
     let mut height = splat(simd, 1.0);
-    let mut field = U::<S>::splat(simd, 0);
+    let mut hash = U::<S>::splat(simd, 0);
     if pattern.depth == 0.0 {
-        return (height, field);
+        return (height, hash);
     }
     let [along_x, along_y, along_z] = pattern.waves.to_array();
     let (noise, slope) = turbulence(simd, pattern, *own);
@@ -193,13 +193,13 @@ fn reflectance_by<S: Isa>(
         let wave = off_integer::<S>(halves).abs() * -2.0 + 1.0;
         height = at_most::<S>(wave, height);
         // Multiplies by an odd number: the lowest bit is the parity.
-        field = (field + (field << 4)) ^ (halves + ROUND_TO_INTEGER).bitcast::<U<S>>();
+        hash = (hash + (hash << 4)) ^ (halves + ROUND_TO_INTEGER).bitcast::<U<S>>();
     }
     // Edges are at least a pixel wide.
     let steepest = pixels * (0.5 / pattern.waves.max_element());
     let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
     let one = splat(simd, 1.0);
-    let height = flipped::<S>(height * edge, field << 31);
+    let height = flipped::<S>(height * edge, hash << 31);
     let height = height + at_least::<S>(edge, one) * pattern.balance;
     let frequency = (along_x + slope).max(along_y).max(along_z) * steepness(pattern);
     let excess = at_least::<S>(height.abs() - 1.0, splat(simd, SMOOTH));
@@ -207,7 +207,7 @@ fn reflectance_by<S: Isa>(
     let height = clamp::<S>(height, -one, one);
     let share = (height - 1.0) * (0.5 * pattern.depth) + 1.0;
     let sign: U<S> = fine.to_vector().bitcast();
-    (flipped::<S>(share, sign & (1 << 31)), field)
+    (flipped::<S>(share, sign & (1 << 31)), hash)
 }
 
 /// Swirls the points of two packets, each with the pixels per scene unit. Every step waits for the previous one, so two packets at once
@@ -272,7 +272,7 @@ fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> (F<S>, f32) {
     let mut sum = splat(simd, 0.0);
     let mut slope = 0.0;
     let mut strength = pattern.warp.min(64.0);
-    while strength > Pattern::LEAST_WARP {
+    while strength > Pattern::MIN_WARP {
         sum += noise::<S>(u, v) * strength;
         slope += NOISE_SLOPE * pattern.warp * pattern.grain;
         strength *= 0.5;

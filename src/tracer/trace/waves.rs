@@ -60,8 +60,8 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, footprint: F<S>) -> 
     let finest = Waves::FINEST * per_unit;
     while per_unit < finest {
         let share = at_least::<S>(footprint * (per_unit * -Waves::PIXELS) + 1.0, zero);
-        let is_seen = share.simd_gt(zero);
-        if !is_seen.any_true() {
+        let is_visible = share.simd_gt(zero);
+        if !is_visible.any_true() {
             // Shorter waves are invisible, too.
             break;
         }
@@ -69,7 +69,7 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, footprint: F<S>) -> 
         let u = off_integer::<S>(u);
         let rise = u * (u.abs() * -2.0 + 1.0) * share * (8.0 * waves.slope);
         // NaN of an invalid scene must not reach other lanes.
-        let rise = is_seen.select(rise, zero);
+        let rise = is_visible.select(rise, zero);
         slope_x += rise * along_x;
         slope_z += rise * along_z;
         let [cosine, sine] = TURN;

@@ -88,7 +88,7 @@ impl<'a> Squares<'a> {
         let axes = &self.coverage.axes;
         let corner = [self.area.left, self.area.top + (top << self.level)];
         let size = [self.columns << self.level, self.side()];
-        let [from, to] = region.narrow(axes.rects(simd, corner, size));
+        let [from, to] = region.clip(axes.rects(simd, corner, size));
         let [first, last] = [(from, -COLUMN), (to, COLUMN)].map(|(u, margin)| {
             let column = axes.column::<Baseline>(u) - (to_f32(self.area.left) - margin);
             let square = column / to_f32(self.side());

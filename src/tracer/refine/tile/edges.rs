@@ -13,7 +13,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     /// Traces all pixels of smooth cells at whose sides a rough cell's edge ends, until there is no such cell.
     pub(super) fn follow_edges(&mut self) {
         let [columns, rows] = [self.area.columns(0), self.area.rows(0)].map(|size| size / CELL);
-        let whole = Bits::first(columns).0[0];
+        let whole = Bits::below(columns).0[0];
         let (stride, edge) = (self.band.stride, self.context.plan.quality.edge);
         // Fainter edges are not worth a cell's points.
         let edge = edge.saturating_add(edge / 2);

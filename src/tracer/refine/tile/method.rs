@@ -73,7 +73,7 @@ impl<O: Observer> Tile<'_, '_, O> {
     }
 }
 
-/// Returns a share of `most`, 0 to `most`.
-fn rounded(share: f32, most: u16) -> u32 {
-    ((share * f32::from(most) + 0.5) as u32).min(u32::from(most))
+/// Returns a share of `max`, 0 to `max`.
+fn rounded(share: f32, max: u16) -> u32 {
+    ((share * f32::from(max) + 0.5) as u32).min(u32::from(max))
 }

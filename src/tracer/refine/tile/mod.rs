@@ -88,7 +88,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let cells = first..first + (1 << top).max(CELL) / CELL;
             let start = cells.map(|row| plan.fold.start(row, 1)).min().unwrap_or(0) * CELL;
             let hidden = start.saturating_sub(self.area.left) >> top;
-            *row = Bits::first(columns).without(Bits::first(hidden));
+            *row = Bits::below(columns).without(Bits::below(hidden));
         }
         if marks.squares[top][..rows].iter().all(Bits::is_empty) {
             return;
@@ -264,8 +264,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         let split = marks.squares[level][y].without(marks.filled[level][y]);
         let (mut squares, mut open) = (Bits::NONE, Bits::NONE);
         if !split.is_empty() {
-            squares = split.halves() & Bits::first(columns);
-            open = marks.open[level][y].halves() & Bits::first(columns);
+            squares = split.halves() & Bits::below(columns);
+            open = marks.open[level][y].halves() & Bits::below(columns);
         }
         for row in 2 * y..rows.min(2 * y + 2) {
             marks.squares[part][row] = squares;

@@ -36,13 +36,13 @@ fn share(random: &mut Random) -> DVec3 {
     DVec3::new(part(), part(), part())
 }
 
-/// `most` is the decimal logarithm of the largest coordinate; `None` for the origin.
-fn assert_spheres_are_left(by: &dyn Kernels, isa: &str, most: Option<f64>) {
+/// `max` is the decimal logarithm of the largest coordinate; `None` for the origin.
+fn assert_spheres_are_left(by: &dyn Kernels, isa: &str, max: Option<f64>) {
     let mut random = Random(2008);
     let (mut count, mut left, mut entered) = (0, 0, 0);
     while count < SHAPES {
         let radius = 10_f64.powf(random.between(-4.0, 4.0));
-        let centre = most.map_or(DVec3::ZERO, |most| random.vector(-4.0, most));
+        let centre = max.map_or(DVec3::ZERO, |max| random.vector(-4.0, max));
         let centre = centre.as_vec3();
         let o = random.vector(-8.0, 8.0);
         let aim = centre.as_dvec3() + radius * share(&mut random);
@@ -69,8 +69,8 @@ fn assert_spheres_are_left(by: &dyn Kernels, isa: &str, most: Option<f64>) {
                 left += 1;
             } else if chord * chord > 64.0 * off * radius {
                 // The chord is longer than rounding errors.
-                let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
-                let is_right = t.is_some_and(|t| (t - chord).abs() < most);
+                let max = 4.0 * off * (1.0 + 2.0 * radius / chord);
+                let is_right = t.is_some_and(|t| (t - chord).abs() < max);
                 assert!(is_right, "{what}: {d} from {p} goes {t:?} of {chord}");
                 entered += 1;
             }
@@ -82,8 +82,8 @@ fn assert_spheres_are_left(by: &dyn Kernels, isa: &str, most: Option<f64>) {
 
 #[test]
 fn sphere_is_not_hit_by_leaving_rays() {
-    for most in [None, Some(4.0)] {
-        on_every_instruction_set(|by, isa| assert_spheres_are_left(by, isa, most));
+    for max in [None, Some(4.0)] {
+        on_every_instruction_set(|by, isa| assert_spheres_are_left(by, isa, max));
     }
 }
 
