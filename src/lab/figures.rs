@@ -1,7 +1,7 @@
 use crate::bitmap::{Tile, sheet};
 use crate::overlay::{draw_heat, draw_points, draw_squares, heat};
 use crate::scenes::FrameArguments;
-use crate::seen::{flip, mean};
+use crate::view_errors::{flip, mean};
 use crate::{arguments, output};
 use anyhow::{Result, ensure};
 use clap::Args;
@@ -76,19 +76,19 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
     let rays = |trace: &FrameTrace| trace.rays().map(f64::from).sum::<f64>();
     let (share, per_pixel) = (1e2 * rays(&trace) / rays(&all), rays(&all) / area);
     let count = trace.squares().len();
-    let most = all.rays().max().unwrap_or(1);
+    let max = all.rays().max().unwrap_or(1);
     let points = format!("Traced points, white\n{:.1} % of all pixels", 1e2 * traced);
     let frame = format!("{scene} at {time} s, {}\n{psnr:.1} dB to exhaustive", arguments.quality);
     let squares = format!("Squares: the smaller, the brighter\n{count} squares");
-    let own = format!("Rays per point, white for {most}\n{share:.1} % of exhaustive");
-    let every = format!("Exhaustive: rays, white for {most}\n{per_pixel:.1} per pixel");
+    let own = format!("Rays per point, white for {max}\n{share:.1} % of exhaustive");
+    let every = format!("Exhaustive: rays, white for {max}\n{per_pixel:.1} per pixel");
     let error = format!("FLIP, white for {FLIP_SHOWN}\nmean {:.4}", mean(&errors));
     vec![
         tile(points, &|pixels| draw_points(&trace, pixels)),
         tile(frame, &|_| {}),
         tile(squares, &|pixels| draw_squares(&trace, pixels)),
-        tile(own, &|pixels| draw_heat(&trace, pixels, most)),
-        tile(every, &|pixels| draw_heat(&all, pixels, most)),
+        tile(own, &|pixels| draw_heat(&trace, pixels, max)),
+        tile(every, &|pixels| draw_heat(&all, pixels, max)),
         tile(error, &|pixels| {
             for (pixel, error) in pixels.iter_mut().zip(&errors) {
                 *pixel = heat(error / FLIP_SHOWN);

@@ -15,10 +15,10 @@ pub mod render;
 pub mod resources;
 pub mod row;
 pub mod scenes;
-pub mod seen;
 #[cfg(target_arch = "x86_64")]
 pub mod size;
 pub mod technique;
 pub mod trade;
 pub mod truth;
 pub mod view;
+pub mod view_errors;

@@ -2,8 +2,8 @@ use crate::arguments::{self, within};
 use crate::interrupt;
 use crate::progress::Progress;
 use crate::scenes::{self, SceneName};
-use crate::seen::{Seen, look};
 pub use crate::technique::{Sampling, Technique};
+use crate::view_errors::{ViewErrors, add_errors};
 use clap::Args;
 use cpu_time::ThreadTime;
 use eightfold_harness::Size;
@@ -86,7 +86,7 @@ pub struct Run {
     pub times: Vec<f64>,
     pub counts: Counts,
     pub differences: Vec<Difference>,
-    pub seen: Seen,
+    pub view_errors: ViewErrors,
 }
 
 impl Measurement {
@@ -117,7 +117,7 @@ impl Measurement {
                 }
             }
         }
-        self.look(&mut settings);
+        self.compare_views(&mut settings);
         settings
     }
 
@@ -146,23 +146,23 @@ impl Measurement {
     }
 
     /// Compares views once per size: threads do not change pictures.
-    fn look(&self, settings: &mut [Setting]) {
+    fn compare_views(&self, settings: &mut [Setting]) {
         let count = self.sizes.len() * self.shots.len();
         let views: usize = self.shots.iter().map(|shot| shot.views.len()).sum();
         let bar = Progress::new(self.sizes.len() * views);
         for i in 0..count {
             let Setting { shot, size, .. } = settings[i];
             let Shot { scene, views, .. } = &self.shots[shot];
-            let mut seen = vec![Seen::default(); self.techniques.len()];
+            let mut errors = vec![ViewErrors::default(); self.techniques.len()];
             for view in views {
                 let scenes = view.iter().map(|&time| self.scene(*scene, time));
                 let scenes: Vec<Moment> = scenes.collect();
-                look(&self.techniques, self.isa.level, size, &scenes, &mut seen);
+                add_errors(&self.techniques, self.isa.level, size, &scenes, &mut errors);
                 bar.inc(1);
             }
             for setting in settings.iter_mut().skip(i).step_by(count) {
-                for (run, seen) in setting.runs.iter_mut().zip(&seen) {
-                    run.seen = seen.clone();
+                for (run, errors) in setting.runs.iter_mut().zip(&errors) {
+                    run.view_errors = errors.clone();
                 }
             }
         }

@@ -25,10 +25,10 @@ pub fn draw_squares(trace: &FrameTrace, pixels: &mut [u32]) {
     }
 }
 
-/// Draws 0 rays black, `most` white.
-pub fn draw_heat(trace: &FrameTrace, pixels: &mut [u32], most: u32) {
+/// Draws 0 rays black, `max` white.
+pub fn draw_heat(trace: &FrameTrace, pixels: &mut [u32], max: u32) {
     for (pixel, rays) in pixels.iter_mut().zip(trace.rays()) {
-        *pixel = heat(rays as f32 / most as f32);
+        *pixel = heat(rays as f32 / max as f32);
     }
 }
 
@@ -38,10 +38,10 @@ pub fn square_colour(side: usize) -> u32 {
     heat(0.12 + 0.83 * halvings as f32 / Quality::MAX_SQUARE.ilog2() as f32)
 }
 
-/// Replaces pixels with their errors, white for `most` of 255 in a channel.
-pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
+/// Replaces pixels with their errors, white for `max` of 255 in a channel.
+pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], max: u32) {
     for (pixel, &exhaustive) in pixels.iter_mut().zip(exhaustive) {
-        *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / most as f32);
+        *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / max as f32);
     }
 }
 

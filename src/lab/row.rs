@@ -76,10 +76,10 @@ impl Row {
                 psnr_db: Difference::pooled_psnr(&run.differences),
                 psnr_worst_db: psnr.fold(f64::INFINITY, f64::min),
                 pixels_over_8: per_frame(over_8 as u64),
-                pops: mean(&run.seen.pops),
-                flip_mean: mean(&run.seen.flips),
-                psnr_to_64_db: Difference::pooled_psnr(&run.seen.differences_to_64),
-                flip_to_64: mean(&run.seen.flips_to_64),
+                pops: mean(&run.view_errors.pops),
+                flip_mean: mean(&run.view_errors.flips),
+                psnr_to_64_db: Difference::pooled_psnr(&run.view_errors.differences_to_64),
+                flip_to_64: mean(&run.view_errors.flips_to_64),
                 on_front: false,
             }
         };

@@ -52,8 +52,8 @@ impl PicturePlane {
         let forward = (camera.look_at.as_dvec3() - eye).normalize();
         let right = forward.cross(camera.up.as_dvec3()).normalize();
         let up = right.cross(forward);
-        let least = f64::from(camera.min_aspect) * height as f64 / width as f64;
-        let height_at_1 = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() * least.max(1.0);
+        let ratio = f64::from(camera.min_aspect) * height as f64 / width as f64;
+        let height_at_1 = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() * ratio.max(1.0);
         let pixel = height_at_1 / height as f64;
         let (dx, dy) = (right * pixel, up * -pixel);
         let middle = |side: usize| 0.5 * side as f64 - 0.5;
@@ -177,8 +177,8 @@ impl Shape {
 }
 
 pub fn sphere(ray: Ray, centre: DVec3, radius: f64) -> Option<f64> {
-    let least = ray.slack + ROUNDING * radius;
-    crossings(ray.o - centre, ray.d, radius, ray.slack)?.into_iter().find(|&t| t > least)
+    let min_t = ray.slack + ROUNDING * radius;
+    crossings(ray.o - centre, ray.d, radius, ray.slack)?.into_iter().find(|&t| t > min_t)
 }
 
 fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {

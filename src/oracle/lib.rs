@@ -147,9 +147,8 @@ const TIE: f64 = 1.0 / 16.0;
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let channels = [16, 8, 0].into_iter().zip(steps(colour, dither, x, y));
     channels.fold(0, |pixel, (shift, step)| {
-        let [least, most] =
-            [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32);
-        pixel | (drawn >> shift & 0xff).clamp(least, most) << shift
+        let [min, max] = [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32);
+        pixel | (drawn >> shift & 0xff).clamp(min, max) << shift
     })
 }
 

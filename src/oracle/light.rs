@@ -88,8 +88,8 @@ fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64
 fn soft_edge(off: f64, a: f64, to_light: &ToLight, light: &Light) -> f64 {
     let width = f64::from(light.diameter);
     let size = reach(light) * width;
-    let most = if light.parallel { 4.0 * width } else { width };
-    let b = (a * size / to_light.distance).min(most);
+    let max = if light.parallel { 4.0 * width } else { width };
+    let b = (a * size / to_light.distance).min(max);
     if b == 0.0 {
         return f64::from(u8::from(off > 0.0));
     }

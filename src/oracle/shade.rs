@@ -119,8 +119,8 @@ impl Oracle<'_> {
         let transmittance = self.transmittance(ray, t);
         let own = self.behind(ray.d).lerp(colour, transmittance) + glow;
         let left = weight * transmittance as f32;
-        let [seen, untraced] = self.secondary(&hit, left, path, traced);
-        cut(own + transmittance * untraced) + transmittance * seen
+        let [followed, untraced] = self.secondary(&hit, left, path, traced);
+        cut(own + transmittance * untraced) + transmittance * followed
     }
 
     /// Returns the integral of the glow around lights, in closed form.
@@ -202,20 +202,20 @@ impl Oracle<'_> {
     }
 
     fn secondary(&self, hit: &Hit<'_>, weight: f32, path: u32, traced: &mut Traced) -> [DVec3; 2] {
-        let [mut seen, mut untraced] = [DVec3::ZERO; 2];
+        let [mut followed, mut untraced] = [DVec3::ZERO; 2];
         for (bounce, node) in hit.bounces().into_iter().zip(2 * path..) {
             let Some((d, share)) = bounce else { continue };
             let weight = weight * share;
             let film = self.film(hit).filter(|_| node % 2 == 0);
             let is_traced = depth(path) < self.quality.depth && film.is_none();
             if is_traced && weight >= self.quality.least_contribution {
-                seen += f64::from(share) * self.follow(hit.ray.turned(d), weight, node, traced);
+                followed += f64::from(share) * self.follow(hit.ray.turned(d), weight, node, traced);
             } else if !self.scene.black_beyond {
                 let colour = film.unwrap_or(DVec3::ONE) * self.untraced(d, node % 2 == 0);
                 untraced += f64::from(share) * colour;
             }
         }
-        [seen, untraced]
+        [followed, untraced]
     }
 
     fn lit(&self, light: &Light, hit: &Hit<'_>, traced: &mut Traced) -> (State, DVec3) {

@@ -1,8 +1,8 @@
 use eightfold_tracer::scene::Waves;
 use glam::{DVec2, DVec3};
 
-/// Returns the upward normal, where a pixel covers `seen` scene units.
-pub fn normal(waves: &Waves, p: DVec3, d: DVec3, seen: f64) -> DVec3 {
+/// Returns the upward normal, where a pixel covers `pixel_size` scene units.
+pub fn normal(waves: &Waves, p: DVec3, d: DVec3, pixel_size: f64) -> DVec3 {
     let mut slope = DVec2::ZERO;
     let (mut length, mut phase) = (f64::from(waves.length), f64::from(waves.phase));
     let mut turned = 0.0_f64;
@@ -10,7 +10,7 @@ pub fn normal(waves: &Waves, p: DVec3, d: DVec3, seen: f64) -> DVec3 {
         let towards = DVec2::new(turned.sin(), turned.cos());
         let periods = towards.dot(DVec2::new(p.x, p.z)) / length - phase;
         let u = periods - periods.round();
-        let share = (1.0 - f64::from(Waves::PIXELS) * seen / length).max(0.0);
+        let share = (1.0 - f64::from(Waves::PIXELS) * pixel_size / length).max(0.0);
         slope += towards * (f64::from(waves.slope) * share * 8.0 * u * (1.0 - 2.0 * u.abs()));
         length *= f64::from(Waves::SHORTER);
         phase *= f64::from(Waves::FASTER);

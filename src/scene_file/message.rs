@@ -26,8 +26,8 @@ pub fn located(name: &str, text: &str, at: usize, message: &str) -> String {
         name = format!("...{}", name.chars().skip(cut).collect::<String>());
     }
     let place = format!("{name}:{}:{}: ", lines + 1, column + 1);
-    let most = MAX_MESSAGE - place.chars().count();
-    place + &shortened(message, most)
+    let max = MAX_MESSAGE - place.chars().count();
+    place + &shortened(message, max)
 }
 
 /// Replaces white space by spaces, and escapes control characters and marks that could rearrange a terminal's text.
@@ -40,21 +40,21 @@ fn visible(text: &str) -> String {
     text.chars().map(letter).collect()
 }
 
-fn shortened(message: &str, most: usize) -> String {
+fn shortened(message: &str, max: usize) -> String {
     let line = visible(message.trim());
-    if line.chars().count() <= most {
+    if line.chars().count() <= max {
         return line;
     }
     let parts = line.split('"').enumerate().map(|(i, part)| match i % 2 {
         0 => part.split(' ').map(quoted).collect::<Vec<_>>().join(" "),
         _ => quoted(part),
     });
-    cut(&parts.collect::<Vec<_>>().join("\""), most - 5)
+    cut(&parts.collect::<Vec<_>>().join("\""), max - 5)
 }
 
-/// Cuts a text after `most` letters, except for the last two punctuation marks.
-fn cut(text: &str, most: usize) -> String {
-    let Some((end, _)) = text.char_indices().nth(most) else {
+/// Cuts a text after `max` letters, except for the last two punctuation marks.
+fn cut(text: &str, max: usize) -> String {
+    let Some((end, _)) = text.char_indices().nth(max) else {
         return text.to_owned();
     };
     let signs = text[end..].rsplit(char::is_alphanumeric).next();

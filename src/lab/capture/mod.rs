@@ -129,7 +129,7 @@ fn write_sheet(recorder: &mut Recorder<'_>, range: &Range<usize>, name: &Path) -
 
 /// Returns the column count, from ceil(sqrt(`count`)) to twice that, with the fewest empty places.
 fn columns(count: usize) -> usize {
-    let least = (count as f64).sqrt().ceil() as usize;
+    let min = (count as f64).sqrt().ceil() as usize;
     let empty = |&columns: &usize| count.next_multiple_of(columns) - count;
-    (least..=2 * least).min_by_key(empty).unwrap_or(1)
+    (min..=2 * min).min_by_key(empty).unwrap_or(1)
 }

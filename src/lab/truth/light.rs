@@ -65,7 +65,7 @@ impl<'a> SphereLight<'a> {
         ratio * ratio * share * self.light.colour.as_dvec3()
     }
 
-    pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
+    pub fn hit(&self, ray: Ray) -> Option<(f64, DVec3)> {
         let radius = f64::from(self.light.drawn_radius);
         let is_drawn = radius > 0.0 && !self.light.parallel;
         let t = is_drawn.then(|| sphere(ray, self.position, radius))??;

@@ -129,9 +129,9 @@ impl Comparison {
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
             // Cap the variance at 1. Clipping hides noise where the mean exceeds 1 by 5 standard errors.
-            let least = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
+            let lower = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
-            variance += DVec3::select(least.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();
+            variance += DVec3::select(lower.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();
         }
         let count = 3.0 * truth.len() as f64;
         Self { error: (squares / count).sqrt(), noise: 255.0 * (variance / count).sqrt() }

@@ -44,7 +44,7 @@ impl<'a> PathTracer<'a> {
             let t = hit.as_ref().map_or(f64::INFINITY, |hit| hit.t);
             match length {
                 None => {
-                    if let Some(colour) = self.seen_light(ray, t) {
+                    if let Some(colour) = self.hit_light(ray, t) {
                         return found + throughput * colour;
                     }
                 }
@@ -86,9 +86,9 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    fn seen_light(&self, ray: Ray, limit: f64) -> Option<DVec3> {
-        let seen = self.lights.iter().filter_map(|light| light.seen(ray));
-        let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    fn hit_light(&self, ray: Ray, limit: f64) -> Option<DVec3> {
+        let hits = self.lights.iter().filter_map(|light| light.hit(ray));
+        let nearest = hits.min_by(|a, b| a.0.total_cmp(&b.0))?;
         (nearest.0 < limit).then_some(nearest.1)
     }
 

@@ -5,9 +5,9 @@ use eightfold_window::input::Press;
 pub const FPS: f64 = 60.0;
 
 /// The rays per point shown in white: about the maximum of the model scene, where glass and mirror meet.
-pub const MOST_RAYS: u32 = 24;
+pub const MAX_RAYS: u32 = 24;
 /// The error shown in white, in 255ths: four times the tables' threshold.
-pub const MOST_ERROR: u32 = 32;
+pub const MAX_ERROR: u32 = 32;
 
 pub const KEYS: [(&str, &str); 17] = [
     ("Space", "pauses, resumes"),

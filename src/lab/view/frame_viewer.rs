@@ -1,4 +1,4 @@
-use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
+use super::controls::{Controls, MAX_ERROR, MAX_RAYS, Overlay};
 use super::subject::Subject;
 use crate::overlay::{draw_error, draw_heat, draw_points, draw_squares};
 use eightfold_harness::Size;
@@ -84,7 +84,7 @@ impl FrameViewer {
             let psnr = Difference::between(&self.picture, &exhaustive).psnr;
             self.figures.psnr = Some((psnr, 0.0));
             if controls.overlay == Overlay::Error {
-                draw_error(&mut self.picture, &exhaustive, MOST_ERROR);
+                draw_error(&mut self.picture, &exhaustive, MAX_ERROR);
             }
         }
         self.draw_trace(&scene, controls, size);
@@ -100,7 +100,7 @@ impl FrameViewer {
         match controls.overlay {
             Overlay::Points => draw_points(&trace, &mut self.picture),
             Overlay::Squares => draw_squares(&trace, &mut self.picture),
-            _ => draw_heat(&trace, &mut self.picture, MOST_RAYS),
+            _ => draw_heat(&trace, &mut self.picture, MAX_RAYS),
         }
     }
 }

@@ -79,9 +79,9 @@ impl Lanes {
     }
 
     #[inline(always)]
-    pub fn limit(self, most: i16) -> Lanes {
-        let (least, most) = (Lanes::splat(-most).0, Lanes::splat(most).0);
-        Lanes(sse2!(_mm_max_epi16(_mm_min_epi16(self.0, most), least)))
+    pub fn limit(self, max: i16) -> Lanes {
+        let (min, max) = (Lanes::splat(-max).0, Lanes::splat(max).0);
+        Lanes(sse2!(_mm_max_epi16(_mm_min_epi16(self.0, max), min)))
     }
 
     #[inline(always)]

@@ -92,7 +92,7 @@ pub type Sets = [u32; 7];
 
 /// Returns a bit's weight sets, by the byte's `beginning` and the number of inputs with experience.
 #[inline(always)]
-pub fn sets(reader: &Reader, beginning: u32, seen: u32) -> Sets {
+pub fn sets(reader: &Reader, beginning: u32, experienced: u32) -> Sets {
     let kind = reader.feature(KIND);
     let of_kind = kind << 8;
     let by_opcode = (KINDS as u32 + MORE_KINDS) << 8;
@@ -100,7 +100,7 @@ pub fn sets(reader: &Reader, beginning: u32, seen: u32) -> Sets {
         of_kind | beginning,
         of_kind,
         (KINDS as u32) << 8 | of_kind | reader.feature(0),
-        MORE_KINDS << 8 | kind << 5 | seen,
+        MORE_KINDS << 8 | kind << 5 | experienced,
         (MORE_KINDS + 3) << 8 | reader.feature(1) << 2 | kind & 3,
         by_opcode | reader.feature(OPCODE) & 0x7ff,
         by_opcode | ((reader.feature(before(OPCODE, 1)) * 5) ^ (kind << 7)) & 0x7ff,

@@ -203,15 +203,15 @@ impl Model {
     #[inline(never)]
     fn bit(&mut self, byte: u32, nibble: u32, coder: &mut impl Coder) -> u32 {
         self.find_slots(nibble);
-        let mut seen = 0;
+        let mut experienced = 0;
         for i in 0..INPUTS {
             let opposite = self.opposites.as_flattened()[i];
             let slot = self.slot(self.place(i)).exclusive_or(opposite >> 1);
-            seen += u32::from(slot.count() != 0);
+            experienced += u32::from(slot.count() != 0);
             self.slots.set(i, slot, &self.rates);
             self.mixer.input(i, slot.probability());
         }
-        let sets = mixer::sets(&self.reader, byte, seen);
+        let sets = mixer::sets(&self.reader, byte, experienced);
         let bit = coder.bit(self.mixer.predict(&sets));
         self.mixer.learn(&sets, bit);
         self.slots.learn(bit);

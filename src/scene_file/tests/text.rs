@@ -35,9 +35,9 @@ fn refuse<T: Serialize + DeserializeOwned>(
         let (line, column) = place(&fault).expect(&fault);
         let is_at = (start..=text.numbers[i].start).contains(&(column - 1));
         assert!(line == 1 && is_at, "{name}: {fault}");
-        let Some((least, most)) = refusal.range.split_once(" to ") else { continue };
-        if let (Ok(least), Ok(most)) = (least.parse::<f32>(), most.parse::<f32>()) {
-            for (end, beyond) in [(least, least.next_down()), (most, most.next_up())] {
+        let Some((min, max)) = refusal.range.split_once(" to ") else { continue };
+        if let (Ok(min), Ok(max)) = (min.parse::<f32>(), max.parse::<f32>()) {
+            for (end, beyond) in [(min, min.next_down()), (max, max.next_up())] {
                 assert_eq!(range(beyond), Some(refusal.range), "{name} {beyond}");
                 assert_ne!(range(end), Some(refusal.range), "{name} {end}");
                 count += 1;

@@ -5,11 +5,11 @@ mod figures;
 mod report;
 mod resources;
 mod scene;
-mod seen;
 #[cfg(target_arch = "x86_64")]
 mod size;
 mod trade;
 mod truth;
+mod view_errors;
 
 use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;

@@ -11,17 +11,17 @@ use eightfold_tracer::scene::{
 const WHITE: Material = Material::matt(Vec3::ONE, 1.0);
 const COLOUR: Vec3 = vec3(0.9, 0.6, 0.3);
 
-/// Asserts an error of at most five standard errors, and these below `most`.
+/// Asserts an error of at most five standard errors, and these below `max`.
 #[track_caller]
-fn assert_near(estimate: Estimate, known: DVec3, most: f64) {
+fn assert_near(estimate: Estimate, known: DVec3, max: f64) {
     // Scenes are in f32.
     let allowed = estimate.variance.map(f64::sqrt) * 5.0 + 1e-6;
     let off = (estimate.mean - known).abs();
-    assert!(allowed.max_element() < most, "noise: {allowed}");
+    assert!(allowed.max_element() < max, "noise: {allowed}");
     assert!(off.cmple(allowed).all(), "{} is not {known}", estimate.mean);
 }
 
-fn seen(scene: &Scene, samples: u32) -> Estimate {
+fn estimate(scene: &Scene, samples: u32) -> Estimate {
     assert_eq!(scene.validate(), Ok(()));
     draw(scene, Size::new(1, 1), samples, 1)[0]
 }
@@ -81,7 +81,7 @@ fn light_of_any_size_gives_same_irradiance() {
             ..sphere
         };
         for light in [sphere, sun, spot] {
-            assert_near(seen(&floor(light), 1024), known, 0.06);
+            assert_near(estimate(&floor(light), 1024), known, 0.06);
         }
     }
 }
@@ -94,7 +94,7 @@ fn surface_reflects_share_of_sky() {
     scene.background = COLOUR;
     scene.planes[0].material =
         Material { ks: 0.8, exponent: 7.0, ..Material::matt(Vec3::ONE, 0.3) };
-    assert_near(seen(&scene, 4096), 0.5 * COLOUR.as_dvec3(), 0.04);
+    assert_near(estimate(&scene, 4096), 0.5 * COLOUR.as_dvec3(), 0.04);
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn ball_hides_share_of_light() {
     let sphere = Sphere::new(vec3(0.0, 3.0, 0.0), 0.3, Material::BLACK);
     scene.spheres.push(sphere);
     let hidden = (0.3_f64 / 3.0).powi(2) / (1.0_f64 / 6.0).powi(2);
-    assert_near(seen(&scene, 4096), (1.0 - hidden) * COLOUR.as_dvec3(), 0.04);
+    assert_near(estimate(&scene, 4096), (1.0 - hidden) * COLOUR.as_dvec3(), 0.04);
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn mirrors_add_images_of_light() {
         0.5_f64.powi(i.abs()) * 2.0 / f64::hypot(2.0, x)
     };
     let cosines: f64 = (-40..=40).map(image).sum();
-    assert_near(seen(&scene, 40_000), cosines * COLOUR.as_dvec3(), 0.15);
+    assert_near(estimate(&scene, 40_000), cosines * COLOUR.as_dvec3(), 0.15);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn lone_ball_matches_oracle() {
     scene.spheres.push(Sphere::new(Vec3::ZERO, 1.0, material));
     let traced = Oracle::new(&scene, &Quality::EXHAUSTIVE, 1, 1).trace(0, 0);
     assert!(traced.colour.min_element() > 0.04, "{}", traced.colour);
-    let estimate = seen(&scene, 16);
+    let estimate = estimate(&scene, 16);
     let off = (estimate.mean - traced.colour).abs().max_element();
     assert!(off < 1e-3, "{estimate:?}");
 }

@@ -4,7 +4,7 @@ use eightfold_harness::Size;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
 use eightfold_lab::overlay::{draw_error, draw_heat, draw_points, draw_squares};
 use eightfold_lab::scenes::SceneName;
-use eightfold_lab::view::controls::{Controls, KEYS, MOST_ERROR, MOST_RAYS, Overlay};
+use eightfold_lab::view::controls::{Controls, KEYS, MAX_ERROR, MAX_RAYS, Overlay};
 use eightfold_lab::view::{frame_viewer::FrameViewer, subject::Subject};
 use eightfold_stage::wait_for;
 use eightfold_tracer::{Preset, Quality};
@@ -35,8 +35,8 @@ fn keys_select_quality_overlay_time() {
     let [mut points, mut squares, mut heat, mut error] = [(); 4].map(|()| thesis.clone());
     draw_points(&trace, &mut points);
     draw_squares(&trace, &mut squares);
-    draw_heat(&trace, &mut heat, MOST_RAYS);
-    draw_error(&mut error, &exhaustive, MOST_ERROR);
+    draw_heat(&trace, &mut heat, MAX_RAYS);
+    draw_error(&mut error, &exhaustive, MAX_ERROR);
     let first = at("0", "thesis");
     for (key, title, picture) in [
         ("1", "exhaustive", &exhaustive),
@@ -97,8 +97,8 @@ fn keys_are_listed_over_picture() {
     view.key("F1");
     view.assert_shows("the picture again", |shot| shot == picture);
     let effect = |key| KEYS.iter().find(|row| row.0 == key).map_or("", |row| row.1);
-    assert!(effect("H").contains(&format!("for {MOST_RAYS} and more")));
-    assert!(effect("E").contains(&format!("for {MOST_ERROR}/255 and more")));
+    assert!(effect("H").contains(&format!("for {MAX_RAYS} and more")));
+    assert!(effect("E").contains(&format!("for {MAX_ERROR}/255 and more")));
 }
 
 #[test]

@@ -4,8 +4,8 @@ use eightfold_harness::error::{Difference, pops};
 use eightfold_harness::threaded_renderer::{ThreadedRenderer, drawn};
 use eightfold_lab::measure::Shot;
 use eightfold_lab::scenes::SceneName;
-use eightfold_lab::seen::{Seen, look};
 use eightfold_lab::technique::{Sampling, Technique};
+use eightfold_lab::view_errors::{ViewErrors, add_errors};
 use eightfold_tracer::{Counts, Quality};
 use eightfold_window::cpu;
 
@@ -43,20 +43,20 @@ fn pixel_pops_if_reference_stays() {
     assert_eq!(count([dark, dark + 5], [dark, light]), 0);
 }
 
-fn seen_of(qualities: [Quality; 2], times: [f32; 2]) -> [Seen; 2] {
+fn errors_of(qualities: [Quality; 2], times: [f32; 2]) -> [ViewErrors; 2] {
     let named = |it: Quality| Technique::new("", it, it.antialias, Sampling::Full);
     let techniques = qualities.map(named);
-    let mut seen = [Seen::default(), Seen::default()];
+    let mut errors = [ViewErrors::default(), ViewErrors::default()];
     let scenes = times.map(|time| show::model_scene(time).into());
-    look(&techniques, cpu::best().level, SIZE, &scenes, &mut seen);
-    seen
+    add_errors(&techniques, cpu::best().level, SIZE, &scenes, &mut errors);
+    errors
 }
 
 #[test]
 fn only_moving_squares_pop() {
     let coarse = Quality { tolerance_agreeing: 64.0, ..Quality::THESIS };
-    let [_, still] = seen_of([Quality::EXHAUSTIVE, coarse], [2.0; 2]);
-    let [exact, moving] = seen_of([Quality::EXHAUSTIVE, coarse], [2.0, 2.1]);
+    let [_, still] = errors_of([Quality::EXHAUSTIVE, coarse], [2.0; 2]);
+    let [exact, moving] = errors_of([Quality::EXHAUSTIVE, coarse], [2.0, 2.1]);
     assert_eq!([still.pops, exact.pops], [[0.0], [0.0]]);
     assert!(moving.pops[0] > 0.1);
 }
@@ -64,13 +64,13 @@ fn only_moving_squares_pop() {
 #[test]
 fn antialiasing_approaches_64_samples() {
     // Between edges, the error of squares remains.
-    for (quality, least) in [(Quality::EXHAUSTIVE, 6.0), (Quality::DEFAULT, 3.0)] {
+    for (quality, min_gain) in [(Quality::EXHAUSTIVE, 6.0), (Quality::DEFAULT, 3.0)] {
         let qualities = [false, true].map(|antialias| Quality { antialias, ..quality });
-        let seen = seen_of(qualities, [2.0, 2.1]);
-        assert_eq!(seen[0].flips, [0.0]);
-        let psnr = seen.each_ref().map(|it| it.differences_to_64[0].psnr);
-        assert!(psnr[0] > 25.0 && psnr[1] > psnr[0] + least, "{psnr:?}");
-        let flip = seen.map(|it| it.flips_to_64[0]);
+        let errors = errors_of(qualities, [2.0, 2.1]);
+        assert_eq!(errors[0].flips, [0.0]);
+        let psnr = errors.each_ref().map(|it| it.differences_to_64[0].psnr);
+        assert!(psnr[0] > 25.0 && psnr[1] > psnr[0] + min_gain, "{psnr:?}");
+        let flip = errors.map(|it| it.flips_to_64[0]);
         assert!(0.0 < flip[1] && flip[1] < flip[0], "{flip:?}");
     }
 }

@@ -10,10 +10,10 @@ use eightfold_tracer::{Level, Quality};
 use nv_flip::FlipImageRgb8;
 use rayon::prelude::*;
 
-const GRID: usize = 8;
+const SAMPLES_PER_SIDE: usize = 8;
 
 #[derive(Clone, Default)]
-pub struct Seen {
+pub struct ViewErrors {
     /// Mean FLIP to the reference, per view.
     pub flips: Vec<f64>,
     /// Per pair of frames.
@@ -23,12 +23,12 @@ pub struct Seen {
 }
 
 /// Adds the errors of a view with consecutive frames of `scenes`, relative to the first technique.
-pub fn look(
+pub fn add_errors(
     techniques: &[Technique],
     level: Level,
     size: Size,
     scenes: &[Moment],
-    seen: &mut [Seen],
+    errors: &mut [ViewErrors],
 ) {
     let width = size.width;
     let draw = |technique: &Technique, scene: &Moment, renderer: &mut ThreadedRenderer| {
@@ -41,10 +41,10 @@ pub fn look(
     let references = references.map(|scene| draw(&techniques[0], scene, &mut renderer));
     let references: Vec<Vec<u32>> = references.collect();
     let samples = sampled(&mut renderer, level, size, &scenes[0]);
-    let each = techniques.par_iter().zip(seen);
+    let each = techniques.par_iter().zip(errors);
     each.for_each_init(
         || ThreadedRenderer::new(1),
-        |renderer, (technique, seen)| {
+        |renderer, (technique, errors)| {
             let own: Vec<Vec<u32>>;
             let references = if technique.quality.edge == techniques[0].quality.edge {
                 &references
@@ -63,13 +63,13 @@ pub fn look(
                 if i > 0 {
                     let references = [&references[i - 1][..], &references[i]];
                     let pops = pops(references, [&before, &now]);
-                    seen.pops.push(pops as f64);
+                    errors.pops.push(pops as f64);
                 } else {
                     let flip = |picture: &[u32]| mean(&flip(width, picture, &now));
-                    seen.flips.push(flip(&references[0]));
-                    seen.flips_to_64.push(flip(&samples));
+                    errors.flips.push(flip(&references[0]));
+                    errors.flips_to_64.push(flip(&samples));
                     let difference = Difference::between(&samples, &now);
-                    seen.differences_to_64.push(difference);
+                    errors.differences_to_64.push(difference);
                 }
                 before = now;
             }
@@ -79,9 +79,9 @@ pub fn look(
 
 fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Moment) -> Vec<u32> {
     let (mut mean, mut pixels) = (Mean::default(), vec![0; size.area()]);
-    for i in 0..GRID * GRID {
-        let place = |i: usize| (i as f32 + 0.5) / GRID as f32 - 0.5;
-        renderer.set_offset(place(i % GRID), place(i / GRID));
+    for i in 0..SAMPLES_PER_SIDE * SAMPLES_PER_SIDE {
+        let place = |i: usize| (i as f32 + 0.5) / SAMPLES_PER_SIDE as f32 - 0.5;
+        renderer.set_offset(place(i % SAMPLES_PER_SIDE), place(i / SAMPLES_PER_SIDE));
         renderer.draw(level, scene, &Quality::EXHAUSTIVE, size.width, &mut pixels);
         mean.add(&pixels);
     }
