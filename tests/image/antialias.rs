@@ -44,9 +44,9 @@ fn points_are_added_between_differing_pixels() {
             assert!(is_same || is_beside, "case {}: pixel {i}", random.seed);
         }
         // Bisection adds at most two points on each side of the midpoint, three below an edge of 20.
-        let most = if quality.edge < 20 { 7 } else { 5 };
+        let max = if quality.edge < 20 { 7 } else { 5 };
         let (traced, seed) = (smooth.counts.points - plain.counts.points, random.seed);
-        assert!((points..=most * points).contains(&traced), "case {seed}: {traced} of {points}");
+        assert!((points..=max * points).contains(&traced), "case {seed}: {traced} of {points}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::cpu::{self, Isa};
 use crate::drawn::{draw, shown};
-use crate::golden::{assert_golden, hold};
+use crate::golden::{assert_golden, assert_golden_by_all};
 use eightfold_stage::still;
 use eightfold_tracer::Preset;
 use eightfold_tracer::scene::Moment;
@@ -85,7 +85,7 @@ fn show_matches_golden_pictures() {
     ] {
         let still = Still { time, quality, size: [320, 180] };
         let name = format!("show-{name}");
-        hold(&name, &still.scene(), quality.quality(), [320, 180]);
+        assert_golden_by_all(&name, &still.scene(), quality.quality(), [320, 180]);
         let shipped = cpu::shipped().map(|isa| (isa.name, still.shipped(isa, 2)));
         assert_golden(&name, 320, &shipped.collect::<Vec<_>>());
     }

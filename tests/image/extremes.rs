@@ -244,7 +244,7 @@ fn scene_of_any_scale_is_the_same_picture() {
 #[test]
 fn scene_far_from_the_origin_is_as_exact_as_stated() {
     let limits = [0.0, 1e2, 1e3, 1e4, 1e5].into_iter();
-    for (distance, least) in limits.zip([80.0, 55.0, 50.0, 41.0, 31.0]) {
+    for (distance, min_psnr) in limits.zip([80.0, 55.0, 50.0, 41.0, 31.0]) {
         let by = distance / 3.0 * vec3(2.0, 1.0, -2.0);
         for time in [0.0, 2.5] {
             let mut scene = show::model_scene(time);
@@ -253,7 +253,7 @@ fn scene_far_from_the_origin_is_as_exact_as_stated() {
             scene.spheres.iter_mut().for_each(|it| it.centre += by);
             scene.planes.iter_mut().for_each(|it| it.centre += by);
             scene.lights.iter_mut().for_each(|it| it.position += by);
-            assert_near(&scene, [320, 240], least, &format!("{distance} away at {time} s"));
+            assert_near(&scene, [320, 240], min_psnr, &format!("{distance} away at {time} s"));
         }
     }
 }

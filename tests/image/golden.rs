@@ -21,7 +21,7 @@ const OVER_8: usize = 1;
 
 pub type Named = (&'static str, Vec<u32>);
 
-pub fn hold<'a>(
+pub fn assert_golden_by_all<'a>(
     name: &str,
     shown: impl Into<Shown<'a>>,
     quality: &Quality,
@@ -78,6 +78,6 @@ fn scenes_match_golden_pictures() {
         ("bubbles", || example("bubbles"), Quality::DEFAULT, [640, 360]),
     ];
     for (name, scene, quality, size) in scenes {
-        hold(name, &scene(), &quality, size);
+        assert_golden_by_all(name, &scene(), &quality, size);
     }
 }

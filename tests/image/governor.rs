@@ -45,17 +45,17 @@ struct Machine {
 }
 
 impl Machine {
-    fn new(mut random: Random, least_fps: u64, load: f64, most_noise: f64) -> Self {
+    fn new(mut random: Random, min_fps: u64, load: f64, max_noise: f64) -> Self {
         let steps: Vec<f64> = (1..RUNGS).map(|_| between(&mut random, 1.1, 2.5)).collect();
         let rungs = random.one_of([PRESETS, RUNGS]);
-        let fps = least_fps + random.bits() % (241 - least_fps);
+        let fps = min_fps + random.bits() % (241 - min_fps);
         let governor = Governor::new(Duration::from_nanos(SECOND / fps));
         Self {
             governor: if rungs == RUNGS { governor.with_smaller_frames() } else { governor },
             budget: SECOND as f64 / fps as f64,
             shares: (0..rungs).map(|rung| 1.0 / steps[..rung].iter().product::<f64>()).collect(),
             load,
-            noise: between(&mut random, 0.0, most_noise),
+            noise: between(&mut random, 0.0, max_noise),
             random,
             now: 0,
             steps: Vec::new(),
@@ -112,11 +112,11 @@ impl Machine {
 fn constant_load_selects_the_finest_preset_in_time() {
     for mut random in cases(200) {
         let load = between(&mut random, 0.1, 20.0);
-        let most_noise = [0.0, 0.1][random.below(2)];
-        let mut machine = Machine::new(random, 24, load, most_noise);
+        let max_noise = [0.0, 0.1][random.below(2)];
+        let mut machine = Machine::new(random, 24, load, max_noise);
         machine.settle();
         let (rung, cost) = (machine.rung(), machine.cost());
-        if most_noise == 0.0 {
+        if max_noise == 0.0 {
             assert!(cost <= 1.0 || machine.is_fastest(), "{cost}");
             assert!(rung == 0 || load * machine.shares[rung - 1] > 0.9);
         }
@@ -146,8 +146,8 @@ fn change_of_load_is_followed_within_half_a_second() {
             let load = 0.67 / machine.shares[rung - 1];
             let reaction = machine.reaction(load).expect("a step");
             assert_eq!(machine.steps[0].2, rung - 1);
-            let most = [SECOND / 2, SECOND * 3 / 2][usize::from(rung >= PRESETS)];
-            assert!(reaction <= most, "{reaction}");
+            let max = [SECOND / 2, SECOND * 3 / 2][usize::from(rung >= PRESETS)];
+            assert!(reaction <= max, "{reaction}");
             lighter += 1;
         }
     }
@@ -171,14 +171,14 @@ fn single_late_frames_change_nothing() {
 fn sides_are_halved_then_divided_by_three() {
     let mut governor = Governor::new(Duration::from_nanos(SECOND / 60)).with_smaller_frames();
     let late = Duration::from_millis(50);
-    let seen = (0..1000).map(|_| {
+    let steps = (0..1000).map(|_| {
         governor.frame(late);
         (rung(governor.preset()), governor.divisor())
     });
-    let mut seen: Vec<_> = seen.collect();
-    seen.dedup();
+    let mut steps: Vec<_> = steps.collect();
+    steps.dedup();
     let smaller = [(PRESETS - 1, 2), (PRESETS - 1, 3)];
-    assert!(seen.into_iter().eq((0..PRESETS).map(|preset| (preset, 1)).chain(smaller)));
+    assert!(steps.into_iter().eq((0..PRESETS).map(|preset| (preset, 1)).chain(smaller)));
     let mut full = Governor::new(Duration::from_nanos(SECOND / 60));
     (0..1000).for_each(|_| full.frame(late));
     assert_eq!((full.preset(), full.divisor()), (Preset::Fastest, 1));

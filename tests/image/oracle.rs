@@ -4,7 +4,7 @@ use crate::drawn::{
     Drawn, RULES, Record, SIDES, bare, draw_best, draw_by_all, example, of_side, of_the_show,
 };
 use crate::error::{Difference, worst_channel};
-use crate::refinement::most_points;
+use crate::refinement::max_points;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_oracle::frame::Frame;
@@ -29,9 +29,9 @@ fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     }
     assert!(wrong <= (expected.len() / 5000).max(4), "{what}: {wrong} wrong pixels");
     // The gamma of film enlarges the rounding errors of dark colours.
-    let most = if frame.film.filmic { 0.05 } else { 0.01 };
+    let max = if frame.film.filmic { 0.05 } else { 0.01 };
     let mean = Difference::between(&expected, &drawn.pixels).mean;
-    assert!(mean <= most, "{what}: {mean}");
+    assert!(mean <= max, "{what}: {mean}");
 }
 
 #[track_caller]
@@ -58,8 +58,8 @@ fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2],
             let places = [(0, 0), (side, 0), (0, side), (side, side)];
             let corners = places.map(|(u, v)| frame.at(x + u, y + v));
             let colours = corners.map(|it| 255.0 * it.colour.clamp(DVec3::ZERO, DVec3::ONE));
-            let [most, least] = [DVec3::max, DVec3::min].map(|of| colours.into_iter().reduce(of));
-            let spread = (most.unwrap() - least.unwrap()).max_element();
+            let [max, min] = [DVec3::max, DVec3::min].map(|of| colours.into_iter().reduce(of));
+            let spread = (max.unwrap() - min.unwrap()).max_element();
             let tolerance = match corners.iter().all(|corner| corner.key == corners[0].key) {
                 true => quality.tolerance_agreeing,
                 false => quality.tolerance_differing,
@@ -71,8 +71,8 @@ fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2],
             excess.abs() > 0.1 && is_filled != (is_flat || excess < 0.0)
         });
         let wrong: Vec<_> = wrong.collect();
-        let most = (squares.len() / 200).max(2);
-        assert!(wrong.len() <= most, "{what} by {} and {quality:?}: {wrong:?}", isa.name);
+        let max = (squares.len() / 200).max(2);
+        assert!(wrong.len() <= max, "{what} by {} and {quality:?}: {wrong:?}", isa.name);
     }
 }
 
@@ -147,11 +147,11 @@ fn no_ray_is_lost_at_any_depth() {
             let frame = Frame::new(scene, &quality, 36, 24);
             let expected = frame.total(|point| point.rays);
             // The library skips shadow rays that have no occluder.
-            let most = frame.total(|point| point.shadow_rays);
+            let max = frame.total(|point| point.shadow_rays);
             for (isa, drawn) in draw_by_all(scene, &quality, 36, 24) {
                 let what = format!("depth {depth} by {}", isa.name);
                 let Counts { points, rays, shadow_rays, .. } = drawn.counts;
-                assert!(points == 36 * 24 && shadow_rays <= most, "{what}: {shadow_rays}, {most}");
+                assert!(points == 36 * 24 && shadow_rays <= max, "{what}: {shadow_rays}, {max}");
                 let off = rays.abs_diff(expected);
                 assert!(off <= expected / 5000, "{what}: {rays}, not {expected}");
                 assert!(!is_whole || rays == points * ((2 << depth) - 1), "{what}");
@@ -236,8 +236,8 @@ fn pictures_of_any_size_are_right() {
         let exhaustive = drawn(Quality::EXHAUSTIVE).pixels;
         for side in SIDES {
             let Drawn { pixels, counts } = drawn(of_side(side, Quality::THESIS));
-            let most = most_points(side, width, height) as u64;
-            assert!(counts.points <= most, "{side}: {counts:?}");
+            let max = max_points(side, width, height) as u64;
+            assert!(counts.points <= max, "{side}: {counts:?}");
             let wrong = Difference::between(&exhaustive, &pixels).over_8;
             // 2.1 % of the narrow picture at side 32.
             assert!(wrong < pixels.len() / 40, "{side}: {wrong}");

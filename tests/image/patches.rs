@@ -41,12 +41,12 @@ fn assert_near<'a>(
     shown: impl Into<Shown<'a>>,
     quality: Quality,
     size: [usize; 2],
-    (limit, least): (usize, f64),
+    (limit, min_psnr): (usize, f64),
 ) {
     let (psnr, patch) = compared(cpu::best(), shown, quality, size);
     let what = format!("{what}, {size:?}: {psnr:.1} dB, a patch of {patch}, {}", quality.antialias);
     println!("{what}");
-    assert!(patch <= limit && psnr >= least, "{what}");
+    assert!(patch <= limit && psnr >= min_psnr, "{what}");
 }
 
 fn room(random: &mut Random) -> Scene {

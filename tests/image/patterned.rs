@@ -37,7 +37,7 @@ fn patterned(random: &mut Random, any: fn(&mut Random) -> Pattern) -> Scene {
 }
 
 /// Spots and shadows of shapes are lost where no drawn pixel nearby is similar.
-fn hold(cases: impl Iterator<Item = Random>, any: fn(&mut Random) -> Pattern) {
+fn assert_patterns_match(cases: impl Iterator<Item = Random>, any: fn(&mut Random) -> Pattern) {
     let mut below = Vec::new();
     for mut random in cases {
         let isa = isa_of(random.seed);
@@ -59,23 +59,23 @@ fn hold(cases: impl Iterator<Item = Random>, any: fn(&mut Random) -> Pattern) {
 fn patterns_are_right_at_any_distance() {
     // Before patterns had bounds, the first ten had 32 to 39 dB, and lost spots of up to 136 pixels.
     let known = [72, 263, 378, 407, 458, 688, 778, 853, 888, 893];
-    hold(known.map(Random::new).into_iter().chain(cases(6)), materials::pattern);
-    hold(cases(12), materials::swirled);
+    assert_patterns_match(known.map(Random::new).into_iter().chain(cases(6)), materials::pattern);
+    assert_patterns_match(cases(12), materials::swirled);
 }
 
 #[test]
 #[ignore = "many scenes"]
 fn long_patterns_are_right_at_any_distance() {
-    hold(cases(4500), materials::pattern);
-    hold(cases(4500), materials::swirled);
+    assert_patterns_match(cases(4500), materials::pattern);
+    assert_patterns_match(cases(4500), materials::swirled);
 }
 
 /// Swirls, the rim of air, low fog, films and the soft edges of softboxes are smooth enough for squares.
 #[test]
 fn smooth_examples_match_exhaustive_frames() {
-    for (name, least) in [("planet", 55.0), ("city", 55.0), ("bubbles", 50.0)] {
+    for (name, min_psnr) in [("planet", 55.0), ("city", 55.0), ("bubbles", 50.0)] {
         let (psnr, _) = compared(isa_of(0), &example(name), Quality::DEFAULT, [960, 540]);
-        assert!(psnr > least, "{name}: {psnr:.1} dB");
+        assert!(psnr > min_psnr, "{name}: {psnr:.1} dB");
     }
 }
 

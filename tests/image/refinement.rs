@@ -40,7 +40,7 @@ fn default_has_45_db_and_42_in_fields() {
 }
 
 /// Returns the number of pixels, and of the corners that squares of each size may have outside.
-pub fn most_points(square: usize, width: usize, height: usize) -> usize {
+pub fn max_points(square: usize, width: usize, height: usize) -> usize {
     let corners = |side: usize, tile: usize| -> usize {
         let parts = (0..side).step_by(tile).map(|start| (side - start).min(tile));
         let ends = |part: usize| (0..=square.ilog2()).map(move |i| part.next_multiple_of(1 << i));

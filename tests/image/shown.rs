@@ -194,9 +194,9 @@ fn far_suns_and_telescopes_open_few_squares() {
         };
         let usual = points(1e3, 1.0);
         let far = [(1e4, 1.0), (5e4, 1.0), (1e6, 1.0), (1e3, 10.0), (1e3, 100.0), (1e3, 1e3)];
-        for ((light, eye), most) in far.into_iter().zip([1.05, 1.05, 1.2, 1.3, 1.3, 1.75]) {
+        for ((light, eye), max) in far.into_iter().zip([1.05, 1.05, 1.2, 1.3, 1.3, 1.75]) {
             let share = points(light, eye) / usual;
-            assert!(share < most, "{share} of {}, {light}, {eye}", kind.0);
+            assert!(share < max, "{share} of {}, {light}, {eye}", kind.0);
         }
     }
 }
@@ -239,8 +239,8 @@ fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let lit = pixels(isa, &lit, Quality::EXHAUSTIVE);
     let is_shaded = |&i: &usize| exhaustive[i] == DARK && lit[i] != DARK;
     let shaded: Vec<usize> = (0..lit.len()).filter(is_shaded).collect();
-    let is_seen = shaded.iter().any(|&i| worst_channel(lit[i], DARK) >= 2);
-    is_seen.then(|| promised(shaded)).into_iter().collect()
+    let is_visible = shaded.iter().any(|&i| worst_channel(lit[i], DARK) >= 2);
+    is_visible.then(|| promised(shaded)).into_iter().collect()
 }
 
 #[test]

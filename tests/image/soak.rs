@@ -2,7 +2,7 @@
 
 use crate::drawn::isa_of;
 use crate::error::Difference;
-use crate::refinement::most_points;
+use crate::refinement::max_points;
 use crate::sameness::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
@@ -49,15 +49,15 @@ fn corrupt(scene: &mut Moment, random: &mut Random) -> bool {
     matches!(field, "axes" | "sectors")
 }
 
-fn most_traced(quality: &Quality, width: usize, height: usize) -> u64 {
+fn max_traced(quality: &Quality, width: usize, height: usize) -> u64 {
     // Antialiasing traces the midpoints to the right of a pixel and below it; between stretches and between bands twice. Bisection adds up
     // to two points on each side of a midpoint, three if `edge` is below 20.
     let of_pixel = if quality.edge < 20 { 15 } else { 11 };
     let middles = usize::from(quality.antialias) * of_pixel * width * height;
-    (most_points(quality.square, width, height) + middles) as u64
+    (max_points(quality.square, width, height) + middles) as u64
 }
 
-fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<f64> {
+fn assert_same_bits([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<f64> {
     let what = format!("case {}", random.seed);
     let isa = isa_of(random.seed);
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
@@ -91,7 +91,7 @@ fn hold([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random) -> Option<f
     assert!(pixels == others, "{what}: another picture by two threads");
     assert_eq!(work(counts), work(again), "{what}");
 
-    let is_bounded = counts.points <= most_traced(&quality, width, height)
+    let is_bounded = counts.points <= max_traced(&quality, width, height)
         && counts.rays <= counts.points * ((2 << quality.depth) - 1)
         && counts.shadow_rays <= counts.rays * scene.scene.lights.len() as u64;
     assert!(is_bounded, "{what}: {counts:?}");
@@ -127,15 +127,15 @@ fn any_case_has_same_bits_for_bounded_work() {
     let limit = seconds.map(|text| Duration::from_secs(text.parse().expect("seconds")));
     let start = Instant::now();
     let mut renderers = [1, 2].map(ThreadedRenderer::new);
-    let (mut held, mut measured, mut worst) = (0, 0, 0.0_f64);
+    let (mut count, mut measured, mut worst) = (0, 0, 0.0_f64);
     let is_on = |_: &Random| limit.is_none_or(|limit| start.elapsed() < limit);
     let all = cases(limit.map_or(CASES, |_| u64::MAX));
     for mut random in all.take_while(is_on) {
-        if let Some(off) = hold(&mut renderers, &mut random) {
+        if let Some(off) = assert_same_bits(&mut renderers, &mut random) {
             measured += 1;
             worst = worst.max(off);
         }
-        held += 1;
+        count += 1;
     }
-    println!("{held} cases held; the default quality was off by {worst:.2} of 255 in {measured}");
+    println!("{count} cases; the default quality was off by {worst:.2} of 255 in {measured}");
 }

@@ -1,7 +1,7 @@
 use crate::drawn::{draw, isa_of, named, with_antialias};
 use crate::error::worst_channel;
 use eightfold_harness::patches::largest_of;
-use eightfold_scenes::{Random, Seen, cases, solids};
+use eightfold_scenes::{BarView, Random, cases, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Material, Scene};
 use glam::{Mat3, Vec3, vec3};
@@ -13,11 +13,11 @@ const VISIBLE: u32 = 24;
 /// Returns the number of pixels that show bars, and asserts that no hole has 4 or more of them.
 fn assert_whole(count: u64) -> usize {
     let mut shown = 0;
-    for (mut random, seen) in
-        cases(count).flat_map(|case| Seen::ALL.map(|seen| (case.clone(), seen)))
+    for (mut random, bar_view) in
+        cases(count).flat_map(|case| BarView::ALL.map(|bar_view| (case.clone(), bar_view)))
     {
         let isa = isa_of(random.seed);
-        let [view, without] = seen.view(&mut random);
+        let [view, without] = bar_view.view(&mut random);
         let (width, height) = (view.width, view.height);
         // Presets above the default antialias fainter edges.
         let mut references = HashMap::new();
@@ -37,7 +37,7 @@ fn assert_whole(count: u64) -> usize {
                     |i: &usize| is_bar(*i) && worst_channel(exhaustive[*i], drawn[*i]) > VISIBLE;
                 let wrong: Vec<usize> = (0..drawn.len()).filter(is_wrong).collect();
                 let (hole, seed) = (largest_of(&wrong, width), random.seed);
-                let by = format!("{seen:?} by {} and {quality:?}", isa.name);
+                let by = format!("{bar_view:?} by {} and {quality:?}", isa.name);
                 assert!(hole < 4, "case {seed}: a hole of {hole} pixels, {by}");
             }
         }

@@ -28,8 +28,8 @@ fn worst(
         }
         (psnr, patch)
     });
-    all.fold((0, 0, f64::INFINITY), |(patched, most, least), (psnr, patch)| {
-        (patched + usize::from(patch >= PATCH), most.max(patch), least.min(psnr))
+    all.fold((0, 0, f64::INFINITY), |(patched, max_patch, min_psnr), (psnr, patch)| {
+        (patched + usize::from(patch >= PATCH), max_patch.max(patch), min_psnr.min(psnr))
     })
 }
 
@@ -50,7 +50,7 @@ fn long_finest_shows_thin_things_without_bounds() {
         for (count, size) in [(200, SMALL), (40, LARGE)] {
             assert_eq!(worst(*kind, 0..count, FINEST, size).0, 0, "{}", kind.0);
         }
-        let (patched, most, least) = worst(*kind, 0..40, Quality::DEFAULT, LARGE);
-        println!("{} by default: {patched} of 40, up to {most} pixels, {least:.1} dB", kind.0);
+        let (patched, patch, psnr) = worst(*kind, 0..40, Quality::DEFAULT, LARGE);
+        println!("{} by default: {patched} of 40, up to {patch} pixels, {psnr:.1} dB", kind.0);
     }
 }

@@ -100,10 +100,10 @@ impl Kinds {
     }
 }
 
-/// Returns a number up to `most`, often a small one.
-fn count(random: &mut Random, most: usize) -> usize {
-    let most = random.one_of([4, 12, 40, most]).min(most);
-    random.below(most + 1)
+/// Returns a number up to `max`, often a small one.
+fn count(random: &mut Random, max: usize) -> usize {
+    let max = random.one_of([4, 12, 40, max]).min(max);
+    random.below(max + 1)
 }
 
 fn place(random: &mut Random) -> Vec3 {

@@ -8,7 +8,7 @@
 //! | [`hidden()`] | forty small objects that are easily missed |
 //! | [`artists`] | bars in the order of words, nets, fences and shelves |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
-//! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
+//! | [`BarView`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known()`] | scenes that once failed |
 //!
 //! A new kind is a function from a [`Random`] to a scene, of parts from [`materials`], [`lights`] and [`solids`].
@@ -34,7 +34,7 @@ pub use kinds::{Kinds, presented};
 pub use known::known;
 pub use placed::{between_corners, placed, placed_blocks};
 pub use random::{Random, cases};
-pub use thin::Seen;
+pub use thin::BarView;
 
 use eightfold_tracer::scene::{MIN_LENGTH, Material, Scene};
 use glam::Vec3;
@@ -62,7 +62,7 @@ pub fn any(random: &mut Random) -> Scene {
     let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
     match random.below(7) {
         0 => hidden(random, [true; 2], GREY),
-        1 => random.one_of(Seen::ALL).view(random)[0].scene.clone(),
+        1 => random.one_of(BarView::ALL).view(random)[0].scene.clone(),
         2 => crowd(random, [8, 8], [0.3, 0.3]),
         3 => shiny_blocks.scene(random),
         4 => artists::artists(random),

@@ -51,12 +51,12 @@ pub fn extreme(random: &mut Random) -> Material {
 /// Returns a pattern: stripes, checkers, marble, veins or spots, from soft to sharp. Half the balances leave thin veins.
 pub fn pattern(random: &mut Random) -> Pattern {
     let waves = [0; 3].map(|_| random.zero_or(0.2, 2.0));
-    let most = random.one_of([1.0_f32, 0.2]);
+    let max = random.one_of([1.0_f32, 0.2]);
     Pattern {
         waves: waves.into(),
         depth: random.between(0.2, 1.0),
         edge: random.power(-0.3, 1.6),
-        balance: random.one_of([-1.0, 1.0]) * (1.0 - most * random.between(0.0, 1.0)),
+        balance: random.one_of([-1.0, 1.0]) * (1.0 - max * random.between(0.0, 1.0)),
         warp: random.zero_or(0.2, 3.0),
         grain: random.power(-0.5, 1.0),
         ..Pattern::NONE

@@ -9,13 +9,13 @@ use eightfold_tracer::scene::{
 use glam::{Mat3, Quat, Vec2, Vec3, vec2, vec3};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Seen {
+pub enum BarView {
     Directly,
     AsShadows,
     AsImages,
 }
 
-impl Seen {
+impl BarView {
     pub const ALL: [Self; 3] = [Self::Directly, Self::AsShadows, Self::AsImages];
 
     pub fn view(self, random: &mut Random) -> [View; 2] {

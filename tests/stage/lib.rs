@@ -86,8 +86,8 @@ pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
 pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     while start.elapsed() < Duration::from_secs(10) {
-        if let Some(seen) = look() {
-            return Some(seen);
+        if let Some(value) = look() {
+            return Some(value);
         }
         sleep(Duration::from_millis(10));
     }
