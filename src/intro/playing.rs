@@ -129,12 +129,12 @@ impl Playing<'_> {
             let canvas = target.canvas(size.0, size.1);
             let counts = self.draw(canvas, size, divisor, quality, heard);
             let next = target.show();
-            let shown = clock.time();
+            let end = clock.time();
             match &mut by_accuracy {
                 Some(governor) => governor.frame(counts.probes),
-                None => by_rate.frame(Duration::from_nanos(shown - start)),
+                None => by_rate.frame(Duration::from_nanos(end - start)),
             }
-            self.tally.count(shown, size, divisor, quality, counts.probes);
+            self.tally.count(end, size, divisor, quality, counts.probes);
             match next {
                 Next::End(code) => return code,
                 Next::Toggle => self.has_hud = !self.has_hud,

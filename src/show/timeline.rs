@@ -15,22 +15,22 @@ pub fn at(time: f32, moment: &mut Moment) {
 
 /// Sets a scene like [`at`], without a transition's coarse squares. Returns the transition's halvings.
 pub fn without_transition(time: f32, Moment { scene, presentation }: &mut Moment) -> f32 {
-    let (shown, bar) = playing(&ALL, ShowScene::bars, time / BAR);
-    let since = bar + shown.environment_since as f32;
+    let (show_scene, bar) = playing(&ALL, ShowScene::bars, time / BAR);
+    let since = bar + show_scene.environment_since as f32;
     // Rounded, since the difference may be slightly less than a whole number.
     let first = (time / BAR - since + 0.5) as u32;
     let now = Now { first, beat: since * BEATS };
-    shown.environment.apply(now, scene);
+    show_scene.environment.apply(now, scene);
     (presentation.sectors, presentation.method) = (1.0, Method::PLAIN);
-    (shown.environment.present)(now, presentation);
-    captions::apply(shown.captions, bar * BEATS, presentation);
-    let (shot, bar_of_shot) = playing(shown.shots, |shot| shot.bars.into(), bar);
+    (show_scene.environment.present)(now, presentation);
+    captions::apply(show_scene.captions, bar * BEATS, presentation);
+    let (shot, bar_of_shot) = playing(show_scene.shots, |shot| shot.bars.into(), bar);
     let time_of_shot = bar_of_shot / f32::from(shot.bars);
-    move_camera(shot.views, time_of_shot, shown.environment.field_of_view, scene);
+    move_camera(shot.views, time_of_shot, show_scene.environment.field_of_view, scene);
     // Halve squares on eighths, and double them on sixteenths.
-    let bars_left = shown.bars() as f32 - bar;
+    let bars_left = show_scene.bars() as f32 - bar;
     // The last scene ends by itself.
-    let is_last = core::ptr::eq(shown, &ALL[ALL.len() - 1]);
+    let is_last = core::ptr::eq(show_scene, &ALL[ALL.len() - 1]);
     BEATS * if is_last { 2.0 * bar } else { f32::min(2.0 * bar, 4.0 * bars_left) }
 }
 

@@ -121,24 +121,24 @@ mod tests {
     #[test]
     fn decimals_keep_leading_zeros() {
         for (hundredths, expected) in [(0, "0.00"), (7, "0.07"), (123, "1.23"), (2513, "25.13")] {
-            let shown = written(|writer| _ = writer.format("%", &[hundredths]));
-            assert_eq!(shown, expected);
+            let text = written(|writer| _ = writer.format("%", &[hundredths]));
+            assert_eq!(text, expected);
         }
-        let shown = written(|writer| _ = writer.format("$ $, #%", &[0, u64::MAX, 10, 9]));
-        assert_eq!(shown, "0.0 1844674407370955161.5, 100.09");
+        let text = written(|writer| _ = writer.format("$ $, #%", &[0, u64::MAX, 10, 9]));
+        assert_eq!(text, "0.0 1844674407370955161.5, 100.09");
     }
 
     #[test]
     fn printable_replaces_control_bytes() {
-        let shown = written(|writer| _ = writer.printable(b"a b\x1b[2J\xff\n"));
-        assert_eq!(shown, "a b?[2J??");
+        let text = written(|writer| _ = writer.printable(b"a b\x1b[2J\xff\n"));
+        assert_eq!(text, "a b?[2J??");
     }
 
     #[test]
     fn text_longer_than_buffer_is_written() {
         let long = "x".repeat(5000);
-        let shown = written(|writer| _ = writer.text(&long).format("y#", &[1]));
-        assert_eq!(shown, long + "y1");
+        let text = written(|writer| _ = writer.text(&long).format("y#", &[1]));
+        assert_eq!(text, long + "y1");
     }
 
     #[test]

@@ -12,9 +12,9 @@ pub const KEYS: &str = "H hud, Esc or Q quit";
 
 /// `minifb` has no fullscreen; the desktop may have one.
 pub struct Window {
-    shown: minifb::Window,
+    window: minifb::Window,
     frame: &'static mut [u32],
-    drawn: (usize, usize),
+    frame_size: (usize, usize),
     keys: KeyQueue,
     mouse: Option<Mouse>,
     inputs: Vec<Input>,
@@ -32,17 +32,17 @@ impl Window {
             ..WindowOptions::default()
         };
         let name = title.to_string_lossy();
-        let mut shown =
+        let mut window =
             minifb::Window::new(&name, width, height, options).map_err(|_| "display is missing")?;
         // The intro paces its frames itself.
-        shown.set_target_fps(0);
+        window.set_target_fps(0);
         let keys = KeyQueue::default();
-        shown.set_input_callback(Box::new(keys.clone()));
-        Ok(Window { shown, frame: pixels(), drawn: (0, 0), keys, mouse: None, inputs: Vec::new() })
+        window.set_input_callback(Box::new(keys.clone()));
+        Ok(Self { window, frame: pixels(), frame_size: (0, 0), keys, mouse: None, inputs: vec![] })
     }
 
     pub fn set_title(&mut self, title: &CStr) {
-        self.shown.set_title(&title.to_string_lossy());
+        self.window.set_title(&title.to_string_lossy());
     }
 
     pub fn set_fullscreen(&mut self, _: bool) {}
@@ -62,26 +62,26 @@ impl Window {
         for press in keys.iter().filter_map(|&key| Press::of(key)) {
             self.inputs.push(Input::Key(press));
         }
-        mouse.poll(&self.shown, &mut self.inputs);
+        mouse.poll(&self.window, &mut self.inputs);
     }
 }
 
 impl RenderTarget for Window {
     fn size(&self) -> (usize, usize) {
-        let (width, height) = self.shown.get_size();
+        let (width, height) = self.window.get_size();
         (width.max(1), height.max(1))
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
-        self.drawn = (width, height);
+        self.frame_size = (width, height);
         &mut self.frame[..width * height]
     }
 
     fn show(&mut self) -> Next {
-        let (width, height) = self.drawn;
+        let (width, height) = self.frame_size;
         let frame = &self.frame[..width * height];
-        let is_shown = self.shown.update_with_buffer(frame, width, height);
-        if !self.shown.is_open() {
+        let is_shown = self.window.update_with_buffer(frame, width, height);
+        if !self.window.is_open() {
             return Next::End(0);
         }
         if is_shown.is_err() {

@@ -21,7 +21,7 @@ pub struct Frames {
     shared: Option<&'static Xext>,
     /// The first is drawn next.
     frames: [&'static mut [u32]; 2],
-    drawn: (usize, usize),
+    frame_size: (usize, usize),
 }
 
 impl Frames {
@@ -31,7 +31,7 @@ impl Frames {
     /// The image must have no other user, and the context must be from the display.
     pub unsafe fn new(top: &Toplevel, image: *mut xlib::XImage, context: xlib::GC) -> Frames {
         let mut frames =
-            Frames { context, image, shared: None, frames: [&mut [], &mut []], drawn: (0, 0) };
+            Frames { context, image, shared: None, frames: [&mut [], &mut []], frame_size: (0, 0) };
         // SAFETY: the image is valid.
         let is_shared = unsafe { (*image).bits_per_pixel } == 32;
         let shared = if is_shared { frames.share(top) } else { None };
@@ -49,14 +49,14 @@ impl Frames {
     }
 
     pub fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
-        self.drawn = (width, height);
+        self.frame_size = (width, height);
         &mut self.frames[0][..width * height]
     }
 
     pub fn show(&mut self, top: &Toplevel, (width, height): (usize, usize)) {
         // SAFETY: the image belongs to this structure.
         let masks = masks(unsafe { &*self.image });
-        if self.drawn == (width, height) && masks == MASKS {
+        if self.frame_size == (width, height) && masks == MASKS {
             finish(top);
             self.put(top, 0, width, 0..height);
             self.frames.swap(0, 1);
@@ -81,7 +81,7 @@ impl Frames {
         masks: [c_ulong; 3],
     ) {
         let [from, to] = &mut self.frames;
-        let (from_width, from_height) = self.drawn;
+        let (from_width, from_height) = self.frame_size;
         // In 2^-32 pixels, plus 1, so that integer positions are not rounded down.
         let step = |from: usize, to: usize| (from << 32) / to.max(1) + 1;
         let (across, down) = (step(from_width, width), step(from_height, height));

@@ -21,7 +21,7 @@ pub struct Window {
     size: (usize, usize),
     frames: Frames,
     released: xlib::Time,
-    shown: u8,
+    frame_number: u8,
     listener: Option<(Note, &'static mut Vec<Input>)>,
 }
 
@@ -63,7 +63,7 @@ impl Window {
             size,
             frames,
             released: 0,
-            shown: 0,
+            frame_number: 0,
             listener: None,
         };
         window.set_title(title);
@@ -179,8 +179,8 @@ impl RenderTarget for Window {
         if let Some(on) = fullscreen {
             self.set_fullscreen(on);
         }
-        self.shown = self.shown.wrapping_add(1);
-        if self.shown.is_multiple_of(LOOK) {
+        self.frame_number = self.frame_number.wrapping_add(1);
+        if self.frame_number.is_multiple_of(LOOK) {
             self.top.follow_monitor();
         }
         next

@@ -32,7 +32,7 @@ pub struct Terminal {
     keys: KeyParser,
     pixels: &'static mut [u32],
     size: (usize, usize),
-    shown: (usize, usize),
+    last_size: (usize, usize),
     has_colours: bool,
     /// 256 colours instead of 24 bits.
     is_coarse: bool,
@@ -92,7 +92,7 @@ impl Terminal {
             keys: KeyParser::default(),
             pixels,
             size: (0, 0),
-            shown: (0, 0),
+            last_size: (0, 0),
             has_colours,
             is_coarse: is_screen && !mux,
             is_plain: !(has_colours & Terminal::is_utf8()),
@@ -103,9 +103,9 @@ impl Terminal {
 
     fn draw(&mut self) -> bool {
         let mut text = Writer::new(line::OUTPUT);
-        if self.shown != self.size {
+        if self.last_size != self.size {
             text.text(CLEAR);
-            self.shown = self.size;
+            self.last_size = self.size;
         }
         let (width, height) = self.size;
         for row in 0..height / 2 {

@@ -52,7 +52,7 @@ bcmp:
     or eax, 1
 2:
     ret
-# The entry point of threads, with their work in `rcx`. It need not preserve registers.
+# The entry point of threads, with their `MainCall` in `rcx`. It need not preserve registers.
 .section .text.eightfold_thread, "ax"
 .globl eightfold_thread
 eightfold_thread:

@@ -21,7 +21,7 @@ impl Thread {
 }
 
 #[repr(C)]
-struct Work {
+struct MainCall {
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
 }
@@ -36,11 +36,11 @@ pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
 ) -> Option<Thread> {
-    let work = Box::into_raw(Box::new(Work { main, pointer }));
-    // SAFETY: the work is never freed; the rest is required of the caller.
+    let call = Box::into_raw(Box::new(MainCall { main, pointer }));
+    // SAFETY: the call is never freed; the rest is required of the caller.
     let thread = unsafe {
         let start = eightfold_thread as *const c_void;
-        CreateThread(null_mut(), 0, start, work.cast(), 0, null_mut())
+        CreateThread(null_mut(), 0, start, call.cast(), 0, null_mut())
     };
     (!thread.is_null()).then_some(Thread(thread))
 }

@@ -44,8 +44,8 @@ pub struct Window {
     context: HANDLE,
     size: (usize, usize),
     pixels: &'static mut [u32],
-    drawn: (usize, usize),
-    shown: u8,
+    frame_size: (usize, usize),
+    frame_number: u8,
 }
 
 struct Opening {
@@ -215,10 +215,10 @@ impl Window {
             context: unsafe { GetDC(window) },
             size: (0, 0),
             pixels: pixels(),
-            drawn: (0, 0),
-            shown: 0,
+            frame_size: (0, 0),
+            frame_number: 0,
         };
-        window.look();
+        window.update_size();
         Ok(window)
     }
 
@@ -241,7 +241,7 @@ impl Window {
             })
     }
 
-    fn look(&mut self) -> bool {
+    fn update_size(&mut self) -> bool {
         let inside = inside(self.window);
         let size = inside.unwrap_or_default();
         self.size = (size.right as usize, size.bottom as usize);
@@ -255,12 +255,12 @@ impl RenderTarget for Window {
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
-        self.drawn = (width, height);
+        self.frame_size = (width, height);
         &mut self.pixels[..width * height]
     }
 
     fn show(&mut self) -> Next {
-        let (width, height) = (self.drawn.0 as i32, self.drawn.1 as i32);
+        let (width, height) = (self.frame_size.0 as i32, self.frame_size.1 as i32);
         let info = BITMAPINFO {
             bmiHeader: BITMAPINFOHEADER {
                 biSize: size_of::<BITMAPINFOHEADER>() as u32,
@@ -294,11 +294,11 @@ impl RenderTarget for Window {
                 }
             }
         }
-        if !self.look() {
+        if !self.update_size() {
             return Next::End(0);
         }
-        self.shown = self.shown.wrapping_add(1);
-        if self.shown.is_multiple_of(LOOK) && self.is_misplaced() {
+        self.frame_number = self.frame_number.wrapping_add(1);
+        if self.frame_number.is_multiple_of(LOOK) && self.is_misplaced() {
             self.set_fullscreen(true);
         }
         next
