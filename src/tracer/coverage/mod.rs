@@ -131,8 +131,8 @@ impl Coverage {
 
     #[inline(never)]
     pub fn region(&self, world: World<'_>, number: usize) -> Region {
-        // `shown`: the plane with the image or shadow, and its viewer.
-        let (id, view, shown) = match self.outlines[number] {
+        // `receiver`: the plane with the image or shadow, and its viewer.
+        let (id, view, receiver) = match self.outlines[number] {
             Outline::Object(id) => (id, &self.eye, None),
             Outline::Image(id) => (id, &self.image, Some((0, world.eye))),
             Outline::Shadow { object, plane, light } => {
@@ -149,7 +149,7 @@ impl Coverage {
             }
         };
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
-        if let Some((plane, viewer)) = shown {
+        if let Some((plane, viewer)) = receiver {
             let [min, max] = self.heights(id, &world.planes()[plane], viewer);
             // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly inside,
             // except in a sphere's image: a sphere mostly on the eye's side hides all points inside that show no image.

@@ -17,7 +17,7 @@ pub(crate) struct Film {
 }
 
 /// Four points' light or colours: blue, green, red, and an unused vector.
-pub(crate) type Four = [f32x4<Baseline>; 4];
+pub(crate) type Colours = [f32x4<Baseline>; 4];
 
 /// Thresholds that are added to a pixel's colour before truncation, in 256ths of a step. The word of the pixel (x, y), at `[y %
 /// 4][x % 4]` and again four further on, has one number for all channels.
@@ -76,7 +76,7 @@ impl Film {
     }
 
     #[inline(never)]
-    pub fn expose(&self, light: &mut Four, at: [f32x4<Baseline>; 2]) {
+    pub fn expose(&self, light: &mut Colours, at: [f32x4<Baseline>; 2]) {
         let dimming: [f32; 4] = self.dimming(at).into();
         for (light, dimming) in light.iter_mut().zip(dimming) {
             *light /= dimming;

@@ -11,7 +11,7 @@ mod tree;
 pub(crate) use ambience::{Ambience, Bounds, CAPACITY, Neighbour, Tap};
 #[cfg(test)]
 pub(crate) use film::ROUND;
-pub(crate) use film::{Dither, Film, Four};
+pub(crate) use film::{Colours, Dither, Film};
 pub(crate) use light::{PreparedLight, ShadowCone, SpotCone};
 pub(crate) use object::{Object, ObjectId, is_crowd};
 pub(crate) use softbox::Softbox;

@@ -36,13 +36,13 @@ fn arriving<S: Isa>(tracer: Tracer<'_, S>, rays: &Rays<S>, point: &ShadingPoint<
     let height = at_least::<S>(point.p.y - ambience.floor, zero);
     let below = (one - up) * height / (height + ambience.contact);
     let sky = Vec3x::splat(simd, ambience.sky).scaled(up);
-    let open = sky.add_scaled(Vec3x::splat(simd, ambience.ground), below);
+    let unoccluded = sky.add_scaled(Vec3x::splat(simd, ambience.ground), below);
     let near = point.shaded
         & !point.inside
         & rays.paths().simd_lt(U::<S>::splat(simd, DEEP))
         & rays.weight.simd_gt(splat(simd, scene::Ambience::FAINT));
     if !near.any_true() {
-        return open;
+        return unoccluded;
     }
     let (p, n) = (&point.p, &point.n);
     let around = Surroundings {
@@ -56,7 +56,7 @@ fn arriving<S: Isa>(tracer: Tracer<'_, S>, rays: &Rays<S>, point: &ShadingPoint<
         ),
     };
     let (share, bounced) = around.gather(tracer, point, near);
-    Vec3x::select(near, open.scaled(share) + bounced, open)
+    Vec3x::select(near, unoccluded.scaled(share) + bounced, unoccluded)
 }
 
 struct Cover<S: Isa> {
@@ -82,7 +82,7 @@ impl Surroundings {
     ) -> (F<S>, Vec3x<S>) {
         let (simd, world) = (tracer.isa, tracer.world);
         let ambience = &world.ambience;
-        let mut open = splat(simd, 1.0);
+        let mut unoccluded = splat(simd, 1.0);
         let mut bounced = Vec3x::splat(simd, Vec3A::ZERO);
         for first in (0..ambience.count).step_by(lanes::<S>()) {
             let mut rest = self.meets(simd, &ambience.bounds, first).to_bitmask();
@@ -100,12 +100,12 @@ impl Surroundings {
                 let share = at_most::<S>(cover.share * neighbour.opacity, splat(simd, 1.0));
                 if ambience.bounces {
                     let light = reflected(simd, neighbour, &cover, world.light_count);
-                    bounced = bounced.add_scaled(light, share * open);
+                    bounced = bounced.add_scaled(light, share * unoccluded);
                 }
-                open = open - open * share;
+                unoccluded = unoccluded - unoccluded * share;
             }
         }
-        (open, bounced)
+        (unoccluded, bounced)
     }
 
     #[inline(always)]

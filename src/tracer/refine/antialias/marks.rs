@@ -20,7 +20,7 @@ const CELLS: usize = STRETCH / CELL;
 
 /// Marks of a stretch. Each row has the edges to the row above, then the edges to the right; the last entry has the edges to the row
 /// below the band.
-pub(super) type Marks = [u64; ROWS * TILE_HEIGHT + 1];
+pub(super) type EdgeMarks = [u64; ROWS * TILE_HEIGHT + 1];
 
 pub(super) fn stretch(word: usize, width: usize) -> Range<usize> {
     width.min(word * STRETCH)..width.min((word + 1) * STRETCH)
@@ -55,7 +55,7 @@ pub(super) fn mark_stretch(
     band: &Band<'_>,
     word: usize,
     [above, below]: [&RowMarks; 2],
-    marks: &mut Marks,
+    marks: &mut EdgeMarks,
 ) {
     let finished = plan.finished;
     let stretch = stretch(word, finished);

@@ -36,7 +36,7 @@ use crate::plan::FramePlan;
 use crate::prepare::VisibleGroups;
 use crate::trace::{BATCH, PARTS};
 use crate::zero::Zero;
-use marks::{MAX_STRETCHES, Marks, ROWS, RowMarks, mark, mark_stretch, rough_cells, stretch};
+use marks::{EdgeMarks, MAX_STRETCHES, ROWS, RowMarks, mark, mark_stretch, rough_cells, stretch};
 
 /// The most midpoints in a batch: bisection needs a point on each side of a midpoint.
 const MIDDLES: usize = BATCH / 2;
@@ -91,7 +91,7 @@ fn smooth<O: Observer>(
     worker.pyramid.changes().fill(0);
     let &Context { plan, coverage, .. } = context;
     let finished = plan.finished;
-    let mut marks: Marks = [0; _];
+    let mut marks: EdgeMarks = [0; _];
     // Per row: whether an edge lies between the previous stretch and this one.
     let mut before = [0; TILE_HEIGHT];
     let (top, height) = (band.top, band.height());

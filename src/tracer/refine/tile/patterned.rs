@@ -7,7 +7,7 @@ use crate::lanes::*;
 use crate::maths::to_f32;
 use crate::observe::Observer;
 use crate::picture::Band;
-use crate::prepare::{Four, ObjectId, World};
+use crate::prepare::{Colours, ObjectId, World};
 use crate::refine::Kernels;
 use crate::refine::verdict::Verdict;
 use crate::trace::{Layers, PatternOnScreen, STEP, Sample};
@@ -115,7 +115,7 @@ fn span(corners: &[Layers; 4]) -> f32 {
 
 /// Converts four colours to pixels, with thresholds for rounding. Words are 128ths of an output step.
 #[inline(always)]
-fn rounded(simd: Baseline, colours: Four, [first, last]: [u16x8<Baseline>; 2]) -> [u32; 4] {
+fn rounded(simd: Baseline, colours: Colours, [first, last]: [u16x8<Baseline>; 2]) -> [u32; 4] {
     let max = splat(simd, (255 * STEP) as f32);
     let [a, b, c, d] = colours
         .map(|colour| at_most::<Baseline>(colour * STEP as f32, max).to_int::<i32x4<Baseline>>());
