@@ -9,11 +9,11 @@ pub struct FrameTrace {
     height: usize,
     /// Each pixel's number of rays, including shadow rays; 0 if it was not traced.
     rays: Vec<AtomicU32>,
-    squares: Mutex<Vec<Drawn>>,
+    squares: Mutex<Vec<Square>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Drawn {
+pub struct Square {
     pub x: usize,
     pub y: usize,
     pub w: usize,
@@ -33,7 +33,7 @@ impl FrameTrace {
         self.rays.iter().map(|rays| rays.load(Relaxed))
     }
 
-    pub fn squares(&self) -> Vec<Drawn> {
+    pub fn squares(&self) -> Vec<Square> {
         self.squares.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
@@ -51,7 +51,7 @@ impl Observer for &FrameTrace {
             let side = w.max(h);
             let (w, h) = (w.min(self.width - x), h.min(self.height - y));
             let mut squares = self.squares.lock().unwrap_or_else(PoisonError::into_inner);
-            squares.push(Drawn { x, y, w, h, side, fill });
+            squares.push(Square { x, y, w, h, side, fill });
         }
     }
 }

@@ -36,12 +36,12 @@ impl ThreadedRenderer {
     pub fn draw<'a>(
         &mut self,
         level: Level,
-        shown: impl Into<Shown<'a>>,
+        moment: impl Into<MomentRef<'a>>,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
-        let Shown { scene, presentation } = shown.into();
+        let MomentRef { scene, presentation } = moment.into();
         let (mut renderer, frame, mut threads) = self.parts(level, presentation, width, pixels);
         renderer.render_valid(scene, quality, frame, &mut threads)
     }
@@ -49,13 +49,13 @@ impl ThreadedRenderer {
     pub fn draw_observed<'a>(
         &mut self,
         level: Level,
-        shown: impl Into<Shown<'a>>,
+        moment: impl Into<MomentRef<'a>>,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
         observer: impl Observer,
     ) -> Counts {
-        let Shown { scene, presentation } = shown.into();
+        let MomentRef { scene, presentation } = moment.into();
         let (mut renderer, frame, mut threads) = self.parts(level, presentation, width, pixels);
         let counts = renderer.render_observed(scene, quality, frame, &mut threads, observer);
         counts.expect("a valid scene")
@@ -64,13 +64,13 @@ impl ThreadedRenderer {
     pub fn trace<'a>(
         &mut self,
         level: Level,
-        shown: impl Into<Shown<'a>>,
+        moment: impl Into<MomentRef<'a>>,
         quality: &Quality,
         size: Size,
     ) -> (Vec<u32>, FrameTrace) {
         let mut pixels = vec![0; size.area()];
         let trace = FrameTrace::new(size.width, size.height);
-        self.draw_observed(level, shown, quality, size.width, &mut pixels, &trace);
+        self.draw_observed(level, moment, quality, size.width, &mut pixels, &trace);
         (pixels, trace)
     }
 
@@ -101,18 +101,18 @@ impl ThreadedRenderer {
 
 /// A scene and its presentation, or a plain scene.
 #[derive(Clone, Copy)]
-pub struct Shown<'a> {
+pub struct MomentRef<'a> {
     scene: &'a Scene,
     presentation: &'a Presentation,
 }
 
-impl<'a> From<&'a Scene> for Shown<'a> {
+impl<'a> From<&'a Scene> for MomentRef<'a> {
     fn from(scene: &'a Scene) -> Self {
         Self { scene, presentation: &Presentation::PLAIN }
     }
 }
 
-impl<'a> From<&'a Moment> for Shown<'a> {
+impl<'a> From<&'a Moment> for MomentRef<'a> {
     fn from(Moment { scene, presentation }: &'a Moment) -> Self {
         Self { scene, presentation }
     }
@@ -120,13 +120,13 @@ impl<'a> From<&'a Moment> for Shown<'a> {
 
 pub fn drawn<'a>(
     threads: usize,
-    shown: impl Into<Shown<'a>>,
+    moment: impl Into<MomentRef<'a>>,
     quality: &Quality,
     size: Size,
 ) -> Vec<u32> {
     let mut pixels = vec![0; size.area()];
     let level = cpu::best().level;
-    ThreadedRenderer::new(threads).draw(level, shown, quality, size.width, &mut pixels);
+    ThreadedRenderer::new(threads).draw(level, moment, quality, size.width, &mut pixels);
     pixels
 }
 

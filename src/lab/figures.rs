@@ -98,7 +98,7 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
 }
 
 /// Pixels of the picture.
-const SHOWN: Size = Size { width: 32, height: 20 };
+const CROP: Size = Size { width: 32, height: 20 };
 /// The side of an enlarged pixel.
 const ZOOM: usize = 12;
 /// The side of the mark of a traced point.
@@ -113,10 +113,10 @@ fn close_up(
     size: Size,
     [x, y]: [usize; 2],
 ) -> Result<Vec<u8>> {
-    let fits = size.width >= SHOWN.width && size.height >= SHOWN.height;
-    ensure!(fits, "--at needs a --size of {}x{} or more", SHOWN.width, SHOWN.height);
-    let left = x.saturating_sub(SHOWN.width / 2).min(size.width - SHOWN.width);
-    let top = y.saturating_sub(SHOWN.height / 2).min(size.height - SHOWN.height);
+    let fits = size.width >= CROP.width && size.height >= CROP.height;
+    ensure!(fits, "--at needs a --size of {}x{} or more", CROP.width, CROP.height);
+    let left = x.saturating_sub(CROP.width / 2).min(size.width - CROP.width);
+    let top = y.saturating_sub(CROP.height / 2).min(size.height - CROP.height);
     let exhaustive = Quality { antialias: false, ..quality.reference() };
     let guarded = Quality { antialias: false, ..*quality };
     let ways = [
@@ -128,12 +128,12 @@ fn close_up(
         let (pixels, trace) = renderer.trace(cpu::best().level, scene, &quality, size);
         Tile { pixels: enlarged(&trace, &pixels, [left, top]), caption: caption.into() }
     });
-    sheet(Size { width: ZOOM * SHOWN.width, height: ZOOM * SHOWN.height }, tiles.len(), &tiles)
+    sheet(Size { width: ZOOM * CROP.width, height: ZOOM * CROP.height }, tiles.len(), &tiles)
 }
 
 /// Enlarges pixels, with the upper and left edges of squares, and marks at the traced points.
 fn enlarged(trace: &FrameTrace, pixels: &[u32], [left, top]: [usize; 2]) -> Vec<u32> {
-    let [width, height] = [SHOWN.width, SHOWN.height].map(|side| ZOOM * side);
+    let [width, height] = [CROP.width, CROP.height].map(|side| ZOOM * side);
     let mut large = vec![0; width * height];
     let mut fill = |[x, y]: [usize; 2], [w, h]: [usize; 2], colour: u32| {
         let clipped = |from: usize, length: usize, start: usize, end: usize| {

@@ -118,13 +118,13 @@ const COLUMNS: [Column<Row>; 18] = [
     ("speed-up", |row| format!("{:.2}", row.speedup)),
     ("traced", |row| percent(row.traced_fraction)),
     ("rays", |row| format!("{:.0}", row.rays)),
-    ("dB to exhaustive", |row| known(row.psnr_db, 1)),
-    ("worst frame", |row| known(row.psnr_worst_db, 1)),
+    ("dB to exhaustive", |row| decimals(row.psnr_db, 1)),
+    ("worst frame", |row| decimals(row.psnr_worst_db, 1)),
     ("over 8/255", |row| format!("{:.1}", row.pixels_over_8)),
-    ("pops", |row| known(row.pops, 1)),
-    ("FLIP", |row| known(row.flip_mean, 4)),
-    ("dB to 64 samples", |row| known(row.psnr_to_64_db, 1)),
-    ("FLIP to 64", |row| known(row.flip_to_64, 4)),
+    ("pops", |row| decimals(row.pops, 1)),
+    ("FLIP", |row| decimals(row.flip_mean, 4)),
+    ("dB to 64 samples", |row| decimals(row.psnr_to_64_db, 1)),
+    ("FLIP to 64", |row| decimals(row.flip_to_64, 4)),
 ];
 
 const ERRORS: &str =
@@ -148,15 +148,15 @@ struct Race {
 const RACES: [Column<Race>; 8] = [
     ("scene", |race| race.own.scene.clone()),
     ("quality", |race| race.own.name.clone()),
-    ("speed-up", |race| known(race.own.speedup, 2)),
-    ("dB to 64 samples", |race| known(race.own.psnr_to_64_db, 1)),
-    ("resolution", |race| known(race.enlarged[0], 2)),
-    ("its dB to 64", |race| known(race.enlarged[1], 1)),
-    ("ahead by", |race| known(race.own.psnr_to_64_db - race.enlarged[1], 1)),
+    ("speed-up", |race| decimals(race.own.speedup, 2)),
+    ("dB to 64 samples", |race| decimals(race.own.psnr_to_64_db, 1)),
+    ("resolution", |race| decimals(race.enlarged[0], 2)),
+    ("its dB to 64", |race| decimals(race.enlarged[1], 1)),
+    ("ahead by", |race| decimals(race.own.psnr_to_64_db - race.enlarged[1], 1)),
     ("checkerboard", |race| {
         let row = race.checkerboard.as_ref();
         let [speedup, psnr] = [row.map(|row| row.speedup), row.map(|row| row.psnr_to_64_db)];
-        format!("{}, {}", known(speedup, 2), known(psnr, 1))
+        format!("{}, {}", decimals(speedup, 2), decimals(psnr, 1))
     }),
 ];
 
@@ -201,7 +201,7 @@ fn percent(fraction: f64) -> String {
 }
 
 /// Formats `digits` decimals, or a dash for unknown or infinite numbers.
-fn known(number: impl Into<Option<f64>>, digits: usize) -> String {
+fn decimals(number: impl Into<Option<f64>>, digits: usize) -> String {
     match number.into().filter(|number| number.is_finite()) {
         Some(number) => format!("{number:.digits$}"),
         None => "-".to_owned(),

@@ -1,6 +1,6 @@
 use eightfold_harness::Size;
 use eightfold_harness::error::worst_channel;
-use eightfold_harness::threaded_renderer::{Shown, ThreadedRenderer};
+use eightfold_harness::threaded_renderer::{MomentRef, ThreadedRenderer};
 use eightfold_tracer::{Counts, Level, Preset, Quality};
 use fast_image_resize::images::{Image, ImageRef};
 use fast_image_resize::{FilterType, PixelType, ResizeAlg, ResizeOptions, Resizer};
@@ -66,12 +66,12 @@ impl Technique {
         &self,
         renderer: &mut ThreadedRenderer,
         level: Level,
-        shown: impl Into<Shown<'a>>,
+        moment: impl Into<MomentRef<'a>>,
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
         let size = Size::new(width, pixels.len() / width);
-        let (quality, scene) = (&self.quality, shown.into());
+        let (quality, scene) = (&self.quality, moment.into());
         SCRATCH.with_borrow_mut(|Scratch { resizer, small }| match self.sampling {
             Sampling::Full => renderer.draw(level, scene, quality, width, pixels),
             Sampling::Enlarged(scale) => {

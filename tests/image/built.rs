@@ -1,7 +1,7 @@
 //! The built intro draws the bits of the library. Their module's name sorts early, since the build takes longest.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw, shown};
+use crate::drawn::{draw, show_at};
 use crate::golden::{assert_golden, assert_golden_by_all};
 use eightfold_stage::still;
 use eightfold_tracer::Preset;
@@ -18,7 +18,7 @@ struct Still {
 
 impl Still {
     fn scene(&self) -> Moment {
-        shown((f64::from(self.time) / 1000.0) as f32)
+        show_at((f64::from(self.time) / 1000.0) as f32)
     }
 
     fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {

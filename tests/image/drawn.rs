@@ -2,7 +2,7 @@
 //! ([`draw_best`]).
 
 use crate::cpu::{self, Isa};
-use crate::threaded_renderer::{Shown, ThreadedRenderer};
+use crate::threaded_renderer::{MomentRef, ThreadedRenderer};
 use eightfold::show;
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::observe::{Observer, Split};
@@ -63,7 +63,7 @@ thread_local! {
 pub fn draw<'a>(
     isa: Isa,
     threads: usize,
-    shown: impl Into<Shown<'a>>,
+    moment: impl Into<MomentRef<'a>>,
     quality: &Quality,
     width: usize,
     height: usize,
@@ -72,7 +72,7 @@ pub fn draw<'a>(
     let counts = RENDERERS.with_borrow_mut(|renderers| {
         let renderer = renderers.entry(threads);
         let renderer = renderer.or_insert_with(|| ThreadedRenderer::new(threads));
-        renderer.draw(isa.level, shown, quality, width, &mut pixels)
+        renderer.draw(isa.level, moment, quality, width, &mut pixels)
     });
     let undrawn = pixels.iter().position(|&pixel| pixel >> 24 != 0);
     assert_eq!(undrawn, None, "a pixel was left out, {width}x{height}");
@@ -80,27 +80,27 @@ pub fn draw<'a>(
 }
 
 pub fn draw_best<'a>(
-    shown: impl Into<Shown<'a>>,
+    moment: impl Into<MomentRef<'a>>,
     quality: &Quality,
     width: usize,
     height: usize,
 ) -> Drawn {
-    draw(cpu::best(), 2, shown, quality, width, height)
+    draw(cpu::best(), 2, moment, quality, width, height)
 }
 
 pub fn draw_by_all<'a>(
-    shown: impl Into<Shown<'a>>,
+    moment: impl Into<MomentRef<'a>>,
     quality: &Quality,
     width: usize,
     height: usize,
 ) -> Vec<(Isa, Drawn)> {
-    let shown = shown.into();
-    cpu::instruction_sets().map(|isa| (isa, draw(isa, 2, shown, quality, width, height))).collect()
+    let moment = moment.into();
+    cpu::instruction_sets().map(|isa| (isa, draw(isa, 2, moment, quality, width, height))).collect()
 }
 
 /// Returns a scene of the show without its presentation.
 pub fn of_the_show(time: f32) -> Scene {
-    shown(time).scene
+    show_at(time).scene
 }
 
 /// Returns a scene of `examples/scenes` at its start.
@@ -110,7 +110,7 @@ pub fn example(name: &str) -> Scene {
     SceneFile::parse(name, &text).expect("a scene").at(0.0).scene
 }
 
-pub fn shown(time: f32) -> Moment {
+pub fn show_at(time: f32) -> Moment {
     let mut moment = Moment::default();
     show::at(time, &mut moment);
     moment

@@ -4,7 +4,7 @@ use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, draw, isa_of, of_side, of_the_show};
 use crate::error::Difference;
 use crate::huge::assert_near;
-use crate::threaded_renderer::Shown;
+use crate::threaded_renderer::MomentRef;
 use eightfold::show;
 use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::scaled;
@@ -42,8 +42,8 @@ fn rays(drawn: &Drawn) -> u64 {
 /// Two bands.
 const SMALL: (usize, usize) = (48, 36);
 
-fn usual_rays<'a>(shown: impl Into<Shown<'a>>) -> Vec<[u64; 4]> {
-    let scene = shown.into();
+fn usual_rays<'a>(moment: impl Into<MomentRef<'a>>) -> Vec<[u64; 4]> {
+    let scene = moment.into();
     let rays = |isa, quality| rays(&draw(isa, 2, scene, &quality, SMALL.0, SMALL.1));
     let isas = cpu::instruction_sets();
     isas.map(|isa| REFINEMENTS.map(|quality| rays(isa, quality))).collect()

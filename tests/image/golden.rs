@@ -5,7 +5,7 @@
 use crate::drawn::{draw_by_all, example};
 use crate::error::{Difference, worst_channel};
 use crate::picture::png;
-use crate::threaded_renderer::Shown;
+use crate::threaded_renderer::MomentRef;
 use eightfold::show;
 use eightfold_scenes::between_corners;
 use eightfold_stage::reader::read_png;
@@ -23,11 +23,11 @@ pub type Named = (&'static str, Vec<u32>);
 
 pub fn assert_golden_by_all<'a>(
     name: &str,
-    shown: impl Into<Shown<'a>>,
+    moment: impl Into<MomentRef<'a>>,
     quality: &Quality,
     [width, height]: [usize; 2],
 ) {
-    let drawn = draw_by_all(shown, quality, width, height).into_iter();
+    let drawn = draw_by_all(moment, quality, width, height).into_iter();
     let drawn: Vec<Named> = drawn.map(|(isa, drawn)| (isa.name, drawn.pixels)).collect();
     let (_, pixels) = drawn.last().expect("an instruction set");
     let there = fs::read(file(name)).map(|bytes| read_png(&bytes));

@@ -1,7 +1,7 @@
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw, draw_best, jagged, shown};
+use crate::drawn::{draw, draw_best, jagged, show_at};
 use crate::error::Difference;
-use crate::threaded_renderer::Shown;
+use crate::threaded_renderer::MomentRef;
 use eightfold_harness::patches::{largest, largest_of, lost};
 use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{Random, cases, coloured, solids};
@@ -18,32 +18,32 @@ const FLOOR: usize = 8;
 /// Returns the PSNR against the exhaustive picture in dB, and the size of the largest patch.
 pub fn compared<'a>(
     isa: Isa,
-    shown: impl Into<Shown<'a>>,
+    moment: impl Into<MomentRef<'a>>,
     quality: Quality,
     size: [usize; 2],
 ) -> (f64, usize) {
-    let shown = shown.into();
+    let moment = moment.into();
     let [exact, drawn] = [quality.reference(), quality]
-        .map(|quality| draw(isa, 2, shown, &quality, size[0], size[1]).pixels);
+        .map(|quality| draw(isa, 2, moment, &quality, size[0], size[1]).pixels);
     let patch = largest(&exact, &drawn, size[0]);
     (Difference::between(&exact, &drawn).psnr, patch)
 }
 
 /// Returns a scene of the show, folded, without captions and marked squares.
 fn of_the_show(time: f32) -> Moment {
-    let Moment { scene, presentation } = shown(time);
+    let Moment { scene, presentation } = show_at(time);
     let presentation = Presentation { sectors: presentation.sectors, ..Presentation::default() };
     Moment { scene, presentation }
 }
 
 fn assert_near<'a>(
     what: &str,
-    shown: impl Into<Shown<'a>>,
+    moment: impl Into<MomentRef<'a>>,
     quality: Quality,
     size: [usize; 2],
     (limit, min_psnr): (usize, f64),
 ) {
-    let (psnr, patch) = compared(cpu::best(), shown, quality, size);
+    let (psnr, patch) = compared(cpu::best(), moment, quality, size);
     let what = format!("{what}, {size:?}: {psnr:.1} dB, a patch of {patch}, {}", quality.antialias);
     println!("{what}");
     assert!(patch <= limit && psnr >= min_psnr, "{what}");

@@ -1,5 +1,5 @@
 use crate::cpu::{self, Isa};
-use crate::drawn::{REFINEMENTS, draw_best, shown};
+use crate::drawn::{REFINEMENTS, draw_best, show_at};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_tracer::scene::{Method, Moment};
@@ -10,7 +10,7 @@ const SIZE: (usize, usize) = (200, 149);
 fn scenes() -> impl Iterator<Item = Moment> {
     // In calmer scenes the interval holds every error, more than the test's 99 %.
     [6.0, 20.0, 72.0, 106.0].into_iter().map(|time| {
-        let mut moment = shown(time);
+        let mut moment = show_at(time);
         moment.presentation.captions.clear();
         moment
     })

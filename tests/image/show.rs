@@ -1,4 +1,4 @@
-use crate::drawn::{draw_best, of_the_show as at, shown};
+use crate::drawn::{draw_best, of_the_show as at, show_at};
 use eightfold::show::{self, tempo};
 use eightfold::sound::{Track, cue};
 use eightfold_tracer::Quality;
@@ -7,12 +7,12 @@ use eightfold_tracer::scene::{Block, Caption, Moment, Scene};
 
 #[test]
 fn show_is_valid_at_all_times() {
-    let mut moment = shown(show::LENGTH);
+    let mut moment = show_at(show::LENGTH);
     for i in 0..=(show::LENGTH * 10.0) as usize {
         let time = i as f32 / 10.0;
-        assert_eq!(shown(time).validate(), Ok(()), "{time} s");
+        assert_eq!(show_at(time).validate(), Ok(()), "{time} s");
         show::at(time, &mut moment);
-        assert!(moment == shown(time), "{time} s: depends on the scene before");
+        assert!(moment == show_at(time), "{time} s: depends on the scene before");
     }
 }
 
@@ -21,7 +21,7 @@ fn show_is_valid_at_all_times() {
 fn disc_stands_at_its_place_at_every_cut() {
     const HEIGHT: usize = 90;
     let ring = |time: f32, from: f32, to: f32| {
-        let mut scene = shown(time);
+        let mut scene = show_at(time);
         show::without_transition(time, &mut scene);
         scene.presentation.captions.clear();
         let drawn = draw_best(&scene, &Quality::DEFAULT, 160, HEIGHT);
@@ -73,7 +73,8 @@ fn resting_gems_leave_no_slivers_at_mirrors() {
     let first = show::cut("kaleidoscope");
     let beats = (0..24 * 16).map(|i| i as f32 / 16.0);
     for beat in beats.filter(|&beat| cue(Track::Kick, first, beat).since > 0.34) {
-        let Moment { scene, presentation } = shown(first as f32 * tempo::BAR + beat * tempo::BEAT);
+        let Moment { scene, presentation } =
+            show_at(first as f32 * tempo::BAR + beat * tempo::BEAT);
         let raster = scene.camera.raster(16, 9);
         let [right, down] = [raster.dx, raster.dy].map(Vec3::normalize);
         let from_eye = |point: Vec3| point - scene.camera.eye;
@@ -133,7 +134,7 @@ fn captions_are_inside_the_picture_and_bright() {
         for beat in 0..show::BARS * tempo::BEATS_PER_BAR {
             let mut scene = Moment::default();
             let captions = &mut scene.presentation.captions;
-            *captions = shown((beat as f32 + 0.5) * tempo::BEAT).presentation.captions;
+            *captions = show_at((beat as f32 + 0.5) * tempo::BEAT).presentation.captions;
             captions.iter_mut().for_each(|it| it.brightness = it.brightness.ceil());
             let bright = captions.iter().filter(|it| it.brightness > 0.0);
             let letters: usize = bright.map(|caption| caption.letters.len()).sum();

@@ -67,15 +67,15 @@ impl<'a> Recorder<'a> {
             let spread = |step: f32| (0.5 + i as f32 * step).fract();
             let delay = arguments.shutter * spread(0.618_034);
             let time = (frame as f64 + f64::from(delay)) / f64::from(arguments.fps);
-            let mut shown = arguments.scene.at(time as f32);
+            let mut moment = arguments.scene.at(time as f32);
             let lens = spread(0.754_877_7).sqrt() * Vec2::from_angle(TAU * spread(0.569_840_3));
-            let shift = self.move_camera(&mut shown.scene.camera, 0.5 * arguments.aperture * lens);
+            let shift = self.move_camera(&mut moment.scene.camera, 0.5 * arguments.aperture * lens);
             let place = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
             let offset = shift + vec2(place(i % n), place(i / n));
             self.renderer.set_offset(offset.x, offset.y);
             let (level, width) = (cpu::best().level, self.size.width);
             let quality = arguments.quality.quality();
-            self.renderer.draw(level, &shown, quality, width, &mut self.pixels);
+            self.renderer.draw(level, &moment, quality, width, &mut self.pixels);
             mean.add(&self.pixels);
         }
         mean.write(&mut self.pixels);

@@ -85,8 +85,8 @@ impl Estimate {
     }
 
     fn pixel(&self) -> u32 {
-        let shown = self.mean.clamp(DVec3::ZERO, DVec3::ONE) * 255.0;
-        let [r, g, b] = shown.to_array().map(|channel| channel.round() as u32);
+        let levels = self.mean.clamp(DVec3::ZERO, DVec3::ONE) * 255.0;
+        let [r, g, b] = levels.to_array().map(|channel| channel.round() as u32);
         r << 16 | g << 8 | b
     }
 }

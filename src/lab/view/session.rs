@@ -40,11 +40,11 @@ impl Session {
     /// Fails if the window is lost, or standard output is closed.
     pub fn play(&mut self) -> Result<()> {
         let mut last = Instant::now();
-        let (mut counted_from, mut shown, mut fps) = (last, 0, None);
+        let (mut counted_from, mut frames, mut fps) = (last, 0, None);
         loop {
             let now = Instant::now();
             self.take_inputs()?;
-            self.subject.look();
+            self.subject.reload();
             self.controls.length = f64::from(self.subject.length()) * FPS;
             self.controls.advance((now - last).as_secs_f64() * FPS);
             last = now;
@@ -53,12 +53,12 @@ impl Session {
                 ensure!(code == 0, "window is lost");
                 return Ok(());
             }
-            shown += 1;
+            frames += 1;
             let counted = now - counted_from;
             let is_due = counted >= TITLE_EVERY;
             if is_due {
-                fps = Some(f64::from(shown) / counted.as_secs_f64());
-                (counted_from, shown) = (now, 0);
+                fps = Some(f64::from(frames) / counted.as_secs_f64());
+                (counted_from, frames) = (now, 0);
             }
             if let Some(fps) = fps
                 && (is_due || is_new && self.controls.is_paused)

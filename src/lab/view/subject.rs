@@ -46,8 +46,8 @@ impl Subject {
         self.file.as_ref()?.mistake.as_deref()
     }
 
-    pub fn look(&mut self) {
-        if self.file.as_mut().is_some_and(Watched::look) {
+    pub fn reload(&mut self) {
+        if self.file.as_mut().is_some_and(Watched::reload) {
             self.version += 1;
         }
     }
@@ -109,7 +109,7 @@ impl Watched {
     }
 
     /// Returns whether the scene has changed. Modification times are too coarse for quick writes.
-    fn look(&mut self) -> bool {
+    fn reload(&mut self) -> bool {
         let name = &self.scene.name;
         let text = scenes::text(Path::new(name));
         if self.text.as_ref() == Some(&text) {
