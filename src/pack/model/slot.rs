@@ -44,16 +44,16 @@ impl Slot {
 }
 
 /// The minimum rate, reached after 51 bits: older bits fade.
-const LOWEST_RATE: u32 = 2200;
+const MIN_RATE: u32 = 2200;
 
-/// The adaptation rate in 65,536ths by the count n of bits seen: 16 / (9 n + 18), at least [`LOWEST_RATE`].
+/// The adaptation rate in 65,536ths by the count n of bits seen: 16 / (9 n + 18), at least [`MIN_RATE`].
 pub struct Rates([u32; 256]);
 
 impl Rates {
     #[inline(always)]
     pub fn fill(&mut self) {
         for (count, rate) in self.0.iter_mut().enumerate() {
-            *rate = (0x10000 * 16 / (9 * count as u32 + 18)).max(LOWEST_RATE);
+            *rate = (0x10000 * 16 / (9 * count as u32 + 18)).max(MIN_RATE);
         }
     }
 }

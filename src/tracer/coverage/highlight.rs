@@ -26,7 +26,7 @@ const SQUARE: f32 = 8.0;
 const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
-const REACH: f32 = 3.5;
+const END_DECAY: f32 = 3.5;
 
 /// The share of [`VISIBLE`] that a square may miss. With it and [`COUNTED_DECAY`], 0 of 5,115 highlights on spheres and planes are
 /// missed, without them 1. They cost the model scene 0.05 % more rays.
@@ -75,7 +75,7 @@ impl Highlight {
     /// result is always false.
     pub fn reach(&self, side: usize) -> f32 {
         let peak = self.strength / self.threshold(to_f32(side));
-        (sqrt(2.0 * peak - 1.0) - 1.0).min(REACH)
+        (sqrt(2.0 * peak - 1.0) - 1.0).min(END_DECAY)
     }
 
     /// Returns the least and greatest x between the rows `top` and `bottom` at which the decay is at most `reach`.
@@ -147,7 +147,7 @@ impl Highlight {
         let scale = COUNTED_DECAY * half_exponent;
         let [a, b, c] =
             [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
-        let scale = REACH / (a * c - b * b).max(a * c * DRAWN_OUT);
+        let scale = END_DECAY / (a * c - b * b).max(a * c * DRAWN_OUT);
         let middle = axes.pixel_at(x / depth, y / depth);
         let reach = Vec2::new(sqrt(c * scale), sqrt(a * scale));
         Some(Self {

@@ -54,7 +54,7 @@ const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 const RANGE: f32 = 0.98;
 
 /// A sphere's reach in radii: beyond, it covers less than a twentieth.
-const FARTHEST: f32 = 5.0;
+const SPHERE_REACH: f32 = 5.0;
 
 /// A block's reach, as a multiple of its middle extent.
 const BLOCK_REACH: f32 = 2.5;
@@ -103,7 +103,7 @@ impl Ambience {
         let (object, material) = object::of(scene, node.object);
         let i = self.count % CAPACITY;
         self.count = i + 1;
-        let farthest = node.radius + reach.min((FARTHEST - 1.0) * node.radius);
+        let farthest = node.radius + reach.min((SPHERE_REACH - 1.0) * node.radius);
         let neighbour = &mut self.neighbours[i];
         neighbour.object = node.object;
         neighbour.centre = node.centre;

@@ -24,10 +24,10 @@ pub(crate) type Colours = [f32x4<Baseline>; 4];
 pub(crate) type Dither = [[u64; 8]; 4];
 
 #[cfg(test)]
-pub(crate) const ROUND: Dither = [[128 * WORDS; 8]; 4];
+pub(crate) const ROUND: Dither = [[128 * ONES; 8]; 4];
 
 /// 1 in each channel of a [`Dither`] word.
-const WORDS: u64 = 0x0001_0001_0001_0001;
+const ONES: u64 = 0x0001_0001_0001_0001;
 
 impl Film {
     pub const ZERO: Self = Self {
@@ -105,7 +105,7 @@ fn dither(share: f32) -> Dither {
         // In 128ths of a step, as samples have them, so that squares and points round alike.
         let from_half = share * (8.0 * rank as f32 - 60.0);
         // For any share, the brightest colour plus its threshold fits in a byte.
-        let threshold = 2 * u64::from((from_half + 64.5).min(127.0) as u8) * WORDS;
+        let threshold = 2 * u64::from((from_half + 64.5).min(127.0) as u8) * ONES;
         dither[y][x] = threshold;
         dither[y][x + 4] = threshold;
     }

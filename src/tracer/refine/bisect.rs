@@ -35,7 +35,7 @@ pub(super) fn add_middle(
     pixel: usize,
     side: usize,
 ) {
-    let ends = [widened(drawn), spread(worker.batch.results.sample(point))];
+    let ends = [widened_pixel(drawn), widened_sample(worker.batch.results.sample(point))];
     let word = 2 * pixel + side / 2;
     let change = &mut worker.pyramid.changes()[word % CHANGES];
     *change = change.wrapping_add(ends[1].wrapping_sub(ends[0]).wrapping_mul(WEIGHTS / 4));
@@ -76,7 +76,7 @@ pub(super) fn bisect<O>(
 fn halve(worker: &mut Worker, i: usize, edge: u8) {
     let mut interval = worker.intervals[i % BATCH];
     let [start, end] = interval.ends;
-    let middle = spread(worker.batch.results.sample(i));
+    let middle = widened_sample(worker.batch.results.sample(i));
     // Replace the mean of two points by the mean of three, by the trapezoid rule.
     let more = (2 * middle).wrapping_sub(start + end);
     let weight = u64::from(interval.half.unsigned_abs());
@@ -106,7 +106,7 @@ pub(super) fn mix_pixel(drawn: &mut u32, pixel: usize, worker: &mut Worker) {
     let signs = colour(|_| SIGN);
     let [max_x, max_y] = [x, y].map(|change| contrast([change.wrapping_add(signs), signs]));
     let change = if max_x < max_y { y } else { x };
-    let sum = WEIGHTS * widened(*drawn) + colour(|_| UNIT / 2);
+    let sum = WEIGHTS * widened_pixel(*drawn) + colour(|_| UNIT / 2);
     let steps = sum.wrapping_add(change) / UNIT;
     let channel = |i: usize| (steps >> ((CHANNEL_BITS - 8) * i)) as u32 & 0xff << (8 * i);
     *drawn = channel(0) | channel(1) | channel(2);
@@ -129,11 +129,11 @@ fn colour(channel: impl Fn(usize) -> u64) -> u64 {
 
 /// Widens the channels to [`CHANNEL_BITS`].
 #[inline(never)]
-fn spread(sample: Sample) -> u64 {
+fn widened_sample(sample: Sample) -> u64 {
     colour(|number| sample.0 >> (16 * number) & 0xffff)
 }
 
 #[inline(never)]
-fn widened(pixel: u32) -> u64 {
+fn widened_pixel(pixel: u32) -> u64 {
     colour(|number| u64::from(pixel >> (8 * number) & 0xff) * STEP as u64)
 }

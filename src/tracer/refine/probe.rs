@@ -24,7 +24,7 @@ const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 const POINTS: usize = 1 + 2 * SIDES.len();
 
 /// The most probes of a batch; a power of two bounds an index.
-const PROBES: usize = (BATCH / POINTS).next_power_of_two();
+const MAX_PROBES: usize = (BATCH / POINTS).next_power_of_two();
 
 /// Returns the probed pixels. Successive seeds visit all pixels in one random order, `count` per seed, then start again.
 fn places(probing: Probing, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
@@ -72,7 +72,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         places(plan.probing, size).filter(|&place| index(place) < count && is_drawn(place));
     worker.batch.begin();
     worker.pyramid.changes().fill(0);
-    let mut pixels = [0; PROBES];
+    let mut pixels = [0; MAX_PROBES];
     loop {
         let mut probes = 0;
         for place in places.by_ref().take(BATCH / POINTS) {
@@ -87,12 +87,12 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         let quality = &Quality::EXHAUSTIVE;
         context.trace(quality, all, &mut worker.batch);
         for probe in 0..probes {
-            pixels[probe % PROBES] = add_sides(plan, &world.film, worker, probe, sides.len());
+            pixels[probe % MAX_PROBES] = add_sides(plan, &world.film, worker, probe, sides.len());
         }
         worker.batch.points.clear();
         bisect(context, quality, all, worker);
         for probe in 0..probes {
-            let traced = &mut pixels[probe % PROBES];
+            let traced = &mut pixels[probe % MAX_PROBES];
             mix_pixel(traced, probe, worker);
             let drawn = band.pixels[worker.targets[probe] as usize];
             band.counts.probes.compare(drawn, *traced);

@@ -11,7 +11,7 @@ use crate::shapes::solid_distance;
 use glam::Vec3A;
 
 /// Paths below this have a depth of at most 1.
-const DEEP: u32 = 4;
+const DEEP_PATH: u32 = 4;
 
 /// Returns the ambient light that surfaces reflect; `unoccluded` without [`crate::scene::Ambience`].
 #[inline(always)]
@@ -39,7 +39,7 @@ fn arriving<S: Isa>(tracer: Tracer<'_, S>, rays: &Rays<S>, point: &ShadingPoint<
     let unoccluded = sky.add_scaled(Vec3x::splat(simd, ambience.ground), below);
     let near = point.shaded
         & !point.inside
-        & rays.paths().simd_lt(U::<S>::splat(simd, DEEP))
+        & rays.paths().simd_lt(U::<S>::splat(simd, DEEP_PATH))
         & rays.weight.simd_gt(splat(simd, scene::Ambience::FAINT));
     if !near.any_true() {
         return unoccluded;

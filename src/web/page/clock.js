@@ -34,7 +34,7 @@ export class Clock {
     /** The latest time of audible sound, in seconds. */
     this.heard = 0;
     /** The context's time, and when it last changed, in milliseconds. */
-    this.seen = { time: 0, since: 0 };
+    this.last = { time: 0, since: 0 };
   }
 
   /** Whether time advances. A browser may stop the sound, for a call or another tab: then time stops too. */
@@ -121,9 +121,9 @@ export class Clock {
   watch() {
     const { currentTime, state } = this.context;
     const present = performance.now();
-    const hasMoved = currentTime !== this.seen.time;
-    if (hasMoved || state !== "running") this.seen = { time: currentTime, since: present };
-    const isThere = this.hasSound ? present - this.seen.since < PATIENCE : hasMoved;
+    const hasMoved = currentTime !== this.last.time;
+    if (hasMoved || state !== "running") this.last = { time: currentTime, since: present };
+    const isThere = this.hasSound ? present - this.last.since < PATIENCE : hasMoved;
     if (isThere === this.hasSound) return;
     const show = this.position();
     this.hasSound = isThere;
@@ -158,7 +158,7 @@ export class Clock {
     for (let waited = 0; context === this.context && context.currentTime === start && waited < PATIENCE; waited += 20) {
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
-    this.seen = { time: context.currentTime, since: performance.now() };
+    this.last = { time: context.currentTime, since: performance.now() };
     return context === this.context && context.currentTime > start;
   }
 

@@ -39,7 +39,7 @@ use crate::zero::Zero;
 use marks::{EdgeMarks, MAX_STRETCHES, ROWS, RowMarks, mark, mark_stretch, rough_cells, stretch};
 
 /// The most midpoints in a batch: bisection needs a point on each side of a midpoint.
-const MIDDLES: usize = BATCH / 2;
+const MAX_MIDDLES: usize = BATCH / 2;
 
 /// Marks between each band's last row and the row below, set before any band is smoothed. (Copies of the rows would take 2 MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
@@ -108,7 +108,7 @@ fn smooth<O: Observer>(
             if row == 0 && (number % ROWS == 0 || before[number / ROWS] == 0) {
                 continue;
             }
-            if worker.batch.points.len() + STRETCH + 1 > MIDDLES {
+            if worker.batch.points.len() + STRETCH + 1 > MAX_MIDDLES {
                 trace_middles(context, visible, start, band, worker);
             }
             let points = &mut worker.batch.points;

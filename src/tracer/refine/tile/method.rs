@@ -7,8 +7,8 @@ use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
 
 /// A pixel on the upper or left side of a filled square; its other sides belong to neighbours.
-const SIDE: u8 = 1;
-const POINT: u8 = 2;
+const SIDE_MARK: u8 = 1;
+const POINT_MARK: u8 = 2;
 
 /// The width of the front in pixels.
 const FRONT: usize = 3;
@@ -58,13 +58,13 @@ impl<O: Observer> Tile<'_, '_, O> {
                 self.worker.marks.filled[level][y / side].for_each(|x| {
                     let length = if is_upper { side } else { 1 };
                     let sides = row.iter_mut().skip(x * side).take(length);
-                    sides.for_each(|mark| *mark |= SIDE);
+                    sides.for_each(|mark| *mark |= SIDE_MARK);
                 });
             }
             if is_upper {
                 self.worker.marks.traced[level][y / side].for_each(|x| {
                     if let Some(mark) = row.get_mut(x * side) {
-                        *mark |= POINT;
+                        *mark |= POINT_MARK;
                     }
                 });
             }
