@@ -52,16 +52,14 @@ static RED: Material =
 static PEARL: Material = Material {
     ks: 0.5,
     exponent: 60.0,
-    kr: 0.02,
     fresnel: 0.3,
     ..Material::matt(vec3(1.0, 0.946, 0.857), 0.95)
 };
 static INK: Material =
-    Material { ks: 0.3, exponent: 30.0, colour: vec3(0.006, 0.016, 0.05), kd: 0.85, ..PEARL };
+    Material { ks: 0.3, exponent: 30.0, colour: vec3(0.012, 0.032, 0.11), kd: 0.85, ..PEARL };
 static GLASS: Material = Material {
     ks: 0.9,
     exponent: 120.0,
-    kr: 0.05,
     fresnel: 1.0,
     kt: 0.85,
     index: 1.4,
