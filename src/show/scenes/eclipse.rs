@@ -13,7 +13,7 @@ pub(in crate::show) const SCENE: ShowScene = ShowScene::new(&ENVIRONMENT, SHOTS)
 static ENVIRONMENT: Environment = Environment {
     background: vec3(0.0012, 0.0022, 0.0080),
     sky: vec3(0.0, 0.0008, 0.0060),
-    ambient: vec3(0.0010, 0.0016, 0.0050),
+    ambient: vec3(0.004, 0.006, 0.016),
     vignette: 0.3,
     lights: &[
         // The sun.
@@ -42,7 +42,7 @@ static SHOTS: &[Shot] = &[shot(
 )];
 
 // Not black: the world reflects some light to it.
-static MOON: Material = Material::matt(Vec3::ONE, 0.0);
+static MOON: Material = Material::matt(Vec3::splat(0.25), 0.0);
 static LIMB: Material = Material::matt(vec3(0.3, 0.25, 0.22), 0.03);
 static PEARL: Material = Material::matt(vec3(0.9, 0.85, 0.78), 0.95);
 
@@ -63,7 +63,7 @@ const RISE: f32 = 2.0;
 fn add(now: Now, scene: &mut Scene) {
     let beat = now.beat;
     // Totality is on beat 8, and the ring on beat 16.
-    let moon = 2.3 * (1.0 - smooth_step(beat / 8.0)) - 0.055 * smooth_step((beat - 14.0) * 0.5);
+    let moon = 2.3 * (1.0 - beat / 8.0).max(0.0) - 0.055 * smooth_step((beat - 14.0) * 0.5);
     add_sphere(vec3(moon, 0.6 * moon, 0.0), 1.0, &MOON, scene);
     let flash = if beat < 16.0 { 0.0 } else { 1.0 + 4.0 / (1.0 + 4.0 * (beat - 16.0)) };
     scene.lights[2].colour = vec3(1.1, 0.95, 0.75) * flash;
