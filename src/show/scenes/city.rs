@@ -43,7 +43,7 @@ static SHOTS: &[Shot] = &[
     shot(3, &[view([-21.0, 1.25, -2.0], SUN), view([-15.0, 1.25, -13.0], SUN)]),
     shot(
         2,
-        &[view([-9.0, 1.5, -7.0], SUN), view([-7.0, 1.5, -2.0], SUN), view([-5.0, 13.0, 4.0], SUN)],
+        &[view([-9.0, 1.5, -7.0], SUN), view([-7.5, 1.5, 2.0], SUN), view([-6.5, 13.5, 11.0], SUN)],
     ),
 ];
 
@@ -55,7 +55,7 @@ static RED: Material =
     Material { ks: 0.5, exponent: 32.0, ..Material::matt(vec3(2.5, 0.0625, 0.015625), 0.875) };
 
 const LETTER: Size = Size { step: 2.25, half_width: 0.875, half_depth: 1.75 };
-const BALL: f32 = 0.75;
+const BALL: f32 = 0.5;
 
 fn add(now: Now, scene: &mut Scene) {
     for (number, &letter) in (0..).zip(b"EIGHT") {
