@@ -84,7 +84,7 @@ static STONE: Material = Material {
 fn add(now: Now, scene: &mut Scene) {
     add_sphere(Vec3::ZERO, 1.0, &GIANT, scene);
     add_sphere(Vec3::from_array(MOON), 0.065, &STONE, scene);
-    for number in 0..5 {
+    for number in 0..7 {
         let moon = number as f32;
         let out = around(0.21 * moon + 0.012 * now.beat) * (1.75 + 0.16 * moon);
         // Outside the giant's shadow.
@@ -94,7 +94,7 @@ fn add(now: Now, scene: &mut Scene) {
     add_stars(scene);
     let kick = now.cue(Track::Kick);
     let steps = kick.count as f32 - 1.0 + smooth_step(kick.since * 5.0);
-    let sun = around(0.87 - 0.0025 * steps) * 400.0 + Vec3::Y * 140.0;
+    let sun = around(0.87 - 0.005 * steps) * 400.0 + Vec3::Y * 140.0;
     scene.lights[0].position = sun;
     scene.lights[1].spot = Some(Spot { aim: sun, inner_angle: 2.0, outer_angle: 3.0 });
 }
