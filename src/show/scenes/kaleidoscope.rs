@@ -15,7 +15,7 @@ static ENVIRONMENT: Environment = Environment {
     // Seen only in the films.
     background: vec3(0.3, 0.1, 0.5),
     ambient: vec3(0.03, 0.02, 0.10),
-    ambience: Ambience { occlusion: 1.0, reach: 2.0, ground: vec3(0.2, 0.08, 0.055), bounce: 1.0 },
+    ambience: Ambience { occlusion: 1.0, reach: 2.0, ground: vec3(0.2, 0.12, 0.12), bounce: 1.0 },
     vignette: 0.8,
     floor: Some(&FLOOR),
     lights: &[Light {
@@ -23,7 +23,7 @@ static ENVIRONMENT: Environment = Environment {
         diameter: 2.4,
         core: 0.8,
         glow: 0.3,
-        ..point(LAMP, [4.2, 2.6, 1.7])
+        ..point(LAMP, [3.7, 2.9, 2.4])
     }],
     // Gold filigree.
     softboxes: &[softbox([1.0, 0.35, 0.8], [0.8, 0.2, 0.25], [20.0, 13.0, 5.0])],
@@ -36,22 +36,21 @@ static ENVIRONMENT: Environment = Environment {
     ..Environment::EMPTY
 };
 
-/// Stays central while the camera sways.
 const LAMP: [f32; 3] = [0.0, 6.5, 0.0];
 
 static SHOTS: &[Shot] = &[shot(
     6,
-    // Along the drawn wedge's diagonal, without a roll: resting gems leave no slivers at mirrors.
+    // Straight down on the lamp, without a roll: gems rest on mirrors or halfway between, and are cut by none.
     &[
         view([0.0, 20.7, 0.0], LAMP).tilted(0.0, -9.0),
-        view([0.5, 18.0, 0.5], LAMP).tilted(0.0, -9.0),
+        view([0.0, 18.0, 0.0], LAMP).tilted(0.0, -9.0),
         view([0.0, 19.0, 0.0], LAMP).tilted(0.0, -9.0),
-        view([0.3, 17.5, 0.3], LAMP).tilted(0.0, -9.0),
+        view([0.0, 17.5, 0.0], LAMP).tilted(0.0, -9.0),
         view([0.0, 19.0, 0.0], LAMP).tilted(0.0, -9.0),
     ],
 )];
 
-static FLOOR: Material = Material::matt(vec3(0.4, 0.2, 0.09), 0.9);
+static FLOOR: Material = Material::matt(vec3(0.45, 0.36, 0.4), 0.9);
 
 /// Pearl, ruby, amethyst and sapphire.
 static COLOURS: [Vec3; 4] =
@@ -60,7 +59,7 @@ static COLOURS: [Vec3; 4] =
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
     let kicked = 1.0 - smooth_step(kick.since);
-    // Half a gem's spacing per kick: gems rest on mirrors or halfway between.
+    // Half a gem's spacing per kick.
     let mut turns = (kick.count as f32 + smooth_step(kick.since * 3.0)) * 0.0625;
     scene.lights[0].colour *= 1.0 + 0.3 * kicked;
     let mut distance = 3.0 + 0.22 * kicked;
