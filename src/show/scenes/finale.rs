@@ -16,8 +16,8 @@ pub(in crate::show) const SCENE: ShowScene =
 const SUN: [f32; 3] = [0.0, 26.0, -140.0];
 
 static ENVIRONMENT: Environment = Environment {
-    background: vec3(0.75, 0.17, 0.04),
-    sky: vec3(-0.75, -0.165, 0.06),
+    background: vec3(0.65, 0.13, 0.09),
+    sky: vec3(-0.62, -0.125, 0.03),
     ambient: vec3(0.35, 0.22, 0.42),
     haze: 0.0045,
     vignette: 0.25,
