@@ -9,13 +9,11 @@ use eightfold_tracer::observe::{Observer, Split};
 use eightfold_tracer::scene::{Moment, Scene};
 use eightfold_tracer::{Counts, Preset, Quality};
 use std::cell::RefCell;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fs;
 use std::sync::Mutex;
 
 pub const TILE: [usize; 2] = [512, 32];
-
-pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];
 
 pub const RULES: [Quality; 2] = [Quality::THESIS, Quality::DEFAULT];
 
@@ -132,4 +130,14 @@ impl Observer for &Record {
     fn split(self, x: usize, y: usize, side: usize, _: Split) {
         self.split.lock().unwrap().insert([x, y, side]);
     }
+}
+
+/// Returns the number of pixels, and of the corners that squares of each size may have outside.
+pub fn max_points(square: usize, width: usize, height: usize) -> usize {
+    let corners = |side: usize, tile: usize| -> usize {
+        let parts = (0..side).step_by(tile).map(|start| (side - start).min(tile));
+        let ends = |part: usize| (0..=square.ilog2()).map(move |i| part.next_multiple_of(1 << i));
+        parts.map(|part| part + ends(part).collect::<BTreeSet<_>>().len()).sum()
+    };
+    if square == 1 { width * height } else { corners(width, TILE[0]) * corners(height, TILE[1]) }
 }

@@ -3,7 +3,7 @@
 use crate::cpu;
 use crate::drawn::{draw_best, of_the_show};
 use crate::error::Difference;
-use crate::sameness::work;
+use crate::soak::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Moment;

@@ -1,9 +1,9 @@
 use crate::drawn::{draw_best, of_the_show as at, show_at};
 use eightfold::show::{self, tempo};
 use eightfold::sound::{Track, cue};
-use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Block, Caption, Moment, Scene};
+use eightfold_tracer::{Frame, Quality};
 
 #[test]
 fn show_is_valid_at_all_times() {
@@ -180,5 +180,25 @@ fn caption_shows_points_and_pixels_of_its_frame() {
         };
         assert!(points > 1000 && counted.pixels == written(points), "{points}");
         assert!(counted.pixels != written(points + 1));
+    }
+}
+
+fn written(letters: &[u8], numbers: [usize; 4]) -> Vec<u32> {
+    let letters = letters.iter().copied().collect();
+    let caption = Caption { letters, middle: 0.1, size: 0.05, brightness: 1.0 };
+    let mut pixels = vec![0; 640 * 360];
+    let mut frame = Frame::new(640, 360, &mut pixels);
+    frame.write(&[caption], numbers);
+    pixels
+}
+
+#[test]
+fn signs_stand_for_the_digits_of_four_numbers() {
+    let plain = written(b" A  60 B 12345 C4.7/ .9", [0; 4]);
+    let signs = b" A ### B $$$$$ C%.%/&.&";
+    assert!(plain == written(signs, [60, 12_345, 1_047, 9]));
+    assert!(plain.contains(&0xff_ff_ff));
+    for other in [[61, 12_345, 47, 9], [60, 12_345, 47, 8]] {
+        assert!(plain != written(signs, other));
     }
 }

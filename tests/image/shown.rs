@@ -3,32 +3,27 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::{bare, draw, draw_best, isa_of, jagged, named, of_side, of_the_show};
 use crate::error::worst_channel;
-use crate::errors::SHADED;
 use eightfold::show;
-use eightfold_oracle::Oracle;
-use eightfold_oracle::geometry::{Ray, Shape};
+use eightfold_harness::patches::patches;
+use eightfold_oracle::geometry::{PicturePlane, Shape};
 use eightfold_scenes::artists::{FLOORS, KINDS, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{
-    GREY, Random, View, between_corners, cases, coloured, floor, hidden, known, placed,
-    placed_blocks, solids,
+    Draw, Kinds, Random, View, between_corners, cases, coloured, floor, hidden, known, lights,
+    materials, materials_of, placed, placed_blocks, solids,
 };
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Camera, List, Material, Scene, Shape as BlockShape};
-use glam::{DVec3, Vec3};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Scene, Shape as BlockShape};
+use glam::{DMat2, DVec2, DVec3, Vec3, dvec2};
 use std::collections::{BTreeMap, BTreeSet};
-
-pub fn sized(scene: Scene) -> View {
-    View::new(scene, [320, 240])
-}
 
 pub fn pixels(isa: Isa, view: &View, quality: Quality) -> Vec<u32> {
     let quality = jagged(quality);
     draw(isa, 2, &view.scene, &quality, view.width, view.height).pixels
 }
 
-pub struct Effect {
-    pub pixels: Vec<usize>,
-    pub is_promised: bool,
+struct Effect {
+    pixels: Vec<usize>,
+    is_promised: bool,
 }
 
 fn promised(pixels: Vec<usize>) -> Effect {
@@ -37,20 +32,20 @@ fn promised(pixels: Vec<usize>) -> Effect {
 
 /// Counts of promised and of other effects: all, missed by a quality, and missed without the guard.
 #[derive(Debug, Default)]
-pub struct Tally {
+struct Tally {
     qualities: Vec<Quality>,
-    pub shown: [usize; 2],
-    pub missed: [usize; 2],
+    shown: [usize; 2],
+    missed: [usize; 2],
     bare: [usize; 2],
 }
 
 impl Tally {
-    pub fn new(qualities: impl Iterator<Item = Quality>) -> Self {
+    fn new(qualities: impl Iterator<Item = Quality>) -> Self {
         Self { qualities: qualities.collect(), ..Self::default() }
     }
 
     #[track_caller]
-    pub fn add(
+    fn add(
         &mut self,
         isa: Isa,
         view: &View,
@@ -81,7 +76,7 @@ impl Tally {
     }
 
     #[track_caller]
-    pub fn assert_counts(&self, shown: usize, bare: usize) {
+    fn assert_counts(&self, shown: usize, bare: usize) {
         let Self { shown: all, missed, bare: without, .. } = self;
         println!("{all:?} shown, {missed:?} missed, {without:?} without the guard");
         assert!(all[0] >= shown && without[0] >= bare, "{without:?} of {all:?}");
@@ -106,17 +101,6 @@ fn objects(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let mut colours = by_colour(exhaustive);
     colours.remove(&background);
     colours.into_values().map(promised).collect()
-}
-
-#[test]
-fn known_objects_are_shown() {
-    let mut tally = Tally::new(of_all_sides());
-    for isa in cpu::instruction_sets() {
-        for view in known("slivers").into_iter().chain([between_corners()]) {
-            tally.add(isa, &view, 0, |exhaustive| objects(&view, exhaustive));
-        }
-    }
-    tally.assert_counts(600, 600);
 }
 
 fn of_the_show_at_any_time(random: &mut Random) -> View {
@@ -144,22 +128,25 @@ fn sunk(random: &mut Random) -> View {
 }
 
 #[track_caller]
-fn assert_objects(view: fn(&mut Random) -> View, count: u64, [shown, bare]: [usize; 2]) {
+fn assert_objects(views: impl Iterator<Item = View>, [shown, bare]: [usize; 2]) {
     let mut tally = Tally::new(of_all_sides());
-    for mut random in cases(count) {
-        let view = view(&mut random);
-        tally.add(isa_of(random.seed), &view, 0, |exhaustive| objects(&view, exhaustive));
+    for (i, view) in views.enumerate() {
+        tally.add(isa_of(i as u64), &view, 0, |exhaustive| objects(&view, exhaustive));
     }
     tally.assert_counts(shown, bare);
 }
 
 #[test]
-fn random_objects_are_shown() {
-    assert_objects(placed, 40, [400, 40]);
-    assert_objects(placed_blocks, 40, [150, 20]);
-    assert_objects(floor::contact, 30, [250, 45]);
-    assert_objects(of_the_show_at_any_time, 40, [360, 40]);
-    assert_objects(sunk, 30, [450, 45]);
+fn objects_are_shown() {
+    let known = known("slivers").into_iter().chain([between_corners()]);
+    let by_all = cpu::instruction_sets().count();
+    assert_objects(known.flat_map(|view| vec![view; by_all]), [600, 600]);
+    let random = |draw: Draw<View>, count| cases(count).map(move |mut random| draw(&mut random));
+    assert_objects(random(placed, 40), [400, 40]);
+    assert_objects(random(placed_blocks, 48), [150, 20]);
+    assert_objects(random(floor::contact, 36), [250, 45]);
+    assert_objects(random(of_the_show_at_any_time, 40), [360, 40]);
+    assert_objects(random(sunk, 30), [450, 45]);
 }
 
 /// The guard traces 1.11 times an unguarded frame's points among the chimes, 1.17 times among the towers.
@@ -201,41 +188,11 @@ fn far_suns_and_telescopes_open_few_squares() {
     }
 }
 
-fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
-    let scene = &view.scene;
-    let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, view.width, view.height);
-    let light = scene.lights[0].position.as_dvec3();
-    let mut shadows: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for i in (0..exhaustive.len()).filter(|&i| exhaustive[i] == SHADED) {
-        let hit = oracle.surface(oracle.ray((i % view.width) as f64, (i / view.width) as f64));
-        let Some(p) = hit.filter(|hit| hit.n == DVec3::Y).map(|hit| hit.ray.o) else { continue };
-        let to_light = Ray::new(p, (light - p).normalize());
-        for (occluder, sphere) in scene.spheres.iter().enumerate() {
-            if Shape::from(sphere).meet(to_light, light.distance(p)).is_some() {
-                shadows.entry(occluder).or_default().push(i);
-            }
-        }
-    }
-    shadows.into_values().map(promised).collect()
-}
-
-#[test]
-fn shadows_on_a_floor_are_shown() {
-    let mut tally = Tally::new(named());
-    for mut random in cases(40) {
-        let view = sized(hidden(&mut random, [false; 2], GREY));
-        tally.add(isa_of(random.seed), &view, 0, |exhaustive| shadows(&view, exhaustive));
-    }
-    tally.assert_counts(700, 70);
-}
-
-/// The floor's pixel in a single shadow: 0.1 of 0.7.
-const DARK: u32 = 0x12_1212;
-
-/// A difference of 1/255 can be rounding.
+/// Returns the shadow of the last sphere, unless it is darker than light by at most 1/255, which can be rounding.
 fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let Some((_, others)) = view.scene.spheres.split_last() else { return Vec::new() };
     let mut lit = view.clone();
-    lit.scene.spheres.clear();
+    lit.scene.spheres = others.iter().copied().collect();
     let lit = pixels(isa, &lit, Quality::EXHAUSTIVE);
     let is_shaded = |&i: &usize| exhaustive[i] == DARK && lit[i] != DARK;
     let shaded: Vec<usize> = (0..lit.len()).filter(is_shaded).collect();
@@ -243,27 +200,31 @@ fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     is_visible.then(|| promised(shaded)).into_iter().collect()
 }
 
+/// The floor's pixel in a shadow: 0.1 of 0.7.
+const DARK: u32 = 0x12_1212;
+
 #[test]
-fn thin_and_near_shadows_are_shown() {
+fn shadows_on_a_floor_are_shown() {
     let mut tally = Tally::new(named());
-    let known = known("thin shadows").into_iter().enumerate();
-    let random = cases(60).map(|mut random| (random.seed as usize, floor::shadow(&mut random)));
-    for (seed, view) in known.chain(random) {
-        let glaring = view.clone().glaring();
-        let views = [view, glaring.clone(), glaring.with_box()];
-        for (i, view) in views.into_iter().enumerate() {
-            let isa = isa_of((seed + i) as u64);
-            tally.add(isa, &view, 0, |exhaustive| shadow(isa, &view, exhaustive));
-        }
+    let known = (0..3).flat_map(|_| known("thin shadows"));
+    let random = cases(160).map(|mut random| floor::shadow(&mut random));
+    for (i, view) in known.chain(random).enumerate() {
+        let isa = isa_of(i as u64);
+        let view = match i % 3 {
+            0 => view,
+            1 => view.glaring(),
+            _ => view.glaring().with_box(),
+        };
+        tally.add(isa, &view, 0, |exhaustive| shadow(isa, &view, exhaustive));
     }
     tally.assert_counts(60, 15);
 }
 
 /// Returns a black mirror that halves its images: their channels are below 128, the objects' are 128 or more.
 fn mirror(random: &mut Random) -> View {
-    let scene = hidden(random, [false, true], Material::mirror(0.5));
+    let view = hidden(random, [20, 20], Material::mirror(0.5));
     let (background, lights) = (Vec3::ZERO, List::default());
-    sized(Scene { ambient: Vec3::ONE, background, lights, ..scene })
+    View { scene: Scene { ambient: Vec3::ONE, background, lights, ..view.scene }, ..view }
 }
 
 /// Images of spheres and boxes in 2x2 pixels are promised, images of round blocks are not.
@@ -279,8 +240,10 @@ fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
         if is_image(image) && is_wide {
             let digit = |shift: u32| ((image >> shift & 0xff) as usize - 64) / 15;
             let number = digit(16) + 4 * digit(8) + 16 * digit(0);
-            let is_sphere = number % 2 == 0;
-            let is_promised = is_sphere || view.scene.blocks[number / 2].shape == BlockShape::Box;
+            // The floor's number is between the spheres' and the blocks'.
+            let block = number.checked_sub(view.scene.spheres.len() + 1);
+            let is_promised =
+                block.is_none_or(|block| view.scene.blocks[block].shape == BlockShape::Box);
             effects.push(Effect { pixels, is_promised });
         }
     }
@@ -315,4 +278,79 @@ fn thin_and_near_images_are_shown() {
         tally.add(isa, &floor::image(&mut random), 1, image);
     }
     tally.assert_counts(60, 18);
+}
+
+/// The step of numerical derivatives, in pixels.
+const NEAR: f64 = 1e-4;
+
+/// Returns whether one of the pixels, or a neighbour, shows a point that mirrors a light to the eye.
+fn show_mirror_point(view: &View, shape: Shape, pixels: &[usize]) -> bool {
+    let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
+    // The difference between the mirrored ray and the direction to the light.
+    let apart = |at: DVec2, light: DVec3| {
+        let ray = plane.ray(at.x, at.y);
+        let met = shape.meet(ray, f64::INFINITY)?;
+        let mirrored = ray.d - 2.0 * ray.d.dot(met.normal) * met.normal;
+        Some(mirrored - (light - ray.at(met.t)).normalize())
+    };
+    // Newton's step from a pixel to where the difference is 0.
+    let step = |at: DVec2, light: DVec3| {
+        let here = apart(at, light)?;
+        let right = (apart(at + NEAR * DVec2::X, light)? - here) / NEAR;
+        let down = (apart(at + NEAR * DVec2::Y, light)? - here) / NEAR;
+        let across = right.dot(down);
+        let square = DMat2::from_cols_array(&[right.dot(right), across, across, down.dot(down)]);
+        Some(-square.inverse() * dvec2(right.dot(here), down.dot(here)))
+    };
+    view.scene.lights.iter().any(|light| {
+        let far = if light.parallel { Light::FAR } else { 1.0 };
+        let light = (light.position * far).as_dvec3();
+        let is_near = |step: DVec2| step.abs().max_element() <= 1.0;
+        let place = |i: &usize| dvec2((i % view.width) as f64, (i / view.width) as f64);
+        let mut places = pixels.iter().map(place);
+        places.any(|at| step(at, light).is_some_and(is_near))
+    })
+}
+
+/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light.
+fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let scene = &view.scene;
+    let spheres = scene.spheres.iter().map(Shape::from);
+    let planes = scene.planes.iter().map(Shape::from);
+    let blocks = scene.blocks.iter().map(Shape::from);
+    let mut effects = Vec::new();
+    for (i, shape) in spheres.chain(planes).chain(blocks).enumerate() {
+        let mut matt = view.clone();
+        materials_of(&mut matt.scene)[i].ks = 0.0;
+        let matt = pixels(isa, &matt, Quality::EXHAUSTIVE);
+        let is_changed = |&i: &usize| worst_channel(exhaustive[i], matt[i]) > 8;
+        let changed: Vec<usize> = (0..matt.len()).filter(is_changed).collect();
+        let patches = patches(&changed, view.width).into_iter().filter(|it| it.len() >= 5);
+        effects.extend(patches.map(|pixels| {
+            let is_promised = show_mirror_point(view, shape, &pixels);
+            Effect { pixels, is_promised }
+        }));
+    }
+    effects
+}
+
+#[test]
+fn highlights_of_five_pixels_are_shown() {
+    for are_blocks in [false, true] {
+        let (spheres, blocks) = if are_blocks { (0, 18) } else { (14, 0) };
+        let (planes, material) = (1, materials::shiny as fn(&mut _) -> _);
+        let light =
+            |random: &mut Random| Light { parallel: random.below(7) == 0, ..lights::point(random) };
+        let radius = [[-1.3, 0.2], [0.0; 2]];
+        let kinds = Kinds { spheres, blocks, planes, material, light, radius, ..Kinds::SPHERES };
+        let mut tally = Tally::new(named());
+        let known = (0..3).flat_map(|_| known("thin highlights")).filter(|_| are_blocks);
+        let random = cases(32).map(|mut random| kinds.view(&mut random));
+        for (seed, view) in (0..).zip(known.chain(random)) {
+            let isa = isa_of(seed);
+            tally.add(isa, &view, 8, |exhaustive| highlights(isa, &view, exhaustive));
+        }
+        tally.assert_counts(40, tally.shown[0] / 30);
+        assert!(tally.missed[1] <= tally.shown[1] / 400, "{tally:?}");
+    }
 }

@@ -1,16 +1,20 @@
-//! Any scene, size and quality draws the same bits on any number of threads and after any other frame, for bounded work.
+//! Any scene, size and quality draws the same bits on any number of threads, in any order, and after any other frame, for bounded
+//! work, and never panics while glam asserts its conditions, which `tests/scenes` enables for all tests.
 
-use crate::drawn::isa_of;
+use crate::cpu;
+use crate::drawn::{REFINEMENTS, Record, draw, isa_of, max_points, of_side, of_the_show};
 use crate::error::Difference;
-use crate::refinement::max_points;
-use crate::sameness::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Random, any, cases, presented};
-use eightfold_tracer::scene::{Method, Moment};
-use eightfold_tracer::{Preset, Quality};
+use eightfold_tracer::scene::{Camera, MAX_LENGTH, Method, Moment, Scene};
+use eightfold_tracer::{
+    Band, Counts, Frame, Job, MAX_HEIGHT, MAX_WIDTH, Preset, Quality, Renderer, Threads, Worker,
+};
+use glam::{Vec3, vec3};
 use std::env;
+use std::panic::catch_unwind;
 use std::time::{Duration, Instant};
 
 const CASES: u64 = 150;
@@ -38,6 +42,25 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
+/// Puts the eye and lights at, above, or in the middle of objects: directions and normals have no length.
+fn degenerate(random: &mut Random) -> Scene {
+    let mut scene = any(random);
+    let places = scene.spheres.iter().map(|sphere| sphere.centre);
+    let places = places.chain(scene.blocks.iter().map(|block| block.centre));
+    let places: Vec<Vec3> = places.chain([Vec3::ZERO]).collect();
+    let place = places[random.below(places.len())];
+    let above = [place, place + 3.0 * Vec3::Y, place + Vec3::splat(1e-22), Vec3::splat(MAX_LENGTH)];
+    let eye = random.one_of(above);
+    let look_at = random.one_of([place, eye + Vec3::Z, eye + Vec3::NEG_Y]);
+    scene.camera = Camera { eye, look_at, up: vec3(0.3, 1.0, 0.2), ..scene.camera };
+    let lights = scene.lights.iter_mut();
+    lights.for_each(|light| light.position = random.one_of([eye, place, place + Vec3::Y]));
+    if scene.validate().is_err() {
+        scene.camera = Camera::default();
+    }
+    scene
+}
+
 /// Makes a number invalid. Returns whether that moves what a pixel shows.
 fn corrupt(scene: &mut Moment, random: &mut Random) -> bool {
     let (nan, infinity) = (f32::NAN, f32::INFINITY);
@@ -61,20 +84,31 @@ fn assert_same_bits([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random)
     let what = format!("case {}", random.seed);
     let isa = isa_of(random.seed);
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
-    let mut scene = match random.below(6) {
-        0 => show::model_scene(time).into(),
+    let kind = random.below(8);
+    let mut scene = match kind {
+        0 => {
+            let mut scene = show::model_scene(time);
+            // A light level with the floor, which must not hide it only among some rays of a packet.
+            scene.lights[0].position.y *= random.one_of([1.0, 1e-40, 1e-9, 1e-7]);
+            scene.into()
+        }
         1 => show::field(random.below(321), time).into(),
+        2 | 3 => degenerate(random).into(),
         _ => presented(any(random), random),
     };
     assert_eq!(scene.validate(), Ok(()), "{what}");
     let is_corrupt = random.below(4) == 0;
     let is_moved = is_corrupt && corrupt(&mut scene, random);
-    let quality = quality(random);
-    let (width, height) = match random.below(8) {
+    let (width, height) = match random.below(12) {
         0 => (1, 1 + random.below(300)),
         1 => (1 + random.below(300), 1),
+        2 => (MAX_WIDTH - random.below(9), 1 + random.below(9)),
+        3 => (1 + random.below(9), MAX_HEIGHT - random.below(9)),
         _ => (1 + random.below(160), 1 + random.below(120)),
     };
+    let any = quality(random);
+    // The errors of far tiles are measured.
+    let quality = if width + height < 1000 { any } else { random.one_of([any, Quality::DEFAULT]) };
     let level = isa.level;
     let draw = |renderer: &mut ThreadedRenderer, quality: &Quality| {
         let mut pixels = vec![u32::MAX; width * height];
@@ -108,7 +142,7 @@ fn assert_same_bits([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random)
             }
         }
     }
-    let is_clear = !is_corrupt && scene.scene.haze == 0.0;
+    let is_clear = !is_corrupt && !matches!(kind, 2 | 3) && scene.scene.haze == 0.0;
     (is_clear && quality == Quality::DEFAULT && pixels.len() > 5000).then(|| {
         let off = Difference::between(&others, &pixels).mean;
         if off > MAX_MEAN_ERROR {
@@ -138,4 +172,66 @@ fn any_case_has_same_bits_for_bounded_work() {
         count += 1;
     }
     println!("{count} cases; the default quality was off by {worst:.2} of 255 in {measured}");
+}
+
+#[test]
+fn glam_asserts_its_conditions() {
+    assert!(catch_unwind(|| Vec3::ZERO.normalize()).is_err());
+}
+
+struct Backwards(Vec<Worker>);
+
+impl Threads for Backwards {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        for (i, band) in bands.iter_mut().rev().enumerate() {
+            job(&mut self.0[i % 3 / 2], band);
+        }
+    }
+}
+
+/// Returns the work of a frame without probes and idle lanes, which depend on the order of bands.
+pub fn work(counts: Counts) -> [u64; 3] {
+    [counts.points, counts.rays, counts.shadow_rays]
+}
+
+#[test]
+fn threads_order_observers_and_probes_change_no_bit() {
+    // Two tiles and three bands.
+    const STRIDE: usize = 600;
+    let (width, height) = (531, 70);
+    let others = [2, 32].map(|side| of_side(side, Quality::DEFAULT));
+    let mut threads = Backwards(Worker::several(2));
+    let mut probing = ThreadedRenderer::new(2);
+    probing.set_probes(3000, 11);
+    for scene in [show::field(100, 3.0), of_the_show(50.0)] {
+        for quality in REFINEMENTS.into_iter().chain(others) {
+            for isa in cpu::instruction_sets() {
+                let one = draw(isa, 1, &scene, &quality, width, height);
+                let assert_same = |pixels: &[u32], counts: Counts, what: &str| {
+                    assert!(pixels == one.pixels, "{what}, {quality:?} by {}", isa.name);
+                    assert_eq!(work(counts), work(one.counts), "{what}, {quality:?}");
+                };
+                let seven = draw(isa, 7, &scene, &quality, width, height);
+                assert_same(&seven.pixels, seven.counts, "7 threads");
+                // A part of a larger picture, whose other pixels stay.
+                let mut larger = vec![1 << 24; STRIDE * height];
+                let part = &mut larger[..STRIDE * (height - 1) + width];
+                let frame = Frame::new(width, height, part).with_stride(STRIDE);
+                let mut backwards = Renderer::new(isa.level);
+                let counts = backwards.render(&scene, &quality, frame, &mut threads);
+                let (inside, outside): (Vec<_>, Vec<_>) =
+                    larger.chunks(STRIDE).map(|row| row.split_at(width)).unzip();
+                assert!(outside.concat().iter().all(|&pixel| pixel == 1 << 24));
+                assert_same(&inside.concat(), counts.expect("a valid scene"), "backwards");
+                let mut pixels = vec![1; width * height];
+                let record = Record::default();
+                let counts =
+                    probing.draw_observed(isa.level, &scene, &quality, width, &mut pixels, &record);
+                assert_same(&pixels, counts, "observed and probed");
+                // Observers receive no points of antialiasing.
+                let heard = record.counts.into_inner().unwrap();
+                assert!(quality.antialias || work(heard) == work(counts));
+            }
+        }
+    }
 }

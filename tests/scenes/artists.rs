@@ -1,8 +1,8 @@
 //! Scenes as artists draw them first.
 
-use crate::bars::Bars;
 use crate::kinds::add;
-use crate::{Random, lights, materials, solids};
+use crate::solids::Bars;
+use crate::{Draw, Random, lights, materials, solids};
 use eightfold_tracer::scene::{
     Block, Camera, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Waves,
 };
@@ -10,7 +10,6 @@ use glam::{Mat3, Vec2, Vec3, vec3};
 use std::f32::consts::{PI, TAU};
 
 type Add = fn(&mut Scene, &mut Random);
-pub type Draw<T> = fn(&mut Random) -> T;
 
 /// A name, and functions that add objects to a scene with a camera, a floor and a light.
 #[derive(Clone, Copy)]

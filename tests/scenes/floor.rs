@@ -10,22 +10,6 @@ use glam::{Mat3, Vec3, vec3};
 const IMAGED: Material = Material::matt(vec3(1.0, 0.8, 0.6), 0.0);
 
 impl View {
-    pub(crate) fn light(&mut self, centre: Vec3, radius: f32, light: Vec3) {
-        let scene = &mut self.scene;
-        scene.ambient = Vec3::splat(0.1);
-        scene.background = vec3(0.1, 0.15, 0.3);
-        scene.planes[0].material = Material::matt(Vec3::splat(0.7), 1.0);
-        let material = Material::matt(Vec3::X, 1.0);
-        scene.spheres.push(Sphere::new(centre, radius.max(MIN_LENGTH), material));
-        scene.lights.push(Light::new(light, Vec3::splat(0.73)));
-    }
-
-    pub(crate) fn mirror(&mut self) {
-        self.scene.ambient = Vec3::ONE;
-        self.scene.background = Vec3::ZERO;
-        self.scene.planes[0].material = Material::mirror(0.5);
-    }
-
     pub fn glaring(mut self) -> Self {
         let lights = self.scene.lights.iter_mut();
         lights.for_each(|light| light.colour *= 1e6);
@@ -74,7 +58,7 @@ fn empty(random: &mut Random) -> View {
     View::new(scene, size)
 }
 
-/// Returns a floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden.
+/// Returns a floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden, often after others.
 pub fn shadow(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -94,7 +78,18 @@ pub fn shadow(random: &mut Random) -> View {
     } else {
         (at + direction * (light_at * share), size * (1.0 - share))
     };
-    view.light(centre, radius, at + direction * light_at);
+    let scene = &mut view.scene;
+    (scene.ambient, scene.background) = (Vec3::splat(0.1), vec3(0.1, 0.15, 0.3));
+    scene.planes[0].material = Material::matt(Vec3::splat(0.7), 1.0);
+    scene.lights.push(Light::new(at + direction * light_at, Vec3::splat(0.73)));
+    let sphere = Sphere::new(centre, radius.max(MIN_LENGTH), Material::matt(Vec3::X, 1.0));
+    for _ in 0..random.one_of([0, 0, 40]) {
+        let pixels = random.power(-0.3, 1.0);
+        let Some((at, size)) = view.place(random, height, pixels) else { continue };
+        let centre = at + Vec3::Y * (side * size * random.between(1.0, 9.0));
+        view.scene.spheres.push(Sphere { centre, radius: size.max(MIN_LENGTH), ..sphere });
+    }
+    view.scene.spheres.push(sphere);
     view
 }
 
@@ -102,7 +97,8 @@ pub fn shadow(random: &mut Random) -> View {
 pub fn image(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
-    view.mirror();
+    (view.scene.ambient, view.scene.background) = (Vec3::ONE, Vec3::ZERO);
+    view.scene.planes[0].material = Material::mirror(0.5);
     let pixels = random.power(0.0, 1.5);
     let height = view.scene.planes[0].centre.y;
     let Some((at, size)) = view.place(random, height, pixels) else { return view };

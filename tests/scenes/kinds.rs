@@ -1,21 +1,45 @@
-use crate::{Random, lights, materials, scaled, solids};
+use crate::{Random, View, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
     Ambience, Block, Camera, Caption, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SOFTBOXES,
     MAX_SPHERES, Material, Moment, Plane, Scene, Shape, Softbox, Sphere, Waves,
 };
-use glam::{Vec3, vec3};
+use glam::{Mat3, Vec3, vec3};
 
+/// A function from a [`Random`] to a part of a scene.
+pub type Draw<T> = fn(&mut Random) -> T;
+
+#[derive(Clone, Copy)]
+pub enum Place {
+    Within([Vec3; 2]),
+    /// Where a pixel shows distances of these powers of 10: radii are in pixels.
+    AtPixel([f32; 2]),
+}
+
+/// Scattered objects. Two numbers or vectors are the ends of a range.
 #[derive(Clone, Copy)]
 pub struct Kinds {
     pub spheres: usize,
     pub planes: usize,
     pub blocks: usize,
     pub lights: usize,
-    /// The smallest radius, as a power of 10.
-    pub smallest: f32,
-    pub material: fn(&mut Random) -> Material,
-    pub light: fn(&mut Random) -> Light,
-    pub camera: fn(&mut Random) -> Camera,
+    /// Whether these are the numbers of objects and lights, or their maximums.
+    pub exact: bool,
+    pub size: [usize; 2],
+    /// The eye's place before it turns around the y axis by up to `turn`.
+    pub eye: [Vec3; 2],
+    pub turn: f32,
+    pub look_at: [Vec3; 2],
+    pub angle: [f32; 2],
+    pub place: Place,
+    /// Of spheres, and of blocks, as powers of 10.
+    pub radius: [[f32; 2]; 2],
+    /// The half extents of blocks, in radii.
+    pub half: [Vec3; 2],
+    pub plane: [Vec3; 2],
+    /// The half extents of planes, as powers of 10.
+    pub side: [f32; 2],
+    pub material: Draw<Material>,
+    pub light: Draw<Light>,
     pub air: bool,
     /// Whether objects can touch, overlap, coincide, or form a row.
     pub groups: bool,
@@ -30,10 +54,19 @@ impl Kinds {
         planes: 2,
         blocks: 0,
         lights: 4,
-        smallest: -0.7,
+        exact: false,
+        size: [320, 240],
+        eye: [vec3(0.0, 0.5, 7.0), vec3(0.0, 6.0, 14.0)],
+        turn: 6.3,
+        look_at: [vec3(-1.0, 0.2, -1.0), Vec3::ONE],
+        angle: [0.3, 1.6],
+        place: Place::Within([vec3(-4.0, 0.2, -4.0), vec3(4.0, 3.0, 4.0)]),
+        radius: [[-0.7, 0.2], [0.0; 2]],
+        half: [Vec3::splat(0.2), Vec3::splat(1.5)],
+        plane: [vec3(0.3, -2.0, -0.2), vec3(0.3, 0.0, -0.2)],
+        side: [0.0, 1.3],
         material: materials::plain,
         light: lights::point,
-        camera: outside,
         air: false,
         groups: false,
         decades: 0.0,
@@ -56,80 +89,89 @@ impl Kinds {
         planes: 4,
         blocks: MAX_BLOCKS,
         lights: MAX_LIGHTS,
-        smallest: -3.0,
+        eye: [vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0)],
+        look_at: [Vec3::NEG_ONE, Vec3::ONE],
+        angle: [0.1, 2.5],
+        radius: [[-3.0, 0.2], [0.0; 2]],
         material: materials::extreme,
-        camera: anywhere,
         groups: true,
         decades: 5.0,
         ..Self::RICH
     };
 
     pub fn scene(&self, random: &mut Random) -> Scene {
-        let mut scene = Scene {
-            camera: (self.camera)(random),
+        self.view(random).scene
+    }
+
+    pub fn view(&self, random: &mut Random) -> View {
+        let turn = Mat3::from_rotation_y(random.between(0.0, self.turn));
+        let [eye, look_at] = [self.eye, self.look_at].map(|[low, high]| random.vector(low, high));
+        let scene = Scene {
+            camera: Camera::new(turn * eye, look_at, random.between(self.angle[0], self.angle[1])),
             background: random.colour(),
             ambient: 0.2 * random.colour(),
             ..Scene::default()
         };
-        for _ in 0..count(random, self.spheres) {
-            let radius = random.power(self.smallest, 0.2);
+        let mut view = View::new(scene, self.size);
+        for _ in 0..self.count(random, self.spheres) {
+            let (centre, radius) = self.place(random, &view, self.radius[0]);
             let material = (self.material)(random);
-            scene.spheres.push(Sphere::new(place(random), radius, material));
+            view.scene.spheres.push(Sphere::new(centre, radius, material));
         }
-        for _ in 0..count(random, self.planes) {
-            let centre = vec3(0.3, random.between(-2.0, 0.0), -0.2);
-            let [x, z] = [0; 2].map(|_| random.between(1.0, 20.0));
+        for _ in 0..self.count(random, self.planes) {
+            let centre = random.vector(self.plane[0], self.plane[1]);
+            let [x, z] = [0; 2].map(|_| random.power(self.side[0], self.side[1]));
             let material = (self.material)(random);
-            scene.planes.push(Plane::new(centre, x, z, material));
+            view.scene.planes.push(Plane::new(centre, x, z, material));
         }
-        for _ in 0..count(random, self.blocks) {
-            let half = random.vector(Vec3::splat(0.2), Vec3::splat(1.5));
-            let (centre, material) = (place(random), (self.material)(random));
-            scene.blocks.push(solids::block(random, centre, half, material));
+        for _ in 0..self.count(random, self.blocks) {
+            let (centre, radius) = self.place(random, &view, self.radius[1]);
+            let half = radius * random.vector(self.half[0], self.half[1]);
+            let material = (self.material)(random);
+            let block = solids::block(random, centre, half, material);
+            let axes = random.one_of([block.axes, block.axes, Mat3::IDENTITY]);
+            view.scene.blocks.push(Block { axes, ..block });
         }
-        for _ in 0..count(random, self.lights) {
+        let scene = &mut view.scene;
+        for _ in 0..self.count(random, self.lights) {
             scene.lights.push((self.light)(random));
         }
         if self.air {
-            add_air(&mut scene, random);
+            add_air(scene, random);
         }
         if self.groups {
-            add_groups(&mut scene, random);
+            add_groups(scene, random);
         }
-        scaled(&scene, random.power(-self.decades, self.decades))
+        *scene = scaled(scene, random.power(-self.decades, self.decades));
+        view
     }
-}
 
-/// Returns a number up to `max`, often a small one.
-fn count(random: &mut Random, max: usize) -> usize {
-    let max = random.one_of([4, 12, 40, max]).min(max);
-    random.below(max + 1)
-}
+    pub fn place(&self, random: &mut Random, view: &View, [low, high]: [f32; 2]) -> (Vec3, f32) {
+        let radius = random.power(low, high);
+        match self.place {
+            Place::Within([low, high]) => (random.vector(low, high), radius),
+            Place::AtPixel([near, far]) => {
+                let [x, y] = [view.width, view.height].map(|side| random.below(side) as f32);
+                view.at([x, y], random.power(near, far), radius)
+            }
+        }
+    }
 
-fn place(random: &mut Random) -> Vec3 {
-    random.vector(vec3(-4.0, 0.2, -4.0), vec3(4.0, 3.0, 4.0))
-}
-
-pub fn outside(random: &mut Random) -> Camera {
-    let (angle, distance) = (random.between(0.0, 6.3), random.between(7.0, 14.0));
-    let height = random.between(0.5, 6.0);
-    let eye = vec3(distance * angle.sin(), height, distance * angle.cos());
-    let look_at = random.vector(vec3(-1.0, 0.2, -1.0), Vec3::ONE);
-    Camera::new(eye, look_at, random.between(0.3, 1.6))
-}
-
-pub fn anywhere(random: &mut Random) -> Camera {
-    let eye = random.vector(vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0));
-    let look_at = random.vector(Vec3::splat(-1.0), Vec3::ONE);
-    Camera::new(eye, look_at, random.between(0.1, 2.5))
+    /// Returns a number up to `max`, often a small one.
+    fn count(&self, random: &mut Random, max: usize) -> usize {
+        if self.exact {
+            return max;
+        }
+        let max = random.one_of([4, 12, 40, max]).min(max);
+        random.below(max + 1)
+    }
 }
 
 fn add_air(scene: &mut Scene, random: &mut Random) {
     scene.sky = random.colour() - scene.background;
     scene.haze = random.zero_or(0.01, 0.1);
-    let mut more = Random::new(random.clone().bits());
-    scene.haze_fall = more.zero_or(0.1, 10.0);
-    scene.scatter = more.zero_or(0.1, 1.0);
+    scene.haze_fall = random.zero_or(0.1, 10.0);
+    scene.scatter = random.zero_or(0.1, 1.0);
     scene.exposure = random.between(0.1, 1.2);
     if random.below(2) == 0 {
         scene.film = Film {

@@ -2,42 +2,37 @@
 //!
 //! | kind | scenes |
 //! | --- | --- |
-//! | [`Kinds`] | all shapes, materials and lights, scattered around the origin |
-//! | [`placed`] | objects in their own colours, placed and sized by pixels |
+//! | [`Kinds`] | all shapes, materials and lights, scattered in ranges |
+//! | [`placed`] | ... in their own colours, placed and sized by pixels |
+//! | [`hidden()`] | ... small, easily missed |
+//! | [`crowd()`] | ... hundreds of mirrors, glass and plastic |
 //! | [`floor`] | a single shadow or image in a floor, or objects that rise from it |
-//! | [`hidden()`] | forty small objects that are easily missed |
 //! | [`artists`] | bars in the order of words, nets, fences and shelves |
-//! | [`crowd()`] | hundreds of mirrors, glass and plastic of all shapes |
 //! | [`BarView`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known()`] | scenes that once failed |
 //!
-//! A new kind is a function from a [`Random`] to a scene, of parts from [`materials`], [`lights`] and [`solids`].
+//! A new kind has its numbers, places, sizes, materials and lights in a [`Kinds`].
 
 pub mod artists;
-mod bars;
-mod crowd;
 pub mod floor;
-mod hidden;
 mod kinds;
-mod known;
 pub mod lights;
 pub mod materials;
-mod placed;
 mod random;
+mod scattered;
 pub mod solids;
 pub mod text;
 mod thin;
 
-pub use crowd::crowd;
-pub use hidden::{GREY, hidden};
-pub use kinds::{Kinds, presented};
-pub use known::known;
-pub use placed::{between_corners, placed, placed_blocks};
+pub use kinds::{Draw, Kinds, presented};
 pub use random::{Random, cases};
+pub use scattered::{GREY, between_corners, crowd, hidden, placed, placed_blocks};
 pub use thin::BarView;
 
 use eightfold_tracer::scene::{MIN_LENGTH, Material, Scene};
 use glam::Vec3;
+use std::collections::HashMap;
+use text::Text;
 
 #[derive(Clone, Debug)]
 pub struct View {
@@ -56,12 +51,18 @@ impl View {
         let raster = self.scene.camera.raster(self.width, self.height);
         (raster.corner + raster.dx * x + raster.dy * y, raster.dx.length())
     }
+
+    /// Returns the point that a pixel shows at a distance, and the length of `pixels` there.
+    fn at(&self, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) {
+        let (d, pixel) = self.ray(x, y);
+        (self.scene.camera.eye + d * distance, pixels * pixel * distance)
+    }
 }
 
 pub fn any(random: &mut Random) -> Scene {
     let shiny_blocks = Kinds { material: materials::shiny, ..Kinds::RICH };
     match random.below(7) {
-        0 => hidden(random, [true; 2], GREY),
+        0 => hidden(random, [20, 20], GREY).scene,
         1 => random.one_of(BarView::ALL).view(random)[0].scene.clone(),
         2 => crowd(random, [8, 8], [0.3, 0.3]),
         3 => shiny_blocks.scene(random),
@@ -92,38 +93,19 @@ pub fn coloured(scene: &Scene, step: usize) -> Scene {
 
 /// Scales a scene, within the ranges of [`Scene::validate`] for haze, patterns and extents.
 pub fn scaled(scene: &Scene, factor: f32) -> Scene {
-    let mut scene = scene.clone();
-    scene.haze = (scene.haze / factor).min(1e3);
-    scene.haze_fall = (scene.haze_fall / factor).min(1e3);
-    scene.camera.eye *= factor;
-    scene.camera.look_at *= factor;
-    scene.water.length *= factor;
-    for sphere in scene.spheres.iter_mut() {
-        sphere.centre *= factor;
-        sphere.radius = (sphere.radius * factor).max(MIN_LENGTH);
-    }
-    for plane in scene.planes.iter_mut() {
-        plane.centre *= factor;
-        plane.half_x *= factor;
-        plane.half_z *= factor;
-    }
-    for block in scene.blocks.iter_mut() {
-        block.centre *= factor;
-        block.half = (block.half * factor).max(Vec3::splat(MIN_LENGTH));
-    }
-    for light in scene.lights.iter_mut() {
-        light.position *= factor;
-        if light.drawn_radius > 0.0 {
-            light.drawn_radius = (light.drawn_radius * factor).max(MIN_LENGTH);
-        }
-        light.diameter *= factor;
-        light.glow *= factor;
-        light.core *= factor;
-    }
-    for material in materials_of(&mut scene) {
-        let pattern = &mut material.pattern;
-        pattern.waves = (pattern.waves / factor).min(Vec3::splat(1e3));
-        pattern.grain = (pattern.grain / factor).min(1e3);
-    }
-    scene
+    let scale = |field: &str, number: f32| match field {
+        "haze" | "haze_fall" | "waves" | "grain" => (number / factor).min(1e3),
+        "radius" | "half" | "drawn_radius" if number > 0.0 => (number * factor).max(MIN_LENGTH),
+        "centre" | "half_x" | "half_z" | "eye" | "look_at" | "position" | "diameter" | "glow"
+        | "core" | "length" => number * factor,
+        _ => number,
+    };
+    if factor == 1.0 { scene.clone() } else { Text::of(scene).map(scale) }
+}
+
+pub fn known(name: &str) -> Vec<View> {
+    let mut all: HashMap<String, Vec<(Scene, [usize; 2])>> =
+        ron::from_str(include_str!("known.ron")).expect("scenes");
+    let scenes = all.remove(name).expect("a name in known.ron");
+    scenes.into_iter().map(|(scene, size)| View::new(scene, size)).collect()
 }

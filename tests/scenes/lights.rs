@@ -10,9 +10,8 @@ pub fn point(random: &mut Random) -> Light {
 pub fn any(random: &mut Random) -> Light {
     let position = random.vector(vec3(-9.0, 6.0, -9.0), vec3(9.0, 12.0, 9.0));
     let (outer, soft) = (random.between(0.65, 1.25), random.between(0.1, 0.3));
-    let core = Random::new(random.clone().bits()).zero_or(0.0, 2.0);
     let light = Light {
-        core,
+        core: random.zero_or(0.0, 2.0),
         drawn_radius: random.between(0.0, 0.4),
         parallel: random.below(2) == 0,
         diameter: random.zero_or(0.1, 2.0),

@@ -1,4 +1,4 @@
-use glam::{DVec2, Mat3, Quat, Vec3, dvec2, vec3};
+use glam::{Mat3, Quat, Vec3, vec3};
 
 /// A pseudorandom generator: SplitMix by Steele, Lea and Flood.
 #[derive(Clone, Debug)]
@@ -22,10 +22,6 @@ impl Random {
 
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub fn units(&mut self) -> DVec2 {
-        dvec2(self.unit(), self.unit())
     }
 
     pub fn below(&mut self, end: usize) -> usize {

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::fmt::Write;
 use std::ops::Range;
 
 pub struct Text {
@@ -32,6 +33,18 @@ impl Text {
     pub fn with(&self, i: usize, number: f32) -> String {
         let Range { start, end } = self.numbers[i];
         format!("{}{number:?}{}", &self.ron[..start], &self.ron[end..])
+    }
+
+    /// Returns the value with other numbers, by their fields.
+    pub fn map<T: DeserializeOwned>(&self, number: impl Fn(&str, f32) -> f32) -> T {
+        let (mut ron, mut copied) = (String::new(), 0);
+        for (i, Range { start, end }) in self.numbers.iter().cloned().enumerate() {
+            let old = self.ron[start..end].parse().expect("it was parsed before");
+            write!(ron, "{}{:?}", &self.ron[copied..start], number(self.field(i).1, old))
+                .expect("memory");
+            copied = end;
+        }
+        ron::from_str(&(ron + &self.ron[copied..])).expect("it has the same fields")
     }
 
     pub fn value_with<T: DeserializeOwned>(&self, i: usize, number: f32) -> (T, &str) {

@@ -1,11 +1,9 @@
 //! Bars of one to five pixels in any direction, single, crossing, in front of patterns and behind other objects.
 
+use crate::kinds::add;
 use crate::materials::numbered;
 use crate::{Random, View, coloured, solids};
-use eightfold_tracer::scene::{
-    Block, Camera, Light, MAX_BLOCKS, MAX_PLANES, MAX_SPHERES, Material, Pattern, Plane, Scene,
-    Sphere,
-};
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Mat3, Quat, Vec2, Vec3, vec2, vec3};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,65 +16,49 @@ pub enum BarView {
 impl BarView {
     pub const ALL: [Self; 3] = [Self::Directly, Self::AsShadows, Self::AsImages];
 
+    /// Returns a view with bars, and the same one without them.
     pub fn view(self, random: &mut Random) -> [View; 2] {
         let eye = vec3(0.0, random.power(-0.3, 0.8), 6.0);
         let look_at = random.vector(vec3(-2.0, -1.5, -2.0), vec3(2.0, 0.5, 0.5));
-        let scene = Scene {
-            camera: Camera::new(eye, look_at, random.between(0.3, 1.4)),
-            ambient: Vec3::ONE,
-            ..Scene::default()
-        };
-        let mut bars = View::new(scene, [320, 240]);
+        let camera = Camera::new(eye, look_at, random.between(0.3, 1.4));
+        let mut others = View::new(Scene { camera, ..Scene::default() }, [320, 240]);
         let light = random.vector(vec3(-6.0, 3.0, -6.0), vec3(6.0, 9.0, 6.0));
-        for _ in 0..random.one_of([1, 3, 10, 25]) {
-            self.add_bar(&mut bars, random, light);
-        }
-        let mut others =
-            Scene { camera: bars.scene.camera, background: Vec3::splat(0.5), ..Scene::default() };
-        let is_floored = self != Self::Directly || random.below(2) == 0;
-        if is_floored {
-            let floor = match self {
-                Self::Directly => numbered(0, 28),
-                Self::AsShadows => Material::matt(Vec3::splat(0.8), 0.9),
-                Self::AsImages => Material::mirror(0.7),
-            };
-            others.planes.push(Plane::new(Vec3::ZERO, 50.0, 50.0, floor));
-        }
+        let floor = match self {
+            Self::Directly => random.one_of([None, Some(numbered(0, 28))]),
+            Self::AsShadows => Some(Material::matt(Vec3::splat(0.8), 0.9)),
+            Self::AsImages => Some(Material::mirror(0.7)),
+        };
+        let floor = floor.map(|material| Plane::new(Vec3::ZERO, 50.0, 50.0, material));
+        others.scene.planes.extend(floor);
         for _ in 0..random.one_of([0, 0, 4]) {
             let centre = random.vector(vec3(-3.0, 0.0, -3.0), vec3(3.0, 3.0, 4.0));
             let radius = random.power(-1.0, 0.0);
-            others.spheres.push(Sphere::new(centre, radius, Material::BLACK));
+            others.scene.spheres.push(Sphere::new(centre, radius, Material::BLACK));
         }
-        let checkers = Pattern::checkers(random.power(-1.0, 0.5), 0.3);
-        let is_patterned = self == Self::Directly && random.below(2) == 0;
         let mut all = others.clone();
-        all.spheres.extend(bars.scene.spheres.iter().copied());
-        all.planes.extend(bars.scene.planes.iter().copied());
-        all.blocks.extend(bars.scene.blocks.iter().copied());
-        [all, others].map(|scene| {
-            let mut scene = self.finished(&scene, is_floored, light);
-            if is_patterned && let Some(plane) = scene.planes.iter_mut().next() {
-                plane.material.pattern = checkers;
+        for _ in 0..random.one_of([1, 3, 10, 25]) {
+            self.add_bar(&mut all, random, light);
+        }
+        let checkers = Pattern::checkers(random.power(-1.0, 0.5), random.zero_or(0.3, 0.3));
+        [all, others].map(|mut view| {
+            view.scene = coloured(&view.scene, 28);
+            if let Some(Plane { mut material, .. }) = floor {
+                if self == Self::Directly {
+                    material.pattern = checkers;
+                }
+                view.scene.planes[0].material = material;
             }
-            View::new(scene, [320, 240])
+            view.scene.background = Vec3::splat(0.5);
+            match self {
+                Self::AsShadows => {
+                    view.scene.ambient = Vec3::splat(0.2);
+                    view.scene.lights.push(Light::new(light, Vec3::ONE));
+                }
+                Self::AsImages => view.scene.background = Vec3::ZERO,
+                Self::Directly => {}
+            }
+            view
         })
-    }
-
-    fn finished(self, scene: &Scene, is_floored: bool, light: Vec3) -> Scene {
-        let mut coloured = coloured(scene, 28);
-        if is_floored {
-            coloured.planes[0].material = scene.planes[0].material;
-        }
-        coloured.background = scene.background;
-        match self {
-            Self::AsShadows => {
-                coloured.ambient = Vec3::splat(0.2);
-                coloured.lights.push(Light::new(light, Vec3::ONE));
-            }
-            Self::AsImages => coloured.background = Vec3::ZERO,
-            Self::Directly => {}
-        }
-        coloured
     }
 
     fn add_bar(self, view: &mut View, random: &mut Random, light: Vec3) {
@@ -109,32 +91,29 @@ impl BarView {
         let along = (to - from) / length;
         let scene = &mut view.scene;
         match random.below(8) {
-            0 if self == Self::Directly && scene.planes.len() + 1 < MAX_PLANES => {
+            0 if self == Self::Directly => {
                 let [x, z] = random.one_of([[radius, 0.5 * length], [0.5 * length, radius]]);
-                scene.planes.push(Plane::new(centre, x, z, Material::BLACK));
+                add(&mut scene.planes, Plane::new(centre, x, z, Material::BLACK));
             }
             1 => {
                 let count = (length / (1.5 * radius)).min(60.0) as usize;
                 for i in 0..count {
-                    if scene.spheres.len() + 4 < MAX_SPHERES {
-                        let centre = from + along * (1.5 * radius * i as f32);
-                        scene.spheres.push(Sphere::new(centre, radius, Material::BLACK));
-                    }
+                    let centre = from + along * (1.5 * radius * i as f32);
+                    add(&mut scene.spheres, Sphere::new(centre, radius, Material::BLACK));
                 }
             }
-            kind if scene.blocks.len() < MAX_BLOCKS => {
+            kind => {
                 let shape = solids::SHAPES[kind % 3];
                 let wide = [1.0, random.power(0.0, 1.5)][random.below(2)];
                 let half = vec3(radius, 0.5 * length, radius * wide);
                 let turn = Quat::from_axis_angle(along, random.between(0.0, 3.1));
                 let across = along.any_orthonormal_vector();
                 let axes = Mat3::from_cols(across, along, across.cross(along));
-                scene.blocks.push(Block {
-                    axes: Mat3::from_quat(turn) * axes,
-                    ..Block::new(shape, centre, solids::fitting(shape, half), Material::BLACK)
-                });
+                let axes = Mat3::from_quat(turn) * axes;
+                let half = solids::fitting(shape, half);
+                let bar = Block::new(shape, centre, half, Material::BLACK);
+                add(&mut scene.blocks, Block { axes, ..bar });
             }
-            _ => {}
         }
     }
 }
