@@ -1,7 +1,8 @@
 //! Operations that differ between instruction sets.
 
-use super::*;
+use super::types::{F, M, lanes};
 use fearless_simd::Level;
+use fearless_simd::prelude::*;
 
 pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::mul_add`] rounds once.
@@ -28,6 +29,24 @@ pub(crate) trait Isa: Simd {
             rest &= rest - 1;
         }
     }
+}
+
+/// Replaces NaN. (The result of `max` depends on the CPU.)
+#[inline(always)]
+pub(crate) fn at_least<S: Isa>(v: F<S>, min: F<S>) -> F<S> {
+    if S::LIMITS_REPLACE_NAN { v.max(min) } else { v.simd_gt(min).select(v, min) }
+}
+
+/// Replaces NaN.
+#[inline(always)]
+pub(crate) fn at_most<S: Isa>(v: F<S>, max: F<S>) -> F<S> {
+    if S::LIMITS_REPLACE_NAN { v.min(max) } else { v.simd_lt(max).select(v, max) }
+}
+
+/// NaN becomes `min`.
+#[inline(always)]
+pub(crate) fn clamp<S: Isa>(v: F<S>, min: F<S>, max: F<S>) -> F<S> {
+    at_most::<S>(at_least::<S>(v, min), max)
 }
 
 cfg_select! {

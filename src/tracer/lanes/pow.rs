@@ -1,4 +1,5 @@
-use super::*;
+use super::types::{F, I, ROUND_TO_INTEGER, splat};
+use fearless_simd::prelude::*;
 
 /// Returns `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
 ///
@@ -77,6 +78,7 @@ mod tests {
     extern crate std;
 
     use super::*;
+    use crate::lanes::isas;
     use fearless_simd::dispatch;
 
     #[inline(always)]

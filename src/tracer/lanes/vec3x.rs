@@ -1,5 +1,7 @@
-use super::*;
+use super::isa::{Isa, at_least};
+use super::types::{F, M, U, flipped, splat};
 use core::ops::{Add, Mul, Sub};
+use fearless_simd::prelude::*;
 use glam::Vec3;
 
 /// A vector per lane, as a structure of arrays.

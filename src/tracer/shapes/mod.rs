@@ -7,12 +7,6 @@ mod cylinder;
 pub(crate) mod plane;
 pub(crate) mod solid_distance;
 pub(crate) mod sphere;
+mod texture_point;
 
-use crate::lanes::*;
-
-pub(crate) struct TexturePoint<S: Isa> {
-    /// Relative to the object's centre, along its own axes, in scene units.
-    pub own: Vec3x<S>,
-    /// The normal, of length 1, with either sign.
-    pub n: Vec3x<S>,
-}
+pub(crate) use texture_point::TexturePoint;
