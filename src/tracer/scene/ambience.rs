@@ -1,6 +1,6 @@
 //! Ambient light that varies from point to point.
 
-use super::validate::{LENGTH, SHARE};
+use super::ranges::{LENGTH, SHARE};
 use crate::range_error::{Checked, RangeError};
 use glam::Vec3;
 

@@ -1,5 +1,5 @@
-use super::validate::{EXTENT, POINT, is_unit};
-use super::{Material, Shape};
+use super::Material;
+use super::ranges::{EXTENT, POINT, is_unit};
 use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
@@ -51,4 +51,18 @@ impl Block {
         }
         self.material.check(of)
     }
+}
+
+/// The shape of a [`Block`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Shape {
+    /// A box.
+    #[default]
+    Box,
+    /// A cylinder along the block's own y axis, with flat ends.
+    Cylinder,
+    /// A cylinder along the block's own y axis with a half sphere at each end.
+    Capsule,
 }

@@ -1,4 +1,4 @@
-use super::validate::POINT;
+use super::ranges::POINT;
 use crate::maths::{cos, sin, to_f32};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::{FRAC_PI_4, PI};

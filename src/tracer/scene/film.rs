@@ -1,4 +1,4 @@
-use super::validate::SHARE;
+use super::ranges::SHARE;
 use crate::range_error::{Checked, RangeError};
 
 /// The tone curve, vignette and dither of a picture.

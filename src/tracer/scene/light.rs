@@ -1,4 +1,4 @@
-use super::validate::{EXTENT, LENGTH, POINT};
+use super::ranges::{EXTENT, LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::PI;
 use glam::Vec3;

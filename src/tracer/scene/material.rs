@@ -1,5 +1,5 @@
 use super::Pattern;
-use super::validate::{LENGTH, SHARE};
+use super::ranges::{LENGTH, SHARE};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 

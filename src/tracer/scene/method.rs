@@ -1,4 +1,4 @@
-use super::validate::SHARE;
+use super::ranges::SHARE;
 use crate::range_error::{Checked, Range, RangeError};
 
 /// An overlay of the traced points and the filled squares.

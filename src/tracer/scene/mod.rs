@@ -10,31 +10,35 @@ mod material;
 mod method;
 mod overlay;
 mod pattern;
+mod plane;
 mod presentation;
+mod ranges;
 #[cfg(feature = "serde")]
 mod serial;
 mod softbox;
-mod validate;
+mod sphere;
 mod waves;
 
 pub use ambience::Ambience;
-pub use block::Block;
+pub use block::{Block, Shape};
 pub use camera::{Camera, Raster};
 pub use film::Film;
 pub use light::{Light, Spot};
 pub use list::{CapacityError, List};
 pub use material::Material;
 pub use method::Method;
-pub use overlay::Caption;
+pub use overlay::{Caption, MAX_LETTERS};
 pub use pattern::Pattern;
-pub use presentation::{Moment, Presentation};
+pub use plane::Plane;
+pub use presentation::{MAX_CAPTIONS, Presentation};
+pub use ranges::{MAX_LENGTH, MIN_LENGTH};
 pub use softbox::Softbox;
-pub use validate::{MAX_LENGTH, MIN_LENGTH};
+pub use sphere::Sphere;
 pub use waves::Waves;
 
-use crate::range_error::{Checked, RangeError};
+use crate::range_error::{Checked, Range, RangeError};
 use glam::{Mat3, Vec3};
-use validate::{EXTENT, POINT};
+use ranges::{LENGTH, SHARE, THOUSAND, each};
 
 /// The maximum number of spheres. The show uses up to 71.
 pub const MAX_SPHERES: usize = 320;
@@ -48,11 +52,6 @@ pub const MAX_LIGHTS: usize = 4;
 
 /// The maximum number of softboxes.
 pub const MAX_SOFTBOXES: usize = 3;
-
-/// The maximum number of captions. The show uses one at a time.
-pub const MAX_CAPTIONS: usize = 10;
-/// The maximum number of letters in a caption. The longest of the show has 32.
-pub const MAX_LETTERS: usize = 32;
 
 /// The content of a frame. A [`Presentation`] adds marks, mirrors and text.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,79 +136,63 @@ impl Scene {
         ..Self::EMPTY
     };
 
+    /// Checks the ranges of all numbers.
+    ///
+    /// # Errors
+    /// The first number out of range.
+    pub fn validate(&self) -> Result<(), RangeError> {
+        let zenith = self.background + self.sky;
+        let sky = "-background to 1e9 - background";
+        self.camera.check(Checked::one("camera"))?;
+        Checked::one("background").field("", self.background, LENGTH)?;
+        Checked::one("sky").rule("", self.sky, LENGTH.contains(zenith), sky)?;
+        Checked::one("haze").field("", self.haze, THOUSAND)?;
+        Checked::one("haze_fall").field("", self.haze_fall, THOUSAND)?;
+        Checked::one("scatter").field("", self.scatter, SHARE)?;
+        Checked::one("exposure").field("", self.exposure, Range(0.0, 11.0, "0 to 11"))?;
+        self.film.check(Checked::one("film"))?;
+        Checked::one("ambient").field("", self.ambient, LENGTH)?;
+        self.ambience.check(Checked::one("ambience"))?;
+        each("spheres", &self.spheres, Sphere::check)?;
+        each("planes", &self.planes, Plane::check)?;
+        self.water.check(Checked::one("water"))?;
+        each("blocks", &self.blocks, Block::check)?;
+        each("lights", &self.lights, Light::check)?;
+        each("softboxes", &self.softboxes, Softbox::check)
+    }
+
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + self.blocks.len()
     }
 }
 
-/// A sphere. Shadow rays treat it as hollow: a light wholly inside illuminates its inside, and the outside only through
-/// [`Material::tint`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// A scene and its presentation.
+#[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
-pub struct Sphere {
-    /// The centre in scene units, coordinates -1e9 to 1e9.
-    pub centre: Vec3,
-    /// The radius in scene units, 1e-9 to 1e9.
-    pub radius: f32,
-    /// The surface.
-    pub material: Material,
+pub struct Moment {
+    /// The content of the frame.
+    pub scene: Scene,
+    /// The presentation of the content.
+    pub presentation: Presentation,
 }
 
-impl Sphere {
-    /// Returns a sphere.
-    #[must_use]
-    pub const fn new(centre: Vec3, radius: f32, material: Material) -> Self {
-        Self { centre, radius, material }
-    }
-
-    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        of.field("centre", self.centre, POINT)?;
-        of.field("radius", self.radius, EXTENT)?;
-        self.material.check(of)
+impl From<Scene> for Moment {
+    fn from(scene: Scene) -> Self {
+        Self { scene, ..Self::default() }
     }
 }
 
-/// A horizontal rectangle, visible from both sides. It casts a black shadow, whatever its `tint`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
-pub struct Plane {
-    /// The centre in scene units, coordinates -1e9 to 1e9.
-    pub centre: Vec3,
-    /// Half the extent along x in scene units, 1e-9 to 1e9.
-    pub half_x: f32,
-    /// Half the extent along z, 1e-9 to 1e9.
-    pub half_z: f32,
-    /// The surface.
-    pub material: Material,
-}
+impl Moment {
+    /// All zeros, like [`Scene::ZEROED`].
+    #[doc(hidden)]
+    pub const ZEROED: Self = Self { scene: Scene::ZEROED, presentation: Presentation::ZEROED };
 
-impl Plane {
-    /// Returns a rectangle.
-    #[must_use]
-    pub const fn new(centre: Vec3, half_x: f32, half_z: f32, material: Material) -> Self {
-        Self { centre, half_x, half_z, material }
+    /// Checks the ranges of all numbers.
+    ///
+    /// # Errors
+    /// The first number out of range.
+    pub fn validate(&self) -> Result<(), RangeError> {
+        self.scene.validate()?;
+        self.presentation.validate()
     }
-
-    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
-        of.field("centre", self.centre, POINT)?;
-        of.field("half_x", self.half_x, EXTENT)?;
-        of.field("half_z", self.half_z, EXTENT)?;
-        self.material.check(of)
-    }
-}
-
-/// The shape of a [`Block`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum Shape {
-    /// A box.
-    #[default]
-    Box,
-    /// A cylinder along the block's own y axis, with flat ends.
-    Cylinder,
-    /// A cylinder along the block's own y axis with a half sphere at each end.
-    Capsule,
 }

@@ -1,8 +1,11 @@
 //! Captions over the picture.
 
-use super::validate::SHARE;
-use super::{List, MAX_LETTERS};
+use super::List;
+use super::ranges::SHARE;
 use crate::range_error::{Checked, RangeError};
+
+/// The maximum number of letters in a caption. The longest of the show has 32.
+pub const MAX_LETTERS: usize = 32;
 
 /// A line of text, centred in the picture's width.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Procedural textures: stripes, checkers, marble and swirling bands.
 
-use super::validate::{SHARE, SIGNED, THOUSAND};
+use super::ranges::{SHARE, SIGNED, THOUSAND};
 use crate::range_error::{Checked, RangeError};
 use glam::Vec3;
 

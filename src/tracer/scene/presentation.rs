@@ -1,6 +1,9 @@
-use super::validate::each;
-use super::{Caption, List, MAX_CAPTIONS, Method, Scene};
+use super::ranges::each;
+use super::{Caption, List, Method};
 use crate::range_error::{Checked, Range, RangeError};
+
+/// The maximum number of captions. The show uses one at a time.
+pub const MAX_CAPTIONS: usize = 10;
 
 /// The presentation of a scene in a [`Frame`](crate::Frame): mirrored sectors, marks of the rendering method, and text.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +30,7 @@ impl Presentation {
     pub const PLAIN: Self =
         Self { sectors: 1.0, method: Method::PLAIN, captions: List::over(Caption::ZERO) };
 
-    /// All zeros, like [`Scene::ZEROED`]. It is invalid.
+    /// All zeros, like [`Scene::ZEROED`](super::Scene::ZEROED). It is invalid.
     #[doc(hidden)]
     pub const ZEROED: Self =
         Self { sectors: 0.0, method: Method { picture: 0.0, ..Method::PLAIN }, ..Self::PLAIN };
@@ -40,36 +43,5 @@ impl Presentation {
         Checked::one("sectors").field("", self.sectors, Range(1.0, 8.0, "1 to 8"))?;
         self.method.check(Checked::one("method"))?;
         each("captions", &self.captions, Caption::check)
-    }
-}
-
-/// A scene and its presentation.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Moment {
-    /// The content of the frame.
-    pub scene: Scene,
-    /// The presentation of the content.
-    pub presentation: Presentation,
-}
-
-impl From<Scene> for Moment {
-    fn from(scene: Scene) -> Self {
-        Self { scene, ..Self::default() }
-    }
-}
-
-impl Moment {
-    /// All zeros, like [`Scene::ZEROED`].
-    #[doc(hidden)]
-    pub const ZEROED: Self = Self { scene: Scene::ZEROED, presentation: Presentation::ZEROED };
-
-    /// Checks the ranges of all numbers.
-    ///
-    /// # Errors
-    /// The first number out of range.
-    pub fn validate(&self) -> Result<(), RangeError> {
-        self.scene.validate()?;
-        self.presentation.validate()
     }
 }

@@ -1,4 +1,4 @@
-use super::validate::{LENGTH, POINT};
+use super::ranges::{LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 

@@ -1,6 +1,6 @@
 //! Waves on water.
 
-use super::validate::EXTENT;
+use super::ranges::EXTENT;
 use crate::range_error::{Checked, Range, RangeError};
 
 /// Waves on the first plane of a scene, which turn a mirror into water. They tilt normals; the plane stays flat.
