@@ -16,6 +16,7 @@
 mod accumulator;
 mod air;
 mod ambient;
+mod batch;
 mod candidates;
 mod intersect;
 mod key;
@@ -35,54 +36,14 @@ mod visibility;
 mod waves;
 
 pub(crate) use accumulator::Layers;
+pub(crate) use batch::{Batch, Tracer};
 pub(crate) use queue::{BATCH, PARTS};
 pub(crate) use sample::{STEP, Sample};
 pub(crate) use texture::{PatternOnScreen, surface_points};
 
-use crate::counts::Counts;
 use crate::lanes::*;
-use crate::prepare::{Film, GroupSet, VisibleGroups, World};
-use crate::quality::Quality;
-use accumulator::Accumulator;
-use candidates::{Candidates, Occluders};
-use queue::Queue;
+use crate::prepare::{GroupSet, VisibleGroups};
 use rays::Rays;
-use stack::RayStack;
-use surface::SurfaceRows;
-
-pub(crate) struct Batch {
-    pub points: Queue,
-    pub results: Accumulator,
-    pub counts: Counts,
-    stack: RayStack,
-    blocks: Candidates,
-    occluders: Occluders,
-    surfaces: SurfaceRows,
-}
-
-zero! { Batch { points, results, counts, stack, blocks, occluders, surfaces } }
-
-zero! { Counts = Self::NONE; }
-
-impl Batch {
-    #[inline(never)]
-    pub fn begin(&mut self) {
-        self.surfaces.clear();
-    }
-
-    /// A thousandth of the time: the baseline suffices.
-    #[inline(never)]
-    fn finish(&mut self, film: &Film) {
-        self.results.finish(film, &self.points);
-    }
-}
-
-#[derive(Clone, Copy)]
-pub(crate) struct Tracer<'a, S> {
-    pub isa: S,
-    pub world: World<'a>,
-    pub quality: &'a Quality,
-}
 
 /// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `visible`.
 #[inline(always)]
