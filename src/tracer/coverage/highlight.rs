@@ -4,33 +4,23 @@
 //! the point where d = 0, d is nearly linear in the pixels x and y, so the lobe is `ks e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`.
 //! `Material::anisotropy`, which widens a lobe, is ignored.
 
-use super::Coverage;
 use super::mirror::Mirror;
 use super::screen::Axes;
-use crate::maths::{sqrt, to_f32};
-use crate::prepare::{Object, ObjectId, World};
+use crate::maths::sqrt;
+use crate::prepare::ObjectId;
 use crate::rounding::DRAWN_OUT;
-use crate::zero::Zero;
-
 use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
-use core::array;
-use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
+use crate::zero::Zero;
+use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// For each light: one on each sphere and plane, three on each block.
 pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
-/// The side of the presets' largest squares, in pixels.
-const SQUARE: f32 = 8.0;
-
 /// The least visible difference in brightness, of 255: larger errors count as wrong pixels.
-const VISIBLE: f32 = 8.0;
+pub(crate) const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
 const END_DECAY: f32 = 3.5;
-
-/// The share of [`VISIBLE`] that a square may miss. With it and [`COUNTED_DECAY`], 0 of 5,115 highlights on spheres and planes are
-/// missed, without them 1. They cost the model scene 0.05 % more rays.
-const SPARE: f32 = 0.6;
 
 /// The factor on the decay: off its centre a lobe may be wider than the Gaussian.
 const COUNTED_DECAY: f32 = 0.75;
@@ -39,12 +29,12 @@ const COUNTED_DECAY: f32 = 0.75;
 pub(crate) struct Highlight {
     pub object: ObjectId,
     /// In pixels.
-    middle: Vec2,
+    pub middle: Vec2,
     /// In pixels: the least x and y, and the negated greatest x and y.
     pub bounds: Vec4,
-    decay: [f32; 3],
+    pub decay: [f32; 3],
     /// The peak, of 255.
-    strength: f32,
+    pub strength: f32,
 }
 
 zero! { Highlight { object, middle, bounds, decay, strength } }
@@ -54,72 +44,20 @@ impl Highlight {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
-    /// Returns whether one corner is nearly as bright as the brightest point, in every square of `side` pixels whose corners all show the
-    /// object.
-    ///
-    /// The nearest corner is at most half a side across and half a side down from the square's brightest point. From that point to the
-    /// corner, u grows by no more than it does from the highlight's centre to a point half a side across and half a side down.
-    pub fn is_even(&self, side: usize) -> bool {
-        let [a, b, c] = self.decay;
-        let half = 0.5 * to_f32(side);
-        self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.threshold(to_f32(side))
-    }
-
-    /// Returns the allowed difference between a square and its corners. Like tolerances it grows as squares get smaller, up to 0.3 of the
-    /// highlight.
-    fn threshold(&self, width: f32) -> f32 {
-        SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
-    }
-
-    /// Returns the decay beyond which no square of `side` pixels needs the test [`Highlight::is_missed`]: the highlight has ended, or the
-    /// result is always false.
-    pub fn reach(&self, side: usize) -> f32 {
-        let peak = self.strength / self.threshold(to_f32(side));
-        (sqrt(2.0 * peak - 1.0) - 1.0).min(END_DECAY)
-    }
-
-    /// Returns the least and greatest x between the rows `top` and `bottom` at which the decay is at most `reach`.
+    /// Returns the least and greatest x between the rows `top` and `bottom` at which the highlight has not ended and the decay is at most
+    /// `reach`.
     pub fn columns(&self, top: f32, bottom: f32, reach: f32) -> [f32; 2] {
         let [a, b, c] = self.decay;
         let [top, bottom] = [top, bottom].map(|y| y - self.middle.y);
         let near = top.max(0.0).min(bottom);
-        let rest = reach - (c * (1.0 - DRAWN_OUT) - b * b / a) * near * near;
+        let rest = reach.min(END_DECAY) - (c * (1.0 - DRAWN_OUT) - b * b / a) * near * near;
         let half = if rest < 0.0 { f32::NEG_INFINITY } else { sqrt(rest / a) };
         let [x, other] = [top, bottom].map(|y| self.middle.x - b / a * y);
         [(x.min(other) - half).max(self.bounds.x), (x.max(other) + half).min(-self.bounds.z)]
     }
 
-    /// Returns whether a square, in pixels, may be visibly brighter than all corners whose bits are set.
-    #[inline(never)]
-    pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
-        let [a, b, c] = self.decay;
-        let rect = rect - Vec4::from((self.middle, self.middle));
-        let u = |x: Vec4, y: Vec4| a * x * x + y * (2.0 * b * x + c * y);
-        let hidden = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
-        let corner = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(hidden)).min_element();
-        // The brightest point is the highlight's centre, or on a side if the centre is outside.
-        let mut min = 0.0;
-        if rect.xy().max(-rect.zw()).max_element() > 0.0 {
-            let sides = rect.xzyw();
-            let along = (-b * sides / Vec4::new(c, c, a, a)).max(rect.yyxx()).min(rect.wwzz());
-            let x = Vec4::from((sides.xy(), along.zw()));
-            let y = Vec4::from((along.xy(), sides.zw()));
-            min = u(x, y).min_element();
-        }
-        // e^-u is at most 1 / (1 + u + u^2 / 2), and e^-u - e^-v at most min(1, v - u) e^-u.
-        let threshold = self.threshold(rect.z - rect.x);
-        self.strength * (corner - min).min(1.0) > threshold * (1.0 + min + 0.5 * min * min)
-    }
-
-    /// Returns whether a square of 8 pixels may miss the highlight. From its middle to a corner, 4 pixels across and down, u grows to at
-    /// most 64 times the larger of a and c.
-    fn is_small(&self, visible: f32) -> bool {
-        let [a, _, c] = self.decay;
-        self.strength * a.max(c) * SQUARE * SQUARE > visible
-    }
-
     /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light.
-    fn at(
+    pub(super) fn at(
         mirror: &Mirror,
         axes: &Axes,
         eye: Vec3A,
@@ -156,50 +94,5 @@ impl Highlight {
             decay: [a, b, c],
             ..Self::ZERO
         })
-    }
-}
-
-impl Coverage {
-    /// Waves and solids around the eye get no highlights.
-    pub(super) fn set_highlights(&mut self, world: World<'_>) {
-        self.highlights.clear();
-        for i in 0..world.background() {
-            let (object, material) = world.object(ObjectId::new(i));
-            let centre = Vec3A::from(object.centre());
-            if i == world.first_plane() && !world.scene.water.is_calm() {
-                continue;
-            }
-            let bounds = self.objects[i].screen.in_pixels(&self.axes);
-            // The highlights of several lights may add up.
-            let visible = VISIBLE / to_f32(world.lights().len());
-            let tint = Vec3A::ONE.lerp(material.colour.into(), material.metallic);
-            for light in world.lights() {
-                let colour = tint * light.colour * (material.ks * world.weight * 255.0);
-                let strength = colour.max_element();
-                if strength <= visible {
-                    continue;
-                }
-                let [eye, light] = [world.eye, light.position].map(|point| point - centre);
-                Mirror::each(&object, eye, light, |mut place| {
-                    // If the mirror point is off the block, use the nearest point within its half extents.
-                    if let Object::Block(block) = object {
-                        let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
-                        // `clamp` may panic if a half is invalid.
-                        place.p = axes * (axes.transpose() * place.p).max(-half).min(half);
-                    }
-                    let half_exponent = 0.5 * material.exponent;
-                    let lobe = Highlight::at(&place, &self.axes, eye, light, half_exponent);
-                    let Some(lobe) = lobe else {
-                        return;
-                    };
-                    let object = ObjectId::new(i);
-                    let bounds = lobe.bounds.max(bounds);
-                    let highlight = Highlight { object, bounds, strength, ..lobe };
-                    if highlight.is_small(visible) {
-                        self.highlights.push(highlight);
-                    }
-                });
-            }
-        }
     }
 }

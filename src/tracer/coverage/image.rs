@@ -1,8 +1,8 @@
 //! Bounds of the images of solids and lights in the first plane. An image's outline is its object's, as seen by the mirrored camera.
 
+use super::bounds::{Coverage, Outline};
 use super::screen::ScreenBounds;
 use super::view::View;
-use super::{Coverage, Outline};
 use crate::prepare::{MAX_GROUPS, World};
 
 impl Coverage {

@@ -1,7 +1,7 @@
 //! Bounds of the shadows of solids on planes. An area light counts as a point light at its centre, whose shadow ends inside the penumbra.
 
+use super::bounds::{Coverage, Outline};
 use super::view::View;
-use super::{Coverage, Outline};
 use crate::prepare::World;
 
 impl Coverage {

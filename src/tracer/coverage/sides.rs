@@ -18,7 +18,7 @@ use crate::rounding::{CONE_RADIUS_FACTOR, HIT, SIDE, UNSURE, within_pixel};
 use crate::scene::{Block, List, Plane, Shape};
 use crate::shapes::plane;
 use core::array;
-use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
+use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4};
 
 const SHORTEST: f32 = 1e-20;
 
@@ -130,25 +130,6 @@ impl Sides {
                 }
             }
         }
-    }
-
-    /// Returns the number of inner sides that the rectangle is not wholly inside. A cone counts as two sides, since the rule for one
-    /// straight side (`Search::look_on_plane`) does not hold for it.
-    #[inline(always)]
-    pub fn cuts(&self, rect: Rect, margin: f32) -> u32 {
-        let Self::Flat { inner, .. } = self else {
-            return 2;
-        };
-        let middle = (rect.xy() + rect.zw()) * 0.5;
-        let half = rect.zw() - middle;
-        let cuts = inner.map(|[right, down, origin]| {
-            let min = right * middle.x - right.abs() * half.x
-                + (down * middle.y - down.abs() * half.y)
-                + origin;
-            // NaN counts as a cut.
-            (!min.cmpge(Vec4::splat(margin))).bitmask().count_ones()
-        });
-        cuts[0] + cuts[1]
     }
 
     /// Returns lower bounds of the rays' depths inside, negative if a ray may be outside.

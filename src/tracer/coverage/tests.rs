@@ -7,7 +7,7 @@ use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use crate::zero::Zero;
-use glam::{DVec3, EulerRot, Mat3, Vec3};
+use glam::{DVec3, EulerRot, Mat3, Vec3, Vec3A};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;

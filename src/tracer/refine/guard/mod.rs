@@ -7,15 +7,17 @@
 mod highlights;
 mod objects;
 mod planes;
+mod search;
 mod squares;
 mod unguarded;
 
 use crate::coverage::{Coverage, MAX_HIGHLIGHTS, MAX_OUTLINES, Outline, Rect, Region, rectangle};
 use crate::grid::{Area, Bits, each};
 use crate::picture::TILE_HEIGHT;
-use crate::prepare::ObjectId;
+use crate::prepare::{ObjectId, World};
 use crate::quality::Quality;
-use planes::{Covered, SQUARE_ROWS};
+use highlights::is_small;
+use search::{ALL, Covered, SQUARE_ROWS, Search};
 pub(crate) use squares::Squares;
 
 /// A tile's highlights, and the outlines to test at its next level.
@@ -28,11 +30,13 @@ pub(crate) struct Guard {
 zero! { Guard { outlines, count, highlights } }
 
 impl Guard {
-    pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
+    pub fn begin(&mut self, world: World<'_>, coverage: &Coverage, area: &Area, rect: Rect) {
         let pixels = rectangle(area.left, area.top, area.right, area.bottom);
         self.highlights = [0; _];
         for (number, highlight) in coverage.highlights.iter().enumerate() {
-            self.highlights[number / 64] |= u64::from(highlight.meets(pixels)) << (number % 64);
+            let may_be_missed =
+                highlight.meets(pixels) && is_small(highlight, world.lights().len());
+            self.highlights[number / 64] |= u64::from(may_be_missed) << (number % 64);
         }
         self.count = 0;
         for (number, bounds) in coverage.screen[..coverage.outlined].iter().enumerate() {
@@ -86,18 +90,6 @@ impl Guard {
     }
 }
 
-/// The state of a search through a level's squares.
-struct Search<'a> {
-    squares: &'a Squares<'a>,
-    open: [Bits; TILE_HEIGHT],
-    light: Option<u8>,
-    /// A square is opened if the mask of corners that show the feature is less than this: 1 (no corner does), or [`ALL`] (not all do)
-    /// for a thin outline.
-    enough: u64,
-    /// For each row, the squares that shadows from `light` cover; without a light, those that images cover.
-    covered: [Covered; SQUARE_ROWS],
-}
-
 impl Search<'_> {
     /// Tests the open squares against an outline. Returns whether the outline must be tested at the next level.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
@@ -146,5 +138,3 @@ impl Search<'_> {
 /// The width limit of thin outlines, in halves of a square's side. A disc wider than 1.42 sides contains a corner of the grid, wherever the
 /// disc is.
 const THIN: usize = 3;
-
-const ALL: u64 = 0b1111;

@@ -1,6 +1,6 @@
 //! Tests for objects in direct view between the corners of a square.
 
-use super::Search;
+use super::search::Search;
 use super::squares::Squares;
 use crate::coverage::corners;
 use crate::lanes::*;

@@ -1,29 +1,8 @@
 //! Tests for shadows and images on planes between the corners of a square.
 
-use super::{ALL, Search};
-use crate::coverage::Region;
-use crate::grid::Bits;
-use crate::picture::TILE_HEIGHT;
-
-pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
-
-/// The squares of a row in three sets, by how many of their corners are covered: either by the shadows from one light, or by the images.
-///
-/// A convex outline around all corners covers the square. Two outlines that each cover some corners may leave a slit between them, so the
-/// square is opened.
-#[derive(Clone, Copy)]
-pub(super) struct Covered {
-    /// One outline covers all corners.
-    wholly: Bits,
-    /// One outline covers some corners that show the plane.
-    partly: Bits,
-    /// Too few corners show a shadow, or two outlines each cover some corners.
-    missed: Bits,
-}
-
-impl Covered {
-    pub const NONE: Self = Self { wholly: Bits::NONE, partly: Bits::NONE, missed: Bits::NONE };
-}
+use super::search::{ALL, Covered, SQUARE_ROWS, Search};
+use crate::coverage::{Rect, Region, Sides};
+use glam::{Vec4, Vec4Swizzles};
 
 impl Search<'_> {
     /// Tests one square against an image or a shadow on a plane that some of its corners show.
@@ -36,7 +15,7 @@ impl Search<'_> {
     /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
         let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
-        let cuts = region.sides.cuts(rect, region.margin);
+        let cuts = cuts(region, rect);
         let is_cut_once = cuts == 1 && shown == ALL;
         let inside = match cuts {
             0 => ALL,
@@ -67,4 +46,23 @@ impl Search<'_> {
             *covered = Covered::NONE;
         }
     }
+}
+
+/// Returns the number of inner sides that the rectangle is not wholly inside. A cone counts as two sides, since the rule for one
+/// straight side (`Search::look_on_plane`) does not hold for it.
+#[inline(always)]
+fn cuts(region: &Region, rect: Rect) -> u32 {
+    let Sides::Flat { inner, .. } = &region.sides else {
+        return 2;
+    };
+    let middle = (rect.xy() + rect.zw()) * 0.5;
+    let half = rect.zw() - middle;
+    let cuts = inner.map(|[right, down, origin]| {
+        let min = right * middle.x - right.abs() * half.x
+            + (down * middle.y - down.abs() * half.y)
+            + origin;
+        // NaN counts as a cut.
+        (!min.cmpge(Vec4::splat(region.margin))).bitmask().count_ones()
+    });
+    cuts[0] + cuts[1]
 }

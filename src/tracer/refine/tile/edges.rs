@@ -3,7 +3,7 @@
 //! Each pair of pixels across the border of a smooth and a rough cell has a bit, set if they differ by an edge. The first pair is at a
 //! traced corner. If its bit is clear and another is set, the rough cell's edge does not continue in the smooth cell.
 
-use super::Tile;
+use super::state::Tile;
 use crate::grid::{Bits, each};
 use crate::observe::Observer;
 use crate::picture::{CELL, TILE_WIDTH};

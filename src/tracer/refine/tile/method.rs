@@ -2,7 +2,7 @@
 //!
 //! Points on a band's first row are marked only if this band traced them.
 
-use super::Tile;
+use super::state::Tile;
 use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
 

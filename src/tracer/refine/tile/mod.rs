@@ -4,20 +4,21 @@ mod edges;
 mod method;
 mod patterned;
 pub(super) mod points;
+mod state;
 
-use crate::coverage::{Rect, rectangle};
+use crate::coverage::rectangle;
 use crate::grid::{Area, Bits, Pyramid};
 use crate::maths::to_f32;
 use crate::observe::{Fill, Observer, Split};
 use crate::picture::{Band, CELL, TILE_HEIGHT, TILE_WIDTH};
-use crate::prepare::VisibleGroups;
 use crate::refine::Context;
 use crate::refine::fill::Run;
 use crate::refine::guard::Squares;
-use crate::refine::verdict::{Verdict, growth, limits};
+use crate::refine::verdict::{Verdict, limits};
 use crate::refine::worker::Worker;
 use crate::trace::{BATCH, Sample};
 use patterned::patterned_object;
+use state::Tile;
 
 pub(crate) fn draw<O: Observer>(
     context: &Context<'_, O>,
@@ -65,18 +66,6 @@ pub(crate) fn draw<O: Observer>(
     }
 }
 
-pub(super) struct Tile<'a, 'b, O: Observer> {
-    pub context: &'a Context<'a, O>,
-    pub area: Area,
-    /// The share of split top-level squares, to the fourth power: small unless nearly all are split.
-    pub crowding: f32,
-    /// The part of the picture that its squares cover.
-    pub rect: Rect,
-    pub visible: VisibleGroups,
-    pub worker: &'a mut Worker,
-    pub band: &'a mut Band<'b>,
-}
-
 impl<O: Observer> Tile<'_, '_, O> {
     pub fn draw(&mut self) {
         let Context { plan, world, coverage, .. } = self.context;
@@ -94,7 +83,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             return;
         }
         if plan.quality.guarded && top > 0 {
-            self.worker.guard.begin(coverage, &self.area, self.rect);
+            self.worker.guard.begin(*world, coverage, &self.area, self.rect);
             marks.open[top] = marks.squares[top];
         } else {
             marks.open[top][..rows].fill(Bits::NONE);
@@ -139,11 +128,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         let split = 1.0 - to_f32(filled) / to_f32(all);
         let square = split * split;
         square * square
-    }
-
-    #[inline(never)]
-    pub fn growth(&self, level: usize) -> f32 {
-        growth(1 << level, self.crowding)
     }
 
     /// Returns the squares that the verdict splits. Not inlined, like [`Tile::split_row`]: 175 packed bytes less.
@@ -209,12 +193,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         };
         let kernels = &self.context.kernels;
         (kernels.fill)(kernels.level, self.band, &run);
-    }
-
-    #[inline(never)]
-    pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
-        let threshold = self.context.world.film.threshold(x, self.area.top + y);
-        self.band.put(x, y, sample.pixel(threshold));
     }
 
     /// Splits filled squares between two squares split by the verdict: a thin line between equal corners would pop. This halves the pops

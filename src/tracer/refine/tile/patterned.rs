@@ -1,7 +1,7 @@
 //! Squares of one patterned object. A traced point is `rest + share * untextured` (see [`Layers`]). Both layers are interpolated; the share
 //! is the pattern's factor at the hit of each pixel's ray. So the pattern's edges are as sharp as traced ones.
 
-use super::Tile;
+use super::state::Tile;
 use crate::grid::{Bits, Pyramid};
 use crate::lanes::*;
 use crate::maths::to_f32;

@@ -1,6 +1,6 @@
 //! Finds a level's points and their samples: from the level above, by averaging two points, or by tracing.
 
-use super::Tile;
+use super::state::Tile;
 use crate::counts::Counts;
 use crate::grid::{Bits, Pyramid, WORDS};
 use crate::lanes::*;

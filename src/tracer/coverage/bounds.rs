@@ -1,0 +1,116 @@
+//! The bounds of a frame's features.
+
+use super::highlight::{Highlight, MAX_HIGHLIGHTS};
+use super::object::ObjectBounds;
+use super::screen::{Axes, Rect, ScreenBounds};
+use super::sides::{Region, Sides};
+use super::view::View;
+use crate::prepare::{GroupSet, MAX_GROUPS, MAX_OBJECTS, ObjectId, VisibleGroups, World};
+use crate::scene::{List, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Plane};
+use glam::Vec3A;
+
+/// One per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
+pub(crate) const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
+
+/// A feature with a convex outline in the picture.
+#[derive(Clone, Copy)]
+pub(crate) enum Outline {
+    Object(ObjectId),
+    Image(ObjectId),
+    /// The shadow of a solid. Plane and light are indices.
+    Shadow {
+        object: ObjectId,
+        plane: u8,
+        light: u8,
+    },
+}
+
+pub(crate) struct Coverage {
+    pub axes: Axes,
+    /// Bounds of each group's objects, and of their images in the first plane.
+    pub(super) groups: [[ScreenBounds; MAX_GROUPS]; 2],
+    pub objects: [ObjectBounds; MAX_OBJECTS],
+    pub(super) eye: View,
+    pub(super) image: View,
+    /// By plane and light.
+    pub(super) shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
+    pub highlights: List<Highlight, MAX_HIGHLIGHTS>,
+    /// All outlines except behind the eye or without finite bounds.
+    pub outlines: [Outline; MAX_OUTLINES],
+    pub screen: [ScreenBounds; MAX_OUTLINES],
+    /// The least width of each outline in pixels, up to 255.
+    pub widths: [u8; MAX_OUTLINES],
+    pub outlined: usize,
+}
+
+zero! { Outline = Self::Object(ObjectId::FIRST); }
+
+zero! {
+    Coverage {
+        axes, groups, objects, eye, image, shadows, highlights, outlines, screen, widths, outlined
+    }
+}
+
+impl Coverage {
+    /// `width` is the outline's least width at distance 1.
+    pub(super) fn list(&mut self, outline: Outline, screen: ScreenBounds, width: f32) {
+        self.outlines[self.outlined] = outline;
+        self.screen[self.outlined] = screen;
+        self.widths[self.outlined] = (width / self.axes.pixel) as u8;
+        self.outlined += usize::from(screen != ScreenBounds::NONE);
+    }
+
+    #[inline(never)]
+    pub fn region(&self, world: World<'_>, number: usize) -> Region {
+        // `receiver`: the plane with the image or shadow, and its viewer.
+        let (id, view, receiver) = match self.outlines[number] {
+            Outline::Object(id) => (id, &self.eye, None),
+            Outline::Image(id) => (id, &self.image, Some((0, world.eye))),
+            Outline::Shadow { object, plane, light } => {
+                let plane = usize::from(plane);
+                let view = &self.shadows[plane][usize::from(light)];
+                (object, view, Some((plane, view.from)))
+            }
+        };
+        let sides = match id.index().checked_sub(world.first_plane()) {
+            Some(plane) => Sides::of_rectangle(&view.axes, view.from, &world.planes()[plane]),
+            None => {
+                let node = &world.tree.nodes()[usize::from(self.objects[id.index()].node)];
+                view.sides(node, &world.object(id).0)
+            }
+        };
+        let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
+        if let Some((plane, viewer)) = receiver {
+            let [min, max] = self.heights(id, &world.planes()[plane], viewer);
+            // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly inside,
+            // except in a sphere's image: a sphere mostly on the eye's side hides all points inside that show no image.
+            let is_image_of_sphere = view.side == 0.0 && self.objects[id.index()].power.is_some();
+            let lowest = if is_image_of_sphere { min + max } else { min };
+            if lowest < 0.0 {
+                region.margin = f32::INFINITY;
+            }
+        }
+        region
+    }
+
+    /// The viewer is the light for a shadow, and the eye for an image. Returns the object's least and greatest height above the plane,
+    /// positive on the viewer's side, each plus a margin for rounding.
+    pub(super) fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
+        let object = &self.objects[id.index()];
+        let (error, [min, max]) = (object.hit_error(), object.above(plane.centre.y));
+        if viewer.y > plane.centre.y {
+            [min + error, max + error]
+        } else {
+            [error - max, error - min]
+        }
+    }
+
+    /// Returns the groups that rays through a rectangle can meet.
+    pub fn visible_groups(&self, rect: Rect) -> VisibleGroups {
+        let [directly, mirrored] = self.groups.each_ref().map(|bounds| {
+            let meeting = bounds.iter().map(|bounds| bounds.meets(rect));
+            meeting.rev().fold(0, |groups, meets| groups << 1 | GroupSet::from(meets))
+        });
+        VisibleGroups { directly, mirrored }
+    }
+}
