@@ -1,35 +1,75 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-const TRACER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/tracer");
+type Modules = BTreeMap<String, BTreeSet<String>>;
 
-/// Returns a file's text without comments and tests.
-fn code(path: &Path) -> String {
-    let text = fs::read_to_string(path).expect("text");
+/// Returns the modules of a folder, such as "crate::scene" for `scene/mod.rs`, and all paths in their code.
+fn modules(folder: &Path, parent: &str) -> Modules {
+    let mut modules = Modules::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name");
+        let module = format!("{parent}::{name}").replace("::mod", "").replace("::lib", "");
+        if name != "tests" && path.is_dir() {
+            modules.extend(self::modules(&path, &module));
+        } else if name != "tests" && path.extension().is_some_and(|end| end == "rs") {
+            let text = fs::read_to_string(path).expect("text");
+            let parent = module.rsplit_once("::").map_or("", |(parent, _)| parent);
+            let absolute = |path: String| match path.split_once("::") {
+                Some(("crate", _)) => path,
+                Some(("super", rest)) => format!("{parent}::{rest}"),
+                _ => format!("{module}::{path}"),
+            };
+            let paths = paths(&text).into_iter().map(absolute).collect();
+            modules.insert(module, paths);
+        }
+    }
+    modules
+}
+
+/// Returns all paths after "use", and others from "crate" or "super" on. Skips comments, tests, and inline modules' uses of their file.
+fn paths(text: &str) -> Vec<String> {
     let text = text.split("#[cfg(all(test").next().expect("a part");
     let text = text.split("#[cfg(test)]\nmod tests {").next().expect("a part");
-    let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-    lines.collect::<Vec<_>>().join("\n")
-}
-
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let paths = entries.map(|entry| entry.expect("an entry").path());
-    let paths = paths.filter(|path| path.file_stem().is_none_or(|name| name != "tests"));
-    let files = paths.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] });
-    files.filter(|path| path.extension().is_some_and(|end| end == "rs")).collect()
-}
-
-/// Returns the first names of all paths after `root`, also of those in braces.
-fn imports(code: &str, root: &str) -> BTreeSet<String> {
-    let paths = code.split(root).skip(1).flat_map(|path| {
-        let group = path.strip_prefix('{').and_then(|group| group.split("};").next());
-        group.map_or(vec![path], |group| group.split(", ").collect())
+    let is_code =
+        |line: &&str| !line.trim_start().starts_with("//") && !line.starts_with("    use super::");
+    let code = text.lines().filter(is_code).collect::<Vec<_>>().join("\n");
+    let starts = ["use ", "crate::", "super::"].into_iter().flat_map(|it| code.match_indices(it));
+    let starts = starts.filter(|&(at, _)| !code[..at].ends_with("in "));
+    let paths = starts.flat_map(|(at, _)| {
+        let text = code[at..].trim_start_matches("use ");
+        let is_end = |c: char| !c.is_ascii_alphanumeric() && !"_:*".contains(c);
+        let (path, rest) = text.split_at(text.find(is_end).expect("an end"));
+        let names = rest.strip_prefix('{').map_or("", |rest| rest.split("};").next().expect("it"));
+        assert!(!names.contains('{'), "braces in braces: {names}");
+        names.split(',').map(move |name| format!("{path}{}", name.trim()).replace("::self", ""))
     });
-    let is_name = |c: char| c.is_ascii_lowercase() || c == '_';
-    let names = paths.filter_map(|path| path.split(|c| !is_name(c)).next());
-    names.filter(|name| !name.is_empty()).map(str::to_owned).collect()
+    paths.filter(|path| !path.ends_with("::")).collect()
+}
+
+/// Returns the module that defines the last name of a path, through imports and exports.
+fn home<'a>(modules: &'a Modules, path: &'a str) -> &'a str {
+    let (module, name) = path.rsplit_once("::").unwrap_or(("", path));
+    let is_same = |it: &&String| *it != path && name != "*" && it.rsplit("::").next() == Some(name);
+    match modules.get(module) {
+        _ if modules.contains_key(path) => path,
+        None => home(modules, module),
+        Some(paths) => paths.iter().find(is_same).map_or(module, |path| home(modules, path)),
+    }
+}
+
+/// Returns the modules from which each module of the tracer imports, and its children.
+fn arrows() -> Modules {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/tracer");
+    let modules = modules(Path::new(folder), "crate");
+    let arrows = modules.iter().map(|(module, paths)| {
+        let is_child = |it: &&String| it.rsplit_once("::").is_some_and(|(it, _)| it == module);
+        let used = paths.iter().map(|path| home(&modules, path).to_owned());
+        let used = used.chain(modules.keys().filter(is_child).cloned());
+        (module.clone(), used.filter(|used| used != module).collect())
+    });
+    arrows.collect()
 }
 
 /// A file imports only from modules that ARCHITECTURE.md lists before its own. Each is listed once.
@@ -42,43 +82,33 @@ fn tracer_modules_import_only_from_lower_floors() {
     let floors =
         floors.flat_map(|(floor, names)| names.split(',').map(move |it| (it.trim(), floor)));
     let floors: BTreeMap<&str, usize> = floors.collect();
-    let lib = code(&Path::new(TRACER).join("lib.rs"));
-    let modules =
-        lib.lines().filter_map(|line| line.trim_start_matches("pub ").strip_prefix("mod "));
-    let modules: BTreeSet<&str> = modules.map(|line| line.trim_end_matches(';')).collect();
-    assert!(floors.keys().eq(&modules), "{floors:?}");
-    let mut count = 0;
-    for path in files(Path::new(TRACER)) {
-        let module = path.strip_prefix(TRACER).expect("a path").with_extension("");
-        let module = module.iter().next().and_then(|name| name.to_str()).expect("a name");
-        if module == "lib" {
-            continue;
-        }
-        for used in imports(&code(&path), "crate::") {
-            let is_below = used == module || floors[used.as_str()] < floors[module];
-            assert!(is_below, "{path:?} imports from {used}");
-            count += 1;
-        }
+    let mut arrows = arrows();
+    arrows.remove("crate");
+    let top = |module: &String| module.split("::").nth(1).expect("a name").to_owned();
+    let all: BTreeSet<String> = arrows.keys().map(top).collect();
+    assert!(floors.keys().eq(&all), "{floors:?}");
+    for (module, used) in arrows.iter().flat_map(|(it, all)| all.iter().map(move |used| (it, used)))
+    {
+        let [to, from] = [used, module].map(top);
+        let is_below = to == from || floors[to.as_str()] < floors[from.as_str()];
+        assert!(is_below, "{module} imports from {used}");
     }
-    assert!(count > 150, "{count} imports");
+    assert!(arrows.values().map(BTreeSet::len).sum::<usize>() > 400, "{arrows:?}");
 }
 
-/// Files of a folder import each other in one direction. Their `mod.rs` is above or below all of them.
+/// A `mod.rs` is above the files that it declares: they import nothing that it defines.
 #[test]
 fn tracer_files_do_not_import_in_circles() {
-    let mut folders: BTreeMap<PathBuf, BTreeMap<String, BTreeSet<String>>> = BTreeMap::new();
-    for path in files(Path::new(TRACER)) {
-        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name");
-        let imported = imports(&code(&path), "super::");
-        let folder = folders.entry(path.with_file_name("")).or_default();
-        folder.insert(name.to_owned(), imported);
+    let arrows = arrows();
+    let (mut below, mut next) = (Modules::new(), arrows.clone());
+    while below != next {
+        below = next;
+        let further = |used: &BTreeSet<String>| {
+            used.iter().flat_map(|it| &below[it]).chain(used).cloned().collect()
+        };
+        next = below.iter().map(|(module, used)| (module.clone(), further(used))).collect();
     }
-    for (folder, mut files) in folders {
-        while !files.is_empty() {
-            let left: BTreeSet<String> = files.keys().cloned().collect();
-            files
-                .retain(|name, imported| imported.iter().any(|it| it != name && left.contains(it)));
-            assert!(files.len() < left.len(), "{folder:?}: a circle in {files:?}");
-        }
-    }
+    let mut circles = arrows;
+    circles.retain(|module, _| below[module].contains(module));
+    assert!(circles.is_empty(), "{circles:#?}");
 }
