@@ -72,12 +72,13 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         places(plan.probing, size).filter(|&place| index(place) < count && is_drawn(place));
     worker.batch.begin();
     worker.pyramid.changes().fill(0);
-    let mut pixels = [0; MAX_PROBES];
+    // The probes' indices in the band, and their traced pixels.
+    let mut pixels = [(0, 0); MAX_PROBES];
     loop {
         let mut probes = 0;
         for place in places.by_ref().take(BATCH / POINTS) {
             push(&mut worker.batch, size, place, sides);
-            worker.targets[probes] = index(place) as u32;
+            pixels[probes % MAX_PROBES].0 = index(place);
             probes += 1;
         }
         if probes == 0 {
@@ -87,15 +88,14 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         let quality = &Quality::EXHAUSTIVE;
         context.trace(quality, all, &mut worker.batch);
         for probe in 0..probes {
-            pixels[probe % MAX_PROBES] = add_sides(plan, &world.film, worker, probe, sides.len());
+            pixels[probe % MAX_PROBES].1 = add_sides(plan, &world.film, worker, probe, sides.len());
         }
         worker.batch.points.clear();
         bisect(context, quality, all, worker);
         for probe in 0..probes {
-            let traced = &mut pixels[probe % MAX_PROBES];
+            let (index, traced) = &mut pixels[probe % MAX_PROBES];
             mix_pixel(traced, probe, worker);
-            let drawn = band.pixels[worker.targets[probe] as usize];
-            band.counts.probes.compare(drawn, *traced);
+            band.counts.probes.compare(band.pixels[*index], *traced);
         }
     }
     worker.batch.counts = Counts::NONE;

@@ -11,14 +11,12 @@ pub struct Worker {
     pub(super) pyramid: Pyramid,
     pub(super) marks: Marks,
     pub(super) guard: Guard,
-    /// The points' indices in the pyramid, or their pixels' indices in the band.
-    pub(super) targets: [u32; BATCH],
     pub(super) intervals: [Interval; BATCH],
     pub(super) found: usize,
 }
 
 zero! {
-    Worker { batch, pyramid, marks, guard, targets, intervals, found }
+    Worker { batch, pyramid, marks, guard, intervals, found }
     Marks { squares, open, filled, traced }
     Interval { ends, start, half, word }
 }

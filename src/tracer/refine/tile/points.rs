@@ -68,19 +68,12 @@ impl<O: Observer> Tile<'_, '_, O> {
         if self.worker.batch.points.len() + CLUSTER_WIDTH * CLUSTER_HEIGHT > BATCH {
             self.trace(level);
         }
-        let (start, stride) = if level == 0 {
-            let start = top * self.band.stride + self.area.left + left;
-            (start, self.band.stride)
-        } else {
-            (Pyramid::index(level, left, top), Pyramid::stride(level))
-        };
         let (left, top) = (self.area.left + (left << level), self.area.top + (top << level));
-        let Worker { batch, targets, .. } = &mut *self.worker;
+        let points = &mut self.worker.batch.points;
         while cluster != 0 {
             let i = cluster.trailing_zeros() as usize;
             let (x, y) = (i % CLUSTER_WIDTH, i / CLUSTER_WIDTH);
-            targets[batch.points.len() % BATCH] = (start + y * stride + x) as u32;
-            batch.points.push_pixel(left + (x << level), top + (y << level));
+            points.push_pixel(left + (x << level), top + (y << level));
             cluster &= cluster - 1;
         }
     }
@@ -144,16 +137,18 @@ impl<O: Observer> Tile<'_, '_, O> {
         let Context { plan, world, .. } = self.context;
         let batch = &mut self.worker.batch;
         self.context.trace(&plan.quality, self.visible, batch);
-        let Worker { batch, pyramid, targets, .. } = &mut *self.worker;
+        let Worker { batch, pyramid, .. } = &mut *self.worker;
         let has_patterns = world.has_patterns;
-        for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
-            let target = target as usize;
+        for i in 0..batch.points.len() {
             let mut sample = batch.results.sample(i);
             let (x, y) = batch.points.pixel(i);
+            let (column, row) = (x - self.area.left, y - self.area.top);
             if level == 0 {
-                self.band.pixels[target] = sample.pixel(world.film.threshold(x, y));
+                self.band.pixels[row * self.band.stride + x] =
+                    sample.pixel(world.film.threshold(x, y));
                 continue;
             }
+            let target = Pyramid::index(level, column >> level, row >> level);
             let shows = |which: &[bool]| sample.object().is_some_and(|id| which[id.index()]);
             let mut key = batch.results.key(i);
             if plan.glitters && shows(&world.glitters) {
