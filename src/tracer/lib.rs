@@ -121,10 +121,10 @@ pub use counts::{Counts, Probes};
 pub use fearless_simd::Level;
 pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
-pub use picture::{Band, Frame, MAX_HEIGHT, MAX_WIDTH, Probing};
+pub use picture::{Band, Error, Frame, MAX_HEIGHT, MAX_WIDTH, Probing};
 pub use quality::{Preset, Quality, UnknownPreset};
 pub use range_error::{Found, RangeError};
 pub use refine::Worker;
 #[cfg(feature = "std")]
 pub use render::{BoxedMemory, ScopedThreads};
-pub use render::{Error, Job, Memory, Renderer, Threads};
+pub use render::{Job, Memory, Renderer, Threads};

@@ -2,7 +2,6 @@
 
 #[cfg(feature = "std")]
 mod boxed;
-mod error;
 mod memory;
 mod schedule;
 #[cfg(feature = "std")]
@@ -11,7 +10,6 @@ mod threads;
 
 #[cfg(feature = "std")]
 pub use boxed::BoxedMemory;
-pub use error::Error;
 pub use memory::Memory;
 #[cfg(feature = "std")]
 pub use scoped::ScopedThreads;
@@ -19,7 +17,7 @@ pub use threads::{Job, Threads};
 
 use crate::counts::Counts;
 use crate::observe::Observer;
-use crate::picture::{Frame, MAX_HEIGHT, MAX_WIDTH};
+use crate::picture::{Error, Frame};
 use crate::plan::FramePlan;
 use crate::quality::Quality;
 use crate::refine::Kernels;
@@ -155,30 +153,15 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
 }
 
 fn plan(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
-    let is_valid = validate_frame(frame).is_ok() && quality.is_drawable();
+    let is_valid = frame.validate().is_ok() && quality.is_drawable();
     assert!(is_valid, "size or quality out of range");
     FramePlan::new(scene, quality, frame)
 }
 
 fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), Error> {
-    validate_frame(frame)?;
+    frame.validate()?;
     quality.validate()?;
     scene.validate()?;
     frame.presentation.validate()?;
-    Ok(())
-}
-
-fn validate_frame(frame: &Frame<'_>) -> Result<(), Error> {
-    let &Frame { width, height, stride, .. } = frame;
-    if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
-        return Err(Error::Size { width, height });
-    }
-    if stride < width {
-        return Err(Error::Stride { width, stride });
-    }
-    let (needed, given) = (frame.count(), frame.pixels.len());
-    if given < needed {
-        return Err(Error::Pixels { needed, given });
-    }
     Ok(())
 }

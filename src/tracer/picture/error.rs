@@ -1,4 +1,4 @@
-use crate::picture::{MAX_HEIGHT, MAX_WIDTH};
+use super::band::{MAX_HEIGHT, MAX_WIDTH};
 use crate::range_error::RangeError;
 use core::fmt;
 

@@ -1,15 +1,14 @@
 //! Frames, and the bands that threads draw.
 
-use crate::counts::Counts;
-use crate::quality::Quality;
-use crate::scene::Presentation;
-use core::ops::Range;
-use glam::{Vec2, vec2};
+mod band;
+mod error;
 
-/// The maximum width of a picture, in pixels.
-pub const MAX_WIDTH: usize = 3840;
-/// The maximum height of a picture, in pixels.
-pub const MAX_HEIGHT: usize = 2160;
+pub use band::{Band, MAX_HEIGHT, MAX_WIDTH};
+pub(crate) use band::{CELL, CELL_ROWS, MAX_BANDS, Rough, RoughRow, TILE_HEIGHT, TILE_WIDTH};
+pub use error::Error;
+
+use crate::scene::Presentation;
+use glam::{Vec2, vec2};
 
 /// The destination of a picture.
 #[non_exhaustive]
@@ -70,8 +69,8 @@ impl<'a> Frame<'a> {
         Self { offset: vec2(x, y), ..self }
     }
 
-    /// Traces `count` pixels as [`Quality::reference`] does, and compares them with the frame, which stays unchanged. The results are in
-    /// [`Counts::probes`].
+    /// Traces `count` pixels as [`Quality::reference`](crate::Quality::reference) does, and compares them with the frame, which stays unchanged. The results are in
+    /// [`Counts::probes`](crate::Counts::probes).
     ///
     /// Pass the frame's number as the seed: consecutive seeds probe different pixels until each was probed once. Probes ignore captions,
     /// and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
@@ -91,6 +90,21 @@ impl<'a> Frame<'a> {
 }
 
 impl Frame<'_> {
+    pub(crate) fn validate(&self) -> Result<(), Error> {
+        let &Self { width, height, stride, .. } = self;
+        if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
+            return Err(Error::Size { width, height });
+        }
+        if stride < width {
+            return Err(Error::Stride { width, stride });
+        }
+        let (needed, given) = (self.count(), self.pixels.len());
+        if given < needed {
+            return Err(Error::Pixels { needed, given });
+        }
+        Ok(())
+    }
+
     pub(crate) fn count(&self) -> usize {
         let Some(above) = self.height.checked_sub(1) else {
             return 0;
@@ -108,82 +122,5 @@ impl Frame<'_> {
             rough,
             ..Band::none()
         }
-    }
-}
-
-/// A row of bits is eight words, and a tile's samples fit in the core's own cache.
-pub(crate) const TILE_WIDTH: usize = 512;
-/// The side of the largest square. The last band may be lower.
-pub(crate) const TILE_HEIGHT: usize = Quality::MAX_SQUARE;
-
-pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(TILE_HEIGHT);
-
-pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
-
-pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
-
-/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. Neighbouring pixels of smooth cells never form an edge.
-pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
-
-pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
-
-/// Some rows of a picture: a thread's unit of work.
-pub struct Band<'a> {
-    pub(crate) top: usize,
-    pub(crate) width: usize,
-    pub(crate) stride: usize,
-    pub(crate) pixels: &'a mut [u32],
-    /// The work of drawing the band.
-    pub counts: Counts,
-    pub(crate) rough: &'a mut [RoughRow],
-}
-
-impl Band<'_> {
-    /// Returns the range of the band's rows in the picture.
-    #[must_use]
-    pub fn rows_of_picture(&self) -> Range<usize> {
-        self.top..self.top + self.height()
-    }
-
-    /// Marks the band as drawn by the caller, with edges anywhere. Draw it next to the renderer's bands before these are antialiased.
-    #[doc(hidden)]
-    pub fn mark_external(&mut self) {
-        self.rough.fill([u64::MAX; _]);
-    }
-
-    pub(crate) fn height(&self) -> usize {
-        (self.pixels.len() + self.stride - self.width) / self.stride
-    }
-
-    pub(crate) fn rows(&mut self) -> impl Iterator<Item = (usize, &mut [u32])> {
-        let rows = self.pixels.chunks_mut(self.stride.max(1));
-        rows.map(|row| &mut row[..self.width]).enumerate()
-    }
-
-    /// Sets a pixel, unless it is outside the band.
-    #[inline(always)]
-    pub(crate) fn put(&mut self, x: usize, y: usize, pixel: u32) {
-        let place = self.pixels.get_mut(y * self.stride + x);
-        if let (true, Some(place)) = (x < self.width, place) {
-            *place = pixel;
-        }
-    }
-
-    pub(crate) fn parts(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
-        let &mut Self { width, stride, .. } = self;
-        let pixels = self.pixels.chunks_mut(TILE_HEIGHT * stride);
-        let parts = pixels.zip(self.rough.chunks_mut(CELL_ROWS)).enumerate();
-        parts.map(move |(number, (pixels, rough))| Band {
-            top: number * TILE_HEIGHT,
-            width,
-            stride,
-            pixels,
-            rough,
-            ..Band::none()
-        })
-    }
-
-    pub(crate) const fn none() -> Self {
-        Self { top: 0, width: 0, stride: 1, pixels: &mut [], counts: Counts::NONE, rough: &mut [] }
     }
 }
