@@ -1,16 +1,17 @@
 //! The bounds of a frame's features.
 
-use super::highlight::{Highlight, MAX_HIGHLIGHTS};
-use super::object::ObjectBounds;
 use super::screen::{Axes, Rect, ScreenBounds};
 use super::sides::{Region, Sides};
 use super::view::View;
 use crate::prepare::{GroupSet, MAX_GROUPS, MAX_OBJECTS, ObjectId, VisibleGroups, World};
-use crate::scene::{List, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Plane};
-use glam::Vec3A;
+use crate::scene::{List, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, MAX_SPHERES, Plane};
+use glam::{Vec2, Vec3A, Vec4};
 
 /// One per object, per image of a solid or light, and per shadow of a solid on a plane by a light.
 pub(crate) const MAX_OUTLINES: usize = 2 * MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
+
+/// For each light: one on each sphere and plane, three on each block.
+pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
 /// A feature with a convex outline in the picture.
 #[derive(Clone, Copy)]
@@ -23,6 +24,33 @@ pub(crate) enum Outline {
         plane: u8,
         light: u8,
     },
+}
+
+pub(crate) struct ObjectBounds {
+    /// The index of its node in the tree, for solids and lights.
+    pub node: u16,
+    pub screen: ScreenBounds,
+    /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared, or infinity if the eye is inside. `None`
+    /// for blocks, and if rounding decides whether the eye is inside. The plane of equal powers separates the visible parts of two spheres:
+    /// the sphere of smaller power is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
+    pub power: Option<[f32; 2]>,
+    /// Half of the least extent.
+    pub thickness: f32,
+    /// The extent along the scene's axes, and forward from the eye.
+    pub(super) min: Vec4,
+    pub(super) max: Vec4,
+}
+
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Highlight {
+    pub object: ObjectId,
+    /// In pixels.
+    pub middle: Vec2,
+    /// In pixels: the least x and y, and the negated greatest x and y.
+    pub bounds: Vec4,
+    pub decay: [f32; 3],
+    /// The peak, of 255.
+    pub strength: f32,
 }
 
 pub(crate) struct Coverage {
@@ -46,6 +74,8 @@ pub(crate) struct Coverage {
 zero! { Outline = Self::Object(ObjectId::FIRST); }
 
 zero! {
+    ObjectBounds { node, screen, power, thickness, min, max }
+    Highlight { object, middle, bounds, decay, strength }
     Coverage {
         axes, groups, objects, eye, image, shadows, highlights, outlines, screen, widths, outlined
     }

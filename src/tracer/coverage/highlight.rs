@@ -4,17 +4,14 @@
 //! the point where d = 0, d is nearly linear in the pixels x and y, so the lobe is `ks e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`.
 //! `Material::anisotropy`, which widens a lobe, is ignored.
 
+use super::bounds::{Coverage, Highlight};
 use super::mirror::Mirror;
 use super::screen::Axes;
-use crate::maths::sqrt;
-use crate::prepare::ObjectId;
+use crate::maths::{sqrt, to_f32};
+use crate::prepare::{Object, ObjectId, World};
 use crate::rounding::DRAWN_OUT;
-use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use crate::zero::Zero;
-use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
-
-/// For each light: one on each sphere and plane, three on each block.
-pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
+use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// The least visible difference in brightness, of 255: larger errors count as wrong pixels.
 pub(crate) const VISIBLE: f32 = 8.0;
@@ -24,20 +21,6 @@ const END_DECAY: f32 = 3.5;
 
 /// The factor on the decay: off its centre a lobe may be wider than the Gaussian.
 const COUNTED_DECAY: f32 = 0.75;
-
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Highlight {
-    pub object: ObjectId,
-    /// In pixels.
-    pub middle: Vec2,
-    /// In pixels: the least x and y, and the negated greatest x and y.
-    pub bounds: Vec4,
-    pub decay: [f32; 3],
-    /// The peak, of 255.
-    pub strength: f32,
-}
-
-zero! { Highlight { object, middle, bounds, decay, strength } }
 
 impl Highlight {
     pub fn meets(&self, rect: Vec4) -> bool {
@@ -57,7 +40,7 @@ impl Highlight {
     }
 
     /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light.
-    pub(super) fn at(
+    fn at(
         mirror: &Mirror,
         axes: &Axes,
         eye: Vec3A,
@@ -94,5 +77,45 @@ impl Highlight {
             decay: [a, b, c],
             ..Self::ZERO
         })
+    }
+}
+
+impl Coverage {
+    /// Waves and solids around the eye get no highlights.
+    pub(super) fn set_highlights(&mut self, world: World<'_>) {
+        self.highlights.clear();
+        for i in 0..world.background() {
+            let (object, material) = world.object(ObjectId::new(i));
+            let centre = Vec3A::from(object.centre());
+            if i == world.first_plane() && !world.scene.water.is_calm() {
+                continue;
+            }
+            let bounds = self.objects[i].screen.in_pixels(&self.axes);
+            // The highlights of several lights may add up.
+            let visible = VISIBLE / to_f32(world.lights().len());
+            let tint = Vec3A::ONE.lerp(material.colour.into(), material.metallic);
+            for light in world.lights() {
+                let colour = tint * light.colour * (material.ks * world.weight * 255.0);
+                let strength = colour.max_element();
+                if strength <= visible {
+                    continue;
+                }
+                let [eye, light] = [world.eye, light.position].map(|point| point - centre);
+                Mirror::each(&object, eye, light, |mut place| {
+                    // If the mirror point is off the block, use the nearest point within its half extents.
+                    if let Object::Block(block) = object {
+                        let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
+                        // `clamp` may panic if a half is invalid.
+                        place.p = axes * (axes.transpose() * place.p).max(-half).min(half);
+                    }
+                    let half_exponent = 0.5 * material.exponent;
+                    let lobe = Highlight::at(&place, &self.axes, eye, light, half_exponent);
+                    if let Some(lobe) = lobe {
+                        let (object, bounds) = (ObjectId::new(i), lobe.bounds.max(bounds));
+                        self.highlights.push(Highlight { object, bounds, strength, ..lobe });
+                    }
+                });
+            }
+        }
     }
 }

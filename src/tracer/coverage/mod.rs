@@ -6,10 +6,10 @@
 //!
 //! | kind | bound | the square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | enough corners show it, or an occluder that all corners show hides it | `objects` |
+//! | object | the cone of rays from the eye that meet it | enough corners show it, or an occluder that all corners show hides it | `object` |
 //! | image | the cone of rays from the mirrored eye | no corner shows the plane, or enough that show it are inside the bound | `image` |
 //! | shadow | the cone of rays from the light, on the plane | the rule for images holds, or another shadow covers the square | `shadow` |
-//! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as any point | `highlights` |
+//! | highlight | the ellipse of a Gaussian | no corner shows the object, or one that does is nearly as bright as any point | `highlight` |
 //!
 //! Images and shadows have two exceptions, see `refine::guard::planes`.
 //!
@@ -44,11 +44,9 @@
 
 mod bounds;
 mod highlight;
-mod highlights;
 mod image;
 mod mirror;
 mod object;
-mod objects;
 mod screen;
 mod shadow;
 mod sides;
@@ -56,8 +54,8 @@ mod sides;
 mod tests;
 mod view;
 
-pub(crate) use bounds::{Coverage, MAX_OUTLINES, Outline};
-pub(crate) use highlight::{Highlight, MAX_HIGHLIGHTS, VISIBLE};
+pub(crate) use bounds::{Coverage, Highlight, MAX_HIGHLIGHTS, MAX_OUTLINES, Outline};
+pub(crate) use highlight::VISIBLE;
 pub(crate) use screen::{Rect, corners, rectangle};
 pub(crate) use sides::{Region, Sides};
 
