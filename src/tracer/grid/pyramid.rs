@@ -25,15 +25,11 @@ pub(crate) struct GridRow<'a> {
     pub keys: &'a [u32],
 }
 
-const fn columns(level: usize) -> usize {
-    (TILE_WIDTH >> level) + 1
-}
-
 const STARTS: [usize; LEVELS + 1] = {
     let mut starts = [0; LEVELS + 1];
     let mut level = 1;
     while level < LEVELS {
-        starts[level + 1] = starts[level] + columns(level) * ((TILE_HEIGHT >> level) + 1);
+        starts[level + 1] = starts[level] + Pyramid::stride(level) * ((TILE_HEIGHT >> level) + 1);
         level += 1;
     }
     starts
@@ -48,11 +44,11 @@ zero! { Pyramid { samples, keys, layers } }
 
 impl Pyramid {
     pub fn index(level: usize, x: usize, y: usize) -> usize {
-        STARTS[level] + y * columns(level) + x
+        STARTS[level] + y * Self::stride(level) + x
     }
 
-    pub fn stride(level: usize) -> usize {
-        columns(level)
+    pub const fn stride(level: usize) -> usize {
+        (TILE_WIDTH >> level) + 1
     }
 
     pub fn sample(&self, index: usize) -> Sample {
@@ -71,7 +67,7 @@ impl Pyramid {
 
     pub fn row(&self, level: usize, y: usize) -> GridRow<'_> {
         let start = Self::index(level, 0, y);
-        let range = start..start + columns(level) + 2 * MAX_LANES - 1;
+        let range = start..start + Self::stride(level) + 2 * MAX_LANES - 1;
         GridRow { samples: &self.samples[range.clone()], keys: &self.keys[range] }
     }
 

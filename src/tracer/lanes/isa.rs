@@ -1,8 +1,7 @@
 //! Operations that differ between instruction sets.
 
-use super::types::{F, M, lanes};
+use super::types::*;
 use fearless_simd::Level;
-use fearless_simd::prelude::*;
 
 pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::mul_add`] rounds once.

@@ -20,7 +20,6 @@ macro_rules! by_isa {
 }
 
 pub(crate) use by_isa;
-pub(crate) use fearless_simd::prelude::*;
 #[cfg(test)]
 pub(crate) use isa::isas;
 pub(crate) use isa::{Baseline, Isa, at_least, at_most, baseline, clamp};

@@ -1,5 +1,4 @@
-use super::types::{F, I, ROUND_TO_INTEGER, splat};
-use fearless_simd::prelude::*;
+use super::types::*;
 
 /// Returns `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
 ///

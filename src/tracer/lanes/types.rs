@@ -1,4 +1,4 @@
-use fearless_simd::prelude::*;
+pub(crate) use fearless_simd::prelude::*;
 
 pub(crate) const MAX_LANES: usize = 16;
 

@@ -1,7 +1,6 @@
 use super::isa::{Isa, at_least};
-use super::types::{F, M, U, flipped, splat};
+use super::types::*;
 use core::ops::{Add, Mul, Sub};
-use fearless_simd::prelude::*;
 use glam::Vec3;
 
 /// A vector per lane, as a structure of arrays.

@@ -17,7 +17,8 @@ pub(crate) struct Kernels {
     pub trace: fn(Level, World<'_>, &Quality, VisibleGroups, &mut Batch),
     pub(super) judge: fn(Level, [Limit; 2], &Bits, GridRow<'_>, GridRow<'_>) -> Verdict,
     pub(super) fill: fn(Level, &mut Band<'_>, &Run<'_>),
-    pattern: fn(Level, &PatternOnScreen<'_>, [usize; 2], usize, &mut [f32; 64]),
+    /// See [`PatternOnScreen::set_shares`].
+    pub(super) pattern: fn(Level, &PatternOnScreen<'_>, [usize; 2], usize, &mut [f32; 64]),
 }
 
 impl Kernels {
@@ -62,17 +63,6 @@ impl Kernels {
                 pattern.set_shares(in_level::<S>(level), start, side, shares);
             },
         }
-    }
-
-    /// See [`PatternOnScreen::set_shares`].
-    pub fn pattern(
-        &self,
-        pattern: &PatternOnScreen<'_>,
-        start: [usize; 2],
-        side: usize,
-        shares: &mut [f32; 64],
-    ) {
-        (self.pattern)(self.level, pattern, start, side, shares);
     }
 }
 

@@ -19,9 +19,9 @@ pub(crate) struct Batch {
     pub(super) surfaces: SurfaceRows,
 }
 
-zero! { Batch { points, results, counts, stack, blocks, occluders, surfaces } }
-
 zero! { Counts = Self::NONE; }
+
+zero! { Batch { points, results, counts, stack, blocks, occluders, surfaces } }
 
 impl Batch {
     #[inline(never)]

@@ -30,7 +30,6 @@ use super::bisect::{add_middle, bisect, mix_pixel};
 use super::worker::{STRETCH, Worker};
 use crate::coverage::rectangle;
 use crate::grid::each;
-use crate::observe::Observer;
 use crate::picture::{Band, CELL_ROWS, MAX_BANDS, TILE_HEIGHT};
 use crate::plan::FramePlan;
 use crate::prepare::VisibleGroups;
@@ -65,68 +64,54 @@ impl Seams {
         }
     }
 
-    pub fn smooth<O: Observer>(
-        &self,
-        context: &Context<'_, O>,
-        worker: &mut Worker,
-        band: &mut Band<'_>,
-    ) {
+    pub fn smooth<O>(&self, context: &Context<'_, O>, worker: &mut Worker, band: &mut Band<'_>) {
         let number = band.top / TILE_HEIGHT;
         let is_last = band.top + band.height() == context.plan.size[1];
         // Pixels on the picture's border have no edge outward.
         let none = &[0; MAX_STRETCHES];
         let above = number.checked_sub(1).map_or(none, |above| &self.0[above]);
-        let below = if is_last { none } else { &self.0[number] };
-        smooth(context, [above, below], worker, band);
-    }
-}
-
-fn smooth<O: Observer>(
-    context: &Context<'_, O>,
-    borders: [&RowMarks; 2],
-    worker: &mut Worker,
-    band: &mut Band<'_>,
-) {
-    worker.batch.begin();
-    worker.pyramid.changes().fill(0);
-    let &Context { plan, coverage, .. } = context;
-    let finished = plan.finished;
-    let mut marks: EdgeMarks = [0; _];
-    // Per row: whether an edge lies between the previous stretch and this one.
-    let mut before = [0; TILE_HEIGHT];
-    let (top, height) = (band.top, band.height());
-    for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
-        mark_stretch(plan, band, word, borders, &mut marks);
-        let any = marks[..=ROWS * height].iter().chain(&before).fold(0, |all, row| all | row);
-        if any == 0 {
-            continue;
-        }
-        let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
-        let rect = rectangle(left, above, start + STRETCH, top + height);
-        let visible = coverage.visible_groups(coverage.axes.rect(rect));
-        for (number, &row) in marks[..=ROWS * height].iter().enumerate() {
-            if row == 0 && (number % ROWS == 0 || before[number / ROWS] == 0) {
+        let borders = [above, if is_last { none } else { &self.0[number] }];
+        worker.batch.begin();
+        worker.pyramid.changes().fill(0);
+        let &Context { plan, coverage, .. } = context;
+        let finished = plan.finished;
+        let mut marks: EdgeMarks = [0; _];
+        // Per row: whether an edge lies between the previous stretch and this one.
+        let mut before = [0; TILE_HEIGHT];
+        let (top, height) = (band.top, band.height());
+        for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
+            mark_stretch(plan, band, word, borders, &mut marks);
+            let any = marks[..=ROWS * height].iter().chain(&before).fold(0, |all, row| all | row);
+            if any == 0 {
                 continue;
             }
-            if worker.batch.points.len() + STRETCH + 1 > MAX_MIDDLES {
-                trace_middles(context, visible, start, band, worker);
+            let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
+            let rect = rectangle(left, above, start + STRETCH, top + height);
+            let visible = coverage.visible_groups(coverage.axes.rect(rect));
+            for (number, &row) in marks[..=ROWS * height].iter().enumerate() {
+                if row == 0 && (number % ROWS == 0 || before[number / ROWS] == 0) {
+                    continue;
+                }
+                if worker.batch.points.len() + STRETCH + 1 > MAX_MIDDLES {
+                    trace_middles(context, visible, start, band, worker);
+                }
+                let points = &mut worker.batch.points;
+                let [x, y] = [ROWS * start + number % ROWS, (ROWS * top + number).wrapping_sub(1)]
+                    .map(|at| at.wrapping_mul(PARTS / ROWS));
+                if number % ROWS != 0 && before[number / ROWS] != 0 {
+                    points.push(x - PARTS, y);
+                }
+                each(row, |bit| points.push(x + PARTS * bit, y));
             }
-            let points = &mut worker.batch.points;
-            let [x, y] = [ROWS * start + number % ROWS, (ROWS * top + number).wrapping_sub(1)]
-                .map(|at| at.wrapping_mul(PARTS / ROWS));
-            if number % ROWS != 0 && before[number / ROWS] != 0 {
-                points.push(x - PARTS, y);
+            trace_middles(context, visible, start, band, worker);
+            for (y, row) in band.rows() {
+                let right = marks[ROWS * y + 1];
+                let along_x = right | right << 1 | before[y];
+                before[y] = right >> (STRETCH - 1);
+                each(along_x | marks[ROWS * y] | marks[ROWS * y + 2], |bit| {
+                    mix_pixel(&mut row[start + bit], STRETCH * y + bit, worker);
+                });
             }
-            each(row, |bit| points.push(x + PARTS * bit, y));
-        }
-        trace_middles(context, visible, start, band, worker);
-        for (y, row) in band.rows() {
-            let right = marks[ROWS * y + 1];
-            let along_x = right | right << 1 | before[y];
-            before[y] = right >> (STRETCH - 1);
-            each(along_x | marks[ROWS * y] | marks[ROWS * y + 2], |bit| {
-                mix_pixel(&mut row[start + bit], STRETCH * y + bit, worker);
-            });
         }
     }
 }

@@ -78,7 +78,7 @@ fn interpolate(
     let pattern = PatternOnScreen::new(world, object);
     let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
     let mut shares = [0.0; 64];
-    kernels.pattern(&pattern, [left, band.top + top], side, &mut shares);
+    (kernels.pattern)(kernels.level, &pattern, [left, band.top + top], side, &mut shares);
     for y in top..bottom {
         let row = y * band.stride;
         let row = &mut band.pixels[row + left..row + right];
