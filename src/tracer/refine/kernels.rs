@@ -1,7 +1,8 @@
 use super::fill::{self, Run};
 use super::verdict::{self, Limit, Verdict};
 use crate::grid::{Bits, GridRow};
-use crate::lanes::{Baseline, Isa};
+use crate::lanes::{Baseline, Isa, by_isa};
+use crate::maths::to_f32;
 use crate::picture::Band;
 use crate::prepare::{VisibleGroups, World};
 use crate::quality::Quality;
@@ -52,15 +53,15 @@ impl Kernels {
             level,
             trace: |level, world, quality, visible, batch| {
                 let isa = in_level::<R>(level);
-                let tracer = Tracer { isa, world, quality };
-                trace::trace(tracer, visible, batch);
+                by_isa!(isa: trace::trace(Tracer { isa, world, quality }, visible, batch));
             },
             judge: |level, limits, squares, above, below| {
                 verdict::judge(in_level::<S>(level), limits, squares, above, below)
             },
             fill: |level, band, run| fill::fill(in_level::<S>(level), band, run),
             pattern: |level, pattern, start, side, shares| {
-                pattern.set_shares(in_level::<S>(level), start, side, shares);
+                let simd = in_level::<S>(level);
+                by_isa!(simd: pattern.set_shares(simd, start.map(to_f32), side, shares));
             },
         }
     }

@@ -48,12 +48,6 @@ use rays::Rays;
 /// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `visible`.
 #[inline(always)]
 pub(crate) fn trace<S: Isa>(tracer: Tracer<'_, S>, visible: VisibleGroups, batch: &mut Batch) {
-    let isa = tracer.isa;
-    by_isa!(isa: trace_packets(tracer, visible, batch));
-}
-
-#[inline(always)]
-fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, visible: VisibleGroups, batch: &mut Batch) {
     let (simd, world) = (tracer.isa, tracer.world);
     let mut next = 0;
     loop {

@@ -2,7 +2,6 @@
 
 use super::rays::to_picture;
 use crate::lanes::*;
-use crate::maths::to_f32;
 use crate::prepare::{Object, ObjectId, World};
 use crate::scene::{Light, Pattern, Sphere};
 use crate::shapes::block::{self, BlockHit};
@@ -75,17 +74,6 @@ impl<'a> PatternOnScreen<'a> {
     /// other objects. The side is a power of two up to 8.
     #[inline(always)]
     pub fn set_shares<S: Isa>(
-        &self,
-        isa: S,
-        start: [usize; 2],
-        side: usize,
-        shares: &mut [f32; 64],
-    ) {
-        by_isa!(isa: self.set_shares_by(isa, start.map(to_f32), side, shares));
-    }
-
-    #[inline(always)]
-    fn set_shares_by<S: Isa>(
         &self,
         simd: S,
         [x, y]: [f32; 2],
