@@ -10,7 +10,8 @@ fn modules(folder: &Path, parent: &str) -> Modules {
     for entry in fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();
         let name = path.file_stem().and_then(|name| name.to_str()).expect("a name");
-        let module = format!("{parent}::{name}").replace("::mod", "").replace("::lib", "");
+        let module = format!("{parent}::{name}");
+        let module = module.trim_end_matches("::mod").trim_end_matches("::lib").to_owned();
         if name != "tests" && path.is_dir() {
             modules.extend(self::modules(&path, &module));
         } else if name != "tests" && path.extension().is_some_and(|end| end == "rs") {
@@ -36,16 +37,17 @@ fn paths(text: &str) -> Vec<String> {
         |line: &&str| !line.trim_start().starts_with("//") && !line.starts_with("    use super::");
     let code = text.lines().filter(is_code).collect::<Vec<_>>().join("\n");
     let starts = ["use ", "crate::", "super::"].into_iter().flat_map(|it| code.match_indices(it));
-    let starts = starts.filter(|&(at, _)| !code[..at].ends_with("in "));
+    let starts = starts.filter(|&(at, _)| !code[..at].ends_with("(in "));
     let paths = starts.flat_map(|(at, _)| {
         let text = code[at..].trim_start_matches("use ");
         let is_end = |c: char| !c.is_ascii_alphanumeric() && !"_:*".contains(c);
         let (path, rest) = text.split_at(text.find(is_end).expect("an end"));
         let names = rest.strip_prefix('{').map_or("", |rest| rest.split("};").next().expect("it"));
         assert!(!names.contains('{'), "braces in braces: {names}");
-        names.split(',').map(move |name| format!("{path}{}", name.trim()).replace("::self", ""))
+        names.split(',').map(move |name| format!("{path}{}", name.trim()))
     });
-    paths.filter(|path| !path.ends_with("::")).collect()
+    let paths = paths.filter(|path| !path.ends_with("::"));
+    paths.map(|path| path.trim_end_matches("::self").to_owned()).collect()
 }
 
 /// Returns the module that defines the last name of a path, through imports and exports.
@@ -75,23 +77,24 @@ fn arrows() -> Modules {
 /// A file imports only from modules that ARCHITECTURE.md lists before its own. Each is listed once.
 #[test]
 fn tracer_modules_import_only_from_lower_floors() {
-    let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/ARCHITECTURE.md"));
-    let page = page.expect("text");
-    let chain = page.lines().find(|line| line.contains("◀─ maths ◀─")).expect("the chain");
-    let floors = chain.split("◀─").enumerate();
-    let floors =
-        floors.flat_map(|(floor, names)| names.split(',').map(move |it| (it.trim(), floor)));
+    let mut lines = include_str!("../../ARCHITECTURE.md").lines();
+    let chain = lines.find(|line| line.contains("◀─ maths ◀─")).expect("the chain");
+    let floors = chain
+        .split("◀─")
+        .enumerate()
+        .flat_map(|(floor, names)| names.split(',').map(move |name| (name.trim(), floor)));
     let floors: BTreeMap<&str, usize> = floors.collect();
     let mut arrows = arrows();
     arrows.remove("crate");
     let top = |module: &String| module.split("::").nth(1).expect("a name").to_owned();
     let all: BTreeSet<String> = arrows.keys().map(top).collect();
     assert!(floors.keys().eq(&all), "{floors:?}");
-    for (module, used) in arrows.iter().flat_map(|(it, all)| all.iter().map(move |used| (it, used)))
-    {
-        let [to, from] = [used, module].map(top);
-        let is_below = to == from || floors[to.as_str()] < floors[from.as_str()];
-        assert!(is_below, "{module} imports from {used}");
+    for (module, imports) in &arrows {
+        for used in imports {
+            let [to, from] = [used, module].map(top);
+            let is_below = to == from || floors[to.as_str()] < floors[from.as_str()];
+            assert!(is_below, "{module} imports from {used}");
+        }
     }
     assert!(arrows.values().map(BTreeSet::len).sum::<usize>() > 400, "{arrows:?}");
 }

@@ -162,6 +162,5 @@ fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), E
     frame.validate()?;
     quality.validate()?;
     scene.validate()?;
-    frame.presentation.validate()?;
-    Ok(())
+    Ok(frame.presentation.validate()?)
 }
