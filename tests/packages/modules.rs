@@ -29,7 +29,7 @@ fn modules(folder: &Path, parent: &str) -> Modules {
     modules
 }
 
-/// Returns all paths after "use", and others from "crate" or "super" on. Skips comments, tests, and inline modules' uses of their file.
+/// Returns all paths from "use", "crate" or "super" on, except in comments, in tests, and from inline modules to their file.
 fn paths(text: &str) -> Vec<String> {
     let text = text.split("#[cfg(all(test").next().expect("a part");
     let text = text.split("#[cfg(test)]\nmod tests {").next().expect("a part");

@@ -13,7 +13,8 @@ use crate::rounding::DRAWN_OUT;
 use crate::zero::Zero;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The least visible difference in brightness, of 255: larger errors count as wrong pixels.
+/// The least visible difference in brightness, of 255: larger errors count as wrong pixels. Lights share it: their
+/// highlights may add up.
 pub(crate) const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
@@ -91,7 +92,6 @@ impl Coverage {
                 continue;
             }
             let bounds = self.objects[i].screen.in_pixels(&self.axes);
-            // The highlights of several lights may add up.
             let visible = VISIBLE / to_f32(world.lights().len());
             let tint = Vec3A::ONE.lerp(material.colour.into(), material.metallic);
             for light in world.lights() {

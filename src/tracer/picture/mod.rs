@@ -69,8 +69,8 @@ impl<'a> Frame<'a> {
         Self { offset: vec2(x, y), ..self }
     }
 
-    /// Traces `count` pixels as [`Quality::reference`](crate::Quality::reference) does, and compares them with the frame, which stays unchanged. The results are in
-    /// [`Counts::probes`](crate::Counts::probes).
+    /// Traces `count` pixels as [`Quality::reference`](crate::Quality::reference) does, and compares them with the frame, which stays
+    /// unchanged. The results are in [`Counts::probes`](crate::Counts::probes).
     ///
     /// Pass the frame's number as the seed: consecutive seeds probe different pixels until each was probed once. Probes ignore captions,
     /// and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.

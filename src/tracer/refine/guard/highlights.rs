@@ -92,7 +92,7 @@ fn is_missed(highlight: &Highlight, rect: Vec4, corners: u64) -> bool {
 }
 
 /// Returns whether a square of 8 pixels may miss the highlight. From its middle to a corner, 4 pixels across and down, u grows to at
-/// most 64 times the larger of a and c. The highlights of several lights may add up.
+/// most 64 times the larger of a and c.
 pub(super) fn is_small(highlight: &Highlight, lights: usize) -> bool {
     let [a, _, c] = highlight.decay;
     highlight.strength * a.max(c) * SQUARE * SQUARE > VISIBLE / to_f32(lights)

@@ -3,6 +3,31 @@
 //! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. A sample does not record
 //! shadows and images, so the guard tests the corner's place: a corner that shows the plane and is inside an outline shows that shadow or
 //! image, or one that covers it.
+//!
+//! A square is split, down to pixels, while it may show a feature that too few of its corners show. One corner is enough if the feature's
+//! outline is wide. An outline thinner than one and a half sides may pass between corners, so all four must show its feature.
+//!
+//! | kind | the square may be filled if |
+//! | --- | --- |
+//! | object | enough corners show it, or an occluder that all corners show hides it |
+//! | image | no corner shows the plane, or enough that show it are inside the bound |
+//! | shadow | the rule for images holds, or another shadow covers the square |
+//! | highlight | no corner shows the object, or one that does is nearly as bright as any point |
+//!
+//! `planes` has two exceptions, `unguarded` the rule for light without a bound. `limits` lists features that are missed.
+//!
+//! # Guarantees
+//!
+//! - Each visible object has at least one pixel: a square that meets its outline is filled only if a corner shows the object, or if an
+//!   occluder hides the object in the whole square. An untraced pixel may get the mean colour of two traced points; it counts as showing
+//!   the objects of both.
+//! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
+//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the error margins. The shadow may still
+//!   be lost if that corner would be as dark without the shadow.
+//! - A frame shows every image of a sphere or a box in a flat first plane if the image has 2x2 pixels or more and no other image covers a
+//!   part of it.
+//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). A
+//!   lower bound of an outline's width decides whether it is thin: the object's least extent, seen at its farthest distance.
 
 mod highlights;
 mod objects;
