@@ -18,11 +18,10 @@
 
 mod bounds;
 mod highlight;
-mod image;
 mod mirror;
 mod object;
+mod planes;
 mod screen;
-mod shadow;
 mod sides;
 #[cfg(test)]
 mod tests;

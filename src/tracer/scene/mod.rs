@@ -1,39 +1,35 @@
 //! The scene description, and its presentation. Units are in [the crate's conventions](crate#conventions).
 
 mod ambience;
-mod block;
 pub(crate) mod camera;
 mod film;
 mod light;
 mod list;
 mod material;
 mod method;
+mod objects;
 mod overlay;
 mod pattern;
-mod plane;
 mod presentation;
 mod ranges;
 #[cfg(feature = "serde")]
 mod serial;
 mod softbox;
-mod sphere;
 mod waves;
 
 pub use ambience::Ambience;
-pub use block::{Block, Shape};
 pub use camera::{Camera, Raster};
 pub use film::Film;
 pub use light::{Light, Spot};
 pub use list::{CapacityError, List};
 pub use material::Material;
 pub use method::Method;
+pub use objects::{Block, Plane, Shape, Sphere};
 pub use overlay::{Caption, MAX_LETTERS};
 pub use pattern::Pattern;
-pub use plane::Plane;
 pub use presentation::{MAX_CAPTIONS, Presentation};
 pub use ranges::{MAX_LENGTH, MIN_LENGTH};
 pub use softbox::Softbox;
-pub use sphere::Sphere;
 pub use waves::Waves;
 
 use crate::range_error::{Checked, Range, RangeError};
