@@ -1,4 +1,4 @@
-//! Bounds of the images of solids and lights in the first plane, and of the shadows of solids on planes.
+//! Bounds of images in the first plane, and of shadows on planes.
 
 use super::bounds::{Coverage, Outline};
 use super::screen::ScreenBounds;
