@@ -1,5 +1,5 @@
 use eightfold::show;
-use eightfold_tracer::Preset;
+use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Preset};
 use eightfold_window::{cpu, line::Writer, window::KEYS};
 
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
@@ -60,9 +60,9 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
 /// The width of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
-// Check the number of flags, the column's width, and the show's length in the help.
+// Check the number of flags, the column's width, and the help's numbers.
 const _: () = {
-    assert!(show::LENGTH == 116.0);
+    assert!(show::LENGTH == 116.0 && MAX_WIDTH == 3840 && MAX_HEIGHT == 2160);
     assert!(FLAGS.len() == Switch::Version as usize + 1);
     let mut i = 0;
     while i < FLAGS.len() {

@@ -5,7 +5,7 @@ use eightfold_window::clock::SECOND;
 use eightfold_window::cpu::Isa;
 use eightfold_window::enlarge::{self, Small};
 use eightfold_window::line::{self, Writer};
-use eightfold_window::render_target::{Headless, InnerSize, MAX_PIXELS, Next, RenderTarget, fit};
+use eightfold_window::render_target::{self, Headless, InnerSize, Next, RenderTarget, fit};
 use eightfold_window::sound::{Player, Source};
 use eightfold_window::static_cell::StaticCell;
 use eightfold_window::terminal::Terminal;
@@ -26,8 +26,9 @@ const LARGE: usize = 1920 * 1080;
 /// Pixels up to which a window's frames are never drawn smaller: these take less than a tenth of the frame's time.
 const SMALLEST: usize = 320 * 240;
 
-/// Targets hold the largest frame.
-const _: () = assert!(MAX_WIDTH * MAX_HEIGHT == MAX_PIXELS);
+// Targets hold the largest frame.
+const _: () =
+    assert!(MAX_WIDTH == render_target::MAX_WIDTH && MAX_HEIGHT == render_target::MAX_HEIGHT);
 
 impl Source for Music {
     fn chunk(&mut self) -> &[[f32; 2]] {
