@@ -122,7 +122,7 @@ impl Options {
             Switch::Loop => self.is_looping = true,
             Switch::Fps => self.fps = Some(number(value, MAX_FPS)? as u64),
             Switch::Psnr => self.psnr = Some(number(value, MAX_PSNR)? as u64),
-            Switch::Quality => self.keep_to(preset(value)?),
+            Switch::Quality => self.keep_to(Preset::named(value)?),
             Switch::Exhaustive => self.keep_to(Preset::Exhaustive),
             Switch::Uncapped => self.is_uncapped = true,
             Switch::Hud => self.has_hud = true,
@@ -146,10 +146,6 @@ impl Options {
 fn split_at_equals(argument: &[u8]) -> (&[u8], Option<&[u8]>) {
     let mut parts = argument.splitn(2, |&byte| byte == b'=');
     (parts.next().unwrap_or(argument), parts.next())
-}
-
-fn preset(name: &[u8]) -> Option<Preset> {
-    Preset::ALL.into_iter().find(|preset| preset.name().as_bytes() == name)
 }
 
 fn number(text: &[u8], max: usize) -> Option<usize> {

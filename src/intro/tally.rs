@@ -43,7 +43,7 @@ impl Tally {
         self.recent += probes;
         self.size = size;
         self.divisor = divisor;
-        self.used[quality as usize] += time - self.time;
+        self.used[quality.index()] += time - self.time;
         if divisor > 1 {
             self.divided[divisor - 2] += time - self.time;
         }

@@ -88,13 +88,13 @@ pub extern "C" fn about() -> *const u8 {
     });
     let scenes: Vec<_> = scenes.collect();
     // The last one, `thesis`, is not offered.
-    let names = &Preset::ALL.map(Preset::name)[..Preset::Thesis as usize];
+    let names = &Preset::ALL.map(Preset::name)[..Preset::Thesis.index()];
     let text = format!(
         r#"{{"length":{},"scenes":[{}],"qualities":["{}"],"default":{},"probes":{},"rate":{}}}"#,
         show::LENGTH,
         scenes.join(","),
         names.join("\",\""),
-        Preset::Default as usize,
+        Preset::Default.index(),
         Frame::PROBES,
         sound::RATE,
     );
@@ -172,11 +172,14 @@ pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f3
     presentation.captions.clear();
 }
 
-/// Sets the quality by its index in [`about`]; `is_reference` selects the reference of its error.
+/// Sets the quality by its index in [`about`]; `is_reference` selects the reference of its error. Returns whether the index has one.
 #[unsafe(no_mangle)]
-pub extern "C" fn set_quality(place: usize, is_reference: bool) {
-    let quality = Preset::ALL[place].quality();
-    state().quality = if is_reference { quality.reference() } else { *quality };
+pub extern "C" fn set_quality(place: usize, is_reference: bool) -> bool {
+    let quality = Preset::ALL.get(place).map(|preset| preset.quality());
+    if let Some(quality) = quality {
+        state().quality = if is_reference { quality.reference() } else { *quality };
+    }
+    quality.is_some()
 }
 
 /// Draws the bands that begin in rows `from..to` in one pass of the frame, see `share`. `before` is the number of points in all workers'
@@ -288,5 +291,13 @@ pub extern "C" fn governed(nanoseconds: f64) -> usize {
     let budget = Duration::from_secs(1) / 60;
     let governor = state.governor.get_or_insert_with(|| Governor::new(budget));
     governor.frame(Duration::from_nanos(nanoseconds as u64));
-    governor.preset() as usize
+    governor.preset().index()
+}
+
+#[cfg(test)]
+#[test]
+fn quality_beyond_the_last_is_ignored() {
+    assert!(set_quality(Preset::Fastest.index(), false));
+    assert!(!set_quality(Preset::ALL.len(), false));
+    assert_eq!(&state().quality, Preset::Fastest.quality());
 }

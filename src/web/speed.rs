@@ -26,7 +26,9 @@ fn run() -> Result<(), Error> {
         let (place, time) = order.ok_or_else(|| Error::other(message()))?;
         let start = ThreadTime::now();
         set_model(time);
-        set_quality(place, false);
+        if !set_quality(place, false) {
+            return Err(Error::other(message()));
+        }
         let (mut pass, mut passes) = (0, 1);
         while pass < passes {
             passes = draw(0, height, pass, 0.0, Frame::PROBES, pass as u32);

@@ -10,7 +10,7 @@ const PRESETS: usize = Preset::LADDER.len();
 const RUNGS: usize = PRESETS + 2;
 
 fn rung(preset: Preset) -> usize {
-    preset as usize - Preset::Finest as usize
+    preset.index() - Preset::Finest.index()
 }
 
 /// Frames after a step in which a governor measures its effect.

@@ -98,8 +98,7 @@ impl Controls {
 
     /// Removes the current overlay if chosen again.
     fn choose(&mut self, key: char) {
-        let number = key.to_digit(10).map(|digit| digit as usize);
-        if let Some(quality) = number.and_then(|number| Preset::ALL.into_iter().nth(number - 1)) {
+        if let Some((_, quality)) = ('1'..='9').zip(Preset::ALL).find(|row| row.0 == key) {
             self.quality = quality;
         }
         if let Some(&(_, overlay, _)) = Overlay::KEYS.iter().find(|row| row.0 == key) {

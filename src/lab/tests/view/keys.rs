@@ -9,6 +9,7 @@ use eightfold_lab::view::{frame_viewer::FrameViewer, subject::Subject};
 use eightfold_stage::wait_for;
 use eightfold_tracer::{Preset, Quality};
 use eightfold_window::cpu;
+use eightfold_window::input::Press;
 
 #[test]
 fn title_has_error_of_show() {
@@ -67,19 +68,29 @@ fn keys_select_quality_overlay_time() {
     assert!(view.shot() != first);
 }
 
+const PAUSED: Controls = Controls {
+    frame: 0.0,
+    length: 1.0,
+    is_paused: true,
+    quality: Preset::Thesis,
+    overlay: Overlay::None,
+};
+
+#[test]
+fn digits_without_presets_change_nothing() {
+    let mut controls = PAUSED;
+    for key in ['0', '٣', ':'] {
+        controls.press(Press::Character(key));
+        assert_eq!(controls, PAUSED, "{key}");
+    }
+}
+
 #[test]
 fn paused_picture_is_measured_after_drawing() {
-    let controls = Controls {
-        frame: 0.0,
-        length: 1.0,
-        is_paused: true,
-        quality: Preset::Thesis,
-        overlay: Overlay::None,
-    };
     let subject = Subject::new(SceneName::Model);
     let mut viewer = FrameViewer::new(1, cpu::best());
     for (is_new, is_measured) in [(true, false), (true, true), (false, true)] {
-        let drawn = viewer.draw(&controls, &subject, Size::new(64, 48));
+        let drawn = viewer.draw(&PAUSED, &subject, Size::new(64, 48));
         assert_eq!((drawn, viewer.figures.psnr.is_some()), (is_new, is_measured));
     }
 }
