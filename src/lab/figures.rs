@@ -117,8 +117,7 @@ fn close_up(
     ensure!(fits, "--at needs a --size of {}x{} or more", CROP.width, CROP.height);
     let left = x.saturating_sub(CROP.width / 2).min(size.width - CROP.width);
     let top = y.saturating_sub(CROP.height / 2).min(size.height - CROP.height);
-    let exhaustive = Quality { antialias: false, ..quality.reference() };
-    let guarded = Quality { antialias: false, ..*quality };
+    let [exhaustive, guarded] = [quality.reference(), *quality].map(Quality::jagged);
     let ways = [
         ("Every pixel traced", exhaustive),
         ("Without the guard", Quality { guarded: false, ..guarded }),

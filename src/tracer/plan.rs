@@ -1,15 +1,12 @@
 use crate::fold::Fold;
 use crate::maths::to_f32;
 use crate::picture::{Frame, Probing};
-use crate::prepare;
 use crate::quality::Quality;
 use crate::scene::{Method, Presentation, Scene};
 use glam::Vec2;
 
-/// The largest side of squares in a crowd of mirrors and glass, whose images are narrow.
-const CROWD_SQUARE: usize = 4;
-
 pub(crate) struct FramePlan {
+    /// The effective quality, see [`Quality::in_scene`].
     pub quality: Quality,
     /// In pixels.
     pub size: [usize; 2],
@@ -19,8 +16,6 @@ pub(crate) struct FramePlan {
     pub coarse: usize,
     pub method: Method,
     pub fold: Fold,
-    /// Whether all points of strong mirrors and glass have different keys.
-    pub glitters: bool,
     /// In pixels.
     pub offset: Vec2,
     pub probing: Probing,
@@ -37,16 +32,10 @@ impl FramePlan {
         };
         let coarse = method.coarse as usize;
         let fold = Fold::new(*sectors, &scene.camera, size);
-        let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
-        let square = if glitters { quality.square.min(CROWD_SQUARE) } else { quality.square };
-        let quality = Quality {
-            square,
-            // Coarse squares and marks keep their hard edges.
-            antialias: quality.antialias && coarse < 2 && finished > 0,
-            edge: quality.edge.max(1),
-            ..*quality
-        }
-        .coarser(coarse);
+        // Coarse squares and marks keep their hard edges.
+        let is_antialiased = coarse < 2 && finished > 0;
+        let quality = if is_antialiased { *quality } else { quality.jagged() };
+        let quality = quality.in_scene(scene).coarser(coarse).with_positive_edge();
         Self {
             quality,
             size,
@@ -54,7 +43,6 @@ impl FramePlan {
             coarse,
             method: *method,
             fold,
-            glitters,
             offset: frame.offset + fold.offset,
             probing: frame.probing,
         }

@@ -10,6 +10,7 @@ use core::str::FromStr;
 /// quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Quality {
     /// The side of the largest squares in pixels: a power of two up to [`Quality::MAX_SQUARE`].
     pub square: usize,
@@ -32,10 +33,10 @@ pub struct Quality {
     pub key_depth: u32,
     /// The least weight of rays whose objects are part of the key, 0 to infinity. It excludes weak reflections of a floor. A ray's weight
     /// is the exposure times `kr`, `kt` and the haze's factors along its path.
-    ///
-    /// In dense clusters reflections are tiny: if `key_weight` is above 0 and a scene has twelve or more strong mirrors or glass solids,
-    /// all their points have different keys, except on large glass spheres, and squares have 4 pixels at most.
     pub key_weight: f32,
+    /// Whether crowds are refined: in dense clusters reflections are tiny. In a scene of twelve or more mirrors and glass solids with a
+    /// `kr + kt` of 0.3, all their points have different keys, except on large glass spheres, and squares have 4 pixels at most.
+    pub crowds: bool,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
     /// The strength `ks (r.v)^h` above which a light's state is "lit with a highlight" instead of "lit", 0 to infinity.
@@ -53,6 +54,8 @@ pub struct Quality {
     pub edge: u8,
 }
 
+default!(Quality = Self::DEFAULT);
+
 impl Quality {
     /// The largest [`Quality::square`], the capacity of the working memory.
     pub const MAX_SQUARE: usize = 32;
@@ -69,6 +72,7 @@ impl Quality {
         unguarded_weight: f32::INFINITY,
         key_depth: 5,
         key_weight: 0.0,
+        crowds: false,
         state_depth: 0,
         highlight: 1.0 / 256.0,
         depth: 5,
@@ -94,6 +98,7 @@ impl Quality {
             tolerance_side: tolerance,
             key_depth: 3,
             key_weight: 0.3,
+            crowds: true,
             state_depth: 0,
             highlight: f32::INFINITY,
             ..Self::EXHAUSTIVE
@@ -112,6 +117,17 @@ impl Quality {
     #[must_use]
     pub const fn reference(&self) -> Self {
         Self { antialias: self.antialias, edge: self.edge, ..Self::EXHAUSTIVE }
+    }
+
+    /// Returns the quality without antialiasing.
+    #[must_use]
+    pub const fn jagged(self) -> Self {
+        Self { antialias: false, ..self }
+    }
+
+    /// Returns the quality with an `edge` of at least 1.
+    pub(crate) fn with_positive_edge(self) -> Self {
+        Self { edge: self.edge.max(1), ..self }
     }
 
     /// Returns the quality with squares of at least `side` pixels, rounded down to a power of two, 1 to [`Quality::MAX_SQUARE`].

@@ -33,11 +33,11 @@ pub const fn with_antialias(antialias: bool, quality: Quality) -> Quality {
 }
 
 pub const fn jagged(quality: Quality) -> Quality {
-    with_antialias(false, quality)
+    quality.jagged()
 }
 
 pub const fn bare(quality: Quality) -> Quality {
-    Quality { guarded: false, ..jagged(quality) }
+    Quality { guarded: false, ..quality.jagged() }
 }
 
 pub fn isa_of(seed: u64) -> Isa {

@@ -197,8 +197,8 @@ fn random_scenes_match_the_oracle() {
         let scene = Kinds::SPHERES.scene(&mut random);
         assert_traced(&scene, [96, 72], &what);
         for quality in RULES.map(bare) {
-            // Crowds of mirrors have squares of 4 pixels.
-            let quality = Quality { key_weight: 0.0, ..quality };
+            // The oracle has no rule for crowds.
+            let quality = Quality { crowds: false, ..quality };
             assert_refined(&scene, &quality, [96, 72], &what);
         }
         let scene = Kinds::RICH.scene(&mut random);

@@ -31,6 +31,7 @@ fn quality(random: &mut Random) -> Quality {
         tolerance_side: random.one_of([0.0, 9.0]),
         key_depth: random.below(9) as u32,
         key_weight: random.one_of([0.0, 0.3, f32::NAN]),
+        crowds: random.below(2) == 0,
         unguarded_weight: random.one_of([0.0, 0.1, f32::INFINITY, f32::NAN]),
         state_depth: random.below(9) as u32,
         depth: random.below(Quality::MAX_DEPTH as usize + 1) as u32,

@@ -66,7 +66,7 @@ fn squares(trade: &Trade) -> Chart {
     let series = |(name, base): (&str, Quality)| {
         let is_varied = |row: &&Row| {
             let square = row.quality.square;
-            square > 1 && row.quality == Quality { square, antialias: false, ..base }
+            square > 1 && row.quality == Quality { square, ..base.jagged() }
         };
         let mut rows: Vec<&Row> = trade.rows.iter().filter(is_varied).collect();
         rows.sort_by_key(|row| row.quality.square);

@@ -1,8 +1,8 @@
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Kinds, Random, cases};
-use eightfold_tracer::RangeError;
 use eightfold_tracer::scene::{Caption, List, Presentation, Scene};
+use eightfold_tracer::{Quality, RangeError};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
@@ -74,6 +74,14 @@ fn scene_is_read_as_it_was_written() {
         assert_written(&read.scene, &scene, &random);
         assert_written(&read.presentation, &presentation, &random);
     }
+}
+
+#[test]
+fn missing_fields_of_a_quality_are_default() {
+    let read = serde_json::from_str::<Quality>;
+    let square = 4;
+    assert_eq!(read(r#"{"square":4}"#).ok(), Some(Quality { square, ..Quality::DEFAULT }));
+    assert!(read(r#"{"squares":4}"#).is_err());
 }
 
 #[test]

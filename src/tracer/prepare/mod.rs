@@ -1,6 +1,7 @@
 //! Prepares a scene for tracing: a BVH, and lights and surfaces for packets.
 
 mod ambience;
+mod crowd;
 mod film;
 mod light;
 mod object;
@@ -13,7 +14,7 @@ pub(crate) use ambience::{Ambience, Bounds, CAPACITY, Neighbour, Tap};
 pub(crate) use film::ROUND;
 pub(crate) use film::{Colours, Dither, Film};
 pub(crate) use light::{PreparedLight, ShadowCone, SpotCone};
-pub(crate) use object::{Object, ObjectId, is_crowd};
+pub(crate) use object::{Object, ObjectId};
 pub(crate) use softbox::Softbox;
 pub(crate) use surface::{Parameter, PerLane, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};
@@ -73,6 +74,7 @@ pub(crate) struct Prepared {
     softbox_count: usize,
     pub plane_count: usize,
     pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
+    /// By object: whether all its points have different keys in a crowd.
     pub glitters: [bool; MAX_OBJECTS],
     /// See [`block::hit_error`].
     pub block_errors: [f32; MAX_BLOCKS],
@@ -139,7 +141,7 @@ impl Prepared {
             let (object, material) = object::of(scene, ObjectId::new(i));
             self.has_patterns |= material.pattern.depth != 0.0;
             self.has_details |= self.has_patterns || material.anisotropy > 0.0;
-            self.glitters[i] = object::glitters(scene, &object, material);
+            self.glitters[i] = crowd::glitters(scene, &object, material);
             self.surfaces[i] = surface::surface(&object, material, scene);
         }
         for (error, block) in self.block_errors.iter_mut().zip(scene.blocks.iter()) {

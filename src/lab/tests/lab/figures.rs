@@ -52,10 +52,8 @@ const TILE: Size = Size::new(200, 75);
 fn sheet_of_unguarded_kinds() {
     let tiles = KINDS[ON_FLOORS..].iter().map(|kind| {
         let pairs = (0..24).map(|seed| {
-            let pair = [Quality::EXHAUSTIVE, Quality::DEFAULT].map(|quality| {
-                let quality = Quality { antialias: false, ..quality };
-                drawn(2, &kind.seeded(seed), &quality, PICTURE)
-            });
+            let pair = [Quality::EXHAUSTIVE, Quality::DEFAULT]
+                .map(|quality| drawn(2, &kind.seeded(seed), &quality.jagged(), PICTURE));
             let lost = lost(&pair[0], &pair[1], PICTURE.width);
             let patch = patches(&lost, PICTURE.width).into_iter().max_by_key(Vec::len);
             (pair, patch.unwrap_or_default())

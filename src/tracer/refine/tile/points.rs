@@ -151,7 +151,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let target = Pyramid::index(level, column >> level, row >> level);
             let shows = |which: &[bool]| sample.object().is_some_and(|id| which[id.index()]);
             let mut key = batch.results.key(i);
-            if plan.glitters && shows(&world.glitters) {
+            if plan.quality.crowds && shows(&world.glitters) {
                 key = (y << 16 | x) as u32;
             }
             if has_patterns {
