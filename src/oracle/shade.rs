@@ -171,8 +171,7 @@ impl Oracle<'_> {
             let inside = off(right, it.half_width).min(off(aim.cross(right), it.half_height));
             smooth(inside / f64::from(it.softness)) * it.colour.as_dvec3()
         };
-        let softboxes = self.scene.softboxes.iter().filter(|_| !self.scene.black_beyond);
-        softboxes.map(light).sum()
+        self.scene.softboxes.iter().map(light).sum()
     }
 
     /// Returns the reflectances of a thin film relative to a mirror.

@@ -6,7 +6,7 @@ use crate::errors::assert_near;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::{Kinds, cases, materials, materials_of};
 use eightfold_tracer::scene::{
-    Ambience, Block, Camera, Light, List, Material, Plane, Scene, Sphere,
+    Ambience, Block, Camera, Light, List, Material, Plane, Scene, Softbox, Sphere,
 };
 use eightfold_tracer::{Preset, Quality};
 use glam::{Vec3, vec3};
@@ -99,13 +99,22 @@ fn facing_mirrors_show_no_black_pixel() {
 }
 
 #[test]
-fn black_beyond_blackens_untraced_rays() {
-    for kt in [0.0, 1.0] {
+fn black_beyond_blackens_only_untraced_rays() {
+    let sides = [-1.0, 1.0].map(|z| Softbox {
+        aim: vec3(0.0, 0.0, z),
+        half_width: 1.0,
+        half_height: 1.0,
+        softness: 0.1,
+        colour: Vec3::ONE,
+    });
+    let white = furnace(Scene::default());
+    let dark = Scene { background: Vec3::ZERO, softboxes: List::of(&sides), ..white.clone() };
+    for (kt, scene) in [(0.0, &white), (1.0, &white), (0.0, &dark), (1.0, &dark)] {
         let material = Material { kr: 1.0 - kt, kt, ..Material::BLACK };
         let scene = Scene {
             spheres: List::of(&[Sphere::new(Vec3::ZERO, 0.5, material)]),
             black_beyond: true,
-            ..furnace(Scene::default())
+            ..scene.clone()
         };
         let middle = |depth| {
             let quality = Quality { depth, ..Quality::EXHAUSTIVE };

@@ -201,7 +201,7 @@ fn random_scenes_match_the_oracle() {
             let quality = Quality { crowds: false, ..quality };
             assert_refined(&scene, &quality, [96, 72], &what);
         }
-        let scene = Kinds::RICH.scene(&mut random);
+        let scene = Scene { black_beyond: random.seed % 2 == 1, ..Kinds::RICH.scene(&mut random) };
         assert_eq!(scene.validate(), Ok(()), "{what}");
         assert_traced(&scene, [96, 72], &what);
     }

@@ -78,8 +78,8 @@ pub struct Scene {
     pub ambient: Vec3,
     /// The occlusion of ambient light, and the ambient light from below.
     pub ambience: Ambience,
-    /// Whether rays beyond `depth` and `least_contribution` of the [`Quality`](crate::Quality), and softboxes, are black, as in the 2008
-    /// thesis.
+    /// Whether untraced rays, see [`Quality::depth`](crate::Quality::depth), are black, as in the 2008 thesis; thin films then reflect
+    /// nothing. This is a scene's look, not an error: exhaustive frames have such rays, too.
     pub black_beyond: bool,
     /// The spheres, in any order.
     pub spheres: List<Sphere, MAX_SPHERES>,

@@ -93,7 +93,7 @@ fn untraced_light<S: Isa>(
 ) -> Vec3x<S> {
     let (simd, world) = (tracer.isa, tracer.world);
     let untraced = scattered.untraced;
-    if world.softboxes().is_empty() || world.scene.black_beyond {
+    if world.softboxes().is_empty() {
         return untraced;
     }
     let leaving = surface.is_background & rays.paths().simd_gt(U::<S>::splat(simd, 1));
@@ -162,12 +162,14 @@ fn scatter<S: Isa>(
     if back.any_true() {
         stack.push(simd, &reflected, back);
     }
-    let lost = point.shaded & !back & weight.simd_gt(zero);
+    // The weight above which untraced rays are not black.
+    let black = splat(simd, if tracer.world.scene.black_beyond { f32::INFINITY } else { 0.0 });
+    let lost = point.shaded & !back & weight.simd_gt(black);
     Scattered {
         untraced: untraced(
             tracer,
             &transmitted.d,
-            refracted & !through & transmitted.weight.simd_gt(zero),
+            refracted & !through & transmitted.weight.simd_gt(black),
             Vec3x::equal(transmitted.weight),
         ) + untraced(tracer, &reflected.d, lost, mirrored),
         d: reflected.d,
@@ -239,7 +241,7 @@ fn refract<S: Isa>(
 fn untraced<S: Isa>(tracer: Tracer<'_, S>, d: &Vec3x<S>, lost: M<S>, weight: Vec3x<S>) -> Vec3x<S> {
     let (simd, world) = (tracer.isa, tracer.world);
     let none = Vec3x::splat(simd, Vec3A::ZERO);
-    if world.scene.black_beyond || !lost.any_true() {
+    if !lost.any_true() {
         return none;
     }
     let ambient = Vec3x::splat(simd, world.scene.ambient);
