@@ -1,7 +1,8 @@
 use crate::frame_trace::FrameTrace;
 use crate::picture::Size;
 use eightfold_tracer::observe::Observer;
-use eightfold_tracer::scene::{Moment, Presentation, Scene};
+use eightfold_tracer::presentation::{Moment, Presentation};
+use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{
     Band, BoxedMemory, Counts, Frame, Job, Level, Memory, Probing, Quality, Renderer, Threads,
     Worker,

@@ -1,7 +1,7 @@
 use core::mem::ManuallyDrop;
 use eightfold::show;
 use eightfold_tracer::{
-    Band, Counts, Frame, Job, Memory, Quality, Renderer, Worker, scene::Moment,
+    Band, Counts, Frame, Job, Memory, Quality, Renderer, Worker, presentation::Moment,
 };
 use eightfold_window::clock::SECOND;
 use eightfold_window::cpu::{self, Isa};

@@ -2,7 +2,7 @@ use eightfold_window::clock::SECOND;
 use eightfold_window::line::{self, Writer};
 use eightfold_window::terminal::Terminal;
 
-use eightfold_tracer::{Frame, Preset, Probes, scene::Caption};
+use eightfold_tracer::{Frame, Preset, Probes, presentation::Caption};
 
 use super::{options::Options, renderer::ShowRenderer};
 

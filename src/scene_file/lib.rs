@@ -8,9 +8,10 @@ mod node;
 
 pub use message::one_line;
 
-use eightfold_tracer::scene::{Camera, Material, Moment};
+use eightfold_tracer::presentation::Moment;
+use eightfold_tracer::scene::{Camera, Material};
 #[cfg(doc)]
-use eightfold_tracer::scene::{Presentation, Scene};
+use eightfold_tracer::{presentation::Presentation, scene::Scene};
 use message::{located, syntax};
 use motion::Motion;
 use moving::Moving;

@@ -4,7 +4,8 @@ use super::motion::Motion;
 use super::node::{Kind, Mistake, Node, PRESENTATION, steps};
 use eightfold_tracer::RangeError;
 use eightfold_tracer::glam::{EulerRot, Mat3};
-use eightfold_tracer::scene::{Moment, Presentation, Scene};
+use eightfold_tracer::presentation::{Moment, Presentation};
+use eightfold_tracer::scene::Scene;
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Default, PartialEq)]

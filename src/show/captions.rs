@@ -1,5 +1,5 @@
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Caption, Presentation};
+use eightfold_tracer::presentation::{Caption, Presentation};
 
 pub(super) struct Cue {
     pub text: &'static str,

@@ -1,7 +1,6 @@
 use crate::sound::{self, Cue, Track};
-use eightfold_tracer::scene::{
-    Ambience, Film, Light, Material, Plane, Presentation, Scene, Softbox, Waves,
-};
+use eightfold_tracer::presentation::Presentation;
+use eightfold_tracer::scene::{Ambience, Film, Light, Material, Plane, Scene, Softbox, Waves};
 use glam::Vec3;
 
 /// The environment of one or two consecutive scenes. The first fields are as in [`Scene`]; colours are linear.

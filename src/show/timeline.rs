@@ -4,7 +4,7 @@ use super::path::move_camera;
 use super::scene::ShowScene;
 use super::scenes::ALL;
 use crate::tempo::{BAR, BEATS_PER_BAR};
-use eightfold_tracer::scene::{Method, Moment, Presentation};
+use eightfold_tracer::presentation::{Method, Moment, Presentation};
 
 const BEATS: f32 = BEATS_PER_BAR as f32;
 

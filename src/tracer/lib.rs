@@ -35,7 +35,7 @@
 //! # How it works
 //!
 //! A square is split if its corners differ in colour, objects or light, or if conservative bounds place an object, a shadow, a mirror
-//! image or a highlight between them. [`Method::squares`](scene::Method::squares) draws the outlines of the filled squares:
+//! image or a highlight between them. [`Method::squares`](presentation::Method::squares) draws the outlines of the filled squares:
 //!
 #![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
 //!
@@ -76,7 +76,7 @@
 //!
 //! # Compatibility
 //!
-//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](scene::Presentation), their structs, and [`Quality`], with
+//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](presentation::Presentation), their structs, and [`Quality`], with
 //! defaults that keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`.
 //!
 //! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of each [`Preset`] may change. A
@@ -108,6 +108,7 @@ mod overlay;
 mod picture;
 mod plan;
 mod prepare;
+pub mod presentation;
 mod quality;
 mod range_error;
 mod refine;

@@ -3,7 +3,7 @@
 use crate::font::strokes;
 use crate::maths::{round, sqrt, to_f32};
 use crate::picture::{Band, Frame};
-use crate::scene::Caption;
+use crate::presentation::Caption;
 use glam::{Vec2, vec2};
 
 /// In grid units: the letters' shadows just touch.

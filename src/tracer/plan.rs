@@ -1,8 +1,9 @@
 use crate::fold::Fold;
 use crate::maths::to_f32;
 use crate::picture::{Frame, Probing};
+use crate::presentation::{Method, Presentation};
 use crate::quality::Quality;
-use crate::scene::{Method, Presentation, Scene};
+use crate::scene::Scene;
 use glam::Vec2;
 
 pub(crate) struct FramePlan {

@@ -9,7 +9,7 @@ mod share;
 use eightfold::show;
 use eightfold::sound::{self, Synthesizer};
 use eightfold_scene_file::SceneFile;
-use eightfold_tracer::scene::{Method, Moment, Presentation};
+use eightfold_tracer::presentation::{Method, Moment, Presentation};
 use eightfold_tracer::{
     Counts, Frame, Governor, Level, Memory, Preset, Probes, Quality, Renderer, Worker,
 };

@@ -1,4 +1,4 @@
-use eightfold_tracer::scene::Presentation;
+use eightfold_tracer::presentation::Presentation;
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
 use std::ops::Range;
 
@@ -59,7 +59,7 @@ impl Threads for Share<'_> {
 mod tests {
     use super::*;
     use eightfold::show;
-    use eightfold_tracer::scene::Moment;
+    use eightfold_tracer::presentation::Moment;
     use eightfold_tracer::{Frame, Level, Memory, Preset, Quality, Renderer};
 
     const WIDTH: usize = 161;

@@ -5,7 +5,7 @@ use crate::drawn::{draw, show_at};
 use crate::golden::{assert_golden, assert_golden_by_all};
 use eightfold_stage::still;
 use eightfold_tracer::Preset;
-use eightfold_tracer::scene::Moment;
+use eightfold_tracer::presentation::Moment;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 
 /// `time` is in milliseconds.

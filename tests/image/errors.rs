@@ -9,9 +9,8 @@ use eightfold::show;
 use eightfold_harness::patches::{largest, largest_of, lost};
 use eightfold_scenes::artists::{FLOORS, KINDS, Kind, LIGHTS, ON_FLOORS};
 use eightfold_scenes::{GREY, Random, cases, coloured, crowd, hidden, known, materials_of, solids};
-use eightfold_tracer::scene::{
-    Block, Camera, Light, Material, Moment, Presentation, Scene, Shape, Spot,
-};
+use eightfold_tracer::presentation::{Moment, Presentation};
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Scene, Shape, Spot};
 use eightfold_tracer::{Preset, Quality};
 use glam::{Vec3, vec3};
 

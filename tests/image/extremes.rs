@@ -12,9 +12,8 @@ use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Random, cases, scaled};
-use eightfold_tracer::scene::{
-    Block, Camera, Caption, Light, List, Material, Moment, Scene, Shape, Sphere, Waves,
-};
+use eightfold_tracer::presentation::{Caption, Moment};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape, Sphere, Waves};
 use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Quality, Renderer, Worker};
 use glam::{Mat3, Vec3, vec3};
 use std::panic::catch_unwind;

@@ -6,7 +6,7 @@ use crate::error::Difference;
 use crate::soak::work;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::Moment;
+use eightfold_tracer::presentation::Moment;
 
 const SIZES: [[usize; 2]; 7] =
     [[240, 136], [103, 207], [133, 131], [1100, 40], [65, 33], [7, 9], [1, 1]];

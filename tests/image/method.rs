@@ -7,7 +7,7 @@ use eightfold::show;
 use eightfold_harness::Size;
 use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_tracer::observe::Fill;
-use eightfold_tracer::scene::{Method, Moment};
+use eightfold_tracer::presentation::{Method, Moment};
 use eightfold_tracer::{Preset, Quality};
 
 const SIZE: (usize, usize) = (331, 217);

@@ -2,7 +2,7 @@ use crate::cpu::{self, Isa};
 use crate::drawn::{REFINEMENTS, draw_best, show_at};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
-use eightfold_tracer::scene::{Method, Moment};
+use eightfold_tracer::presentation::{Method, Moment};
 use eightfold_tracer::{Probes, Quality};
 
 const SIZE: (usize, usize) = (200, 149);

@@ -2,7 +2,8 @@ use crate::drawn::{draw_best, of_the_show as at, show_at};
 use eightfold::show::{self, tempo};
 use eightfold::sound::{Track, cue};
 use eightfold_tracer::glam::Vec3;
-use eightfold_tracer::scene::{Block, Caption, Moment, Scene};
+use eightfold_tracer::presentation::{Caption, Moment};
+use eightfold_tracer::scene::{Block, Scene};
 use eightfold_tracer::{Frame, Quality};
 
 #[test]

@@ -8,7 +8,8 @@ use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Random, any, cases, presented};
-use eightfold_tracer::scene::{Camera, MAX_LENGTH, Method, Moment, Scene};
+use eightfold_tracer::presentation::{Method, Moment};
+use eightfold_tracer::scene::{Camera, MAX_LENGTH, Scene};
 use eightfold_tracer::{
     Band, Counts, Frame, Job, MAX_HEIGHT, MAX_WIDTH, Preset, Quality, Renderer, Threads, Worker,
 };

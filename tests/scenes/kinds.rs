@@ -1,7 +1,8 @@
 use crate::{Random, View, lights, materials, scaled, solids};
+use eightfold_tracer::presentation::{Caption, Moment};
 use eightfold_tracer::scene::{
-    Ambience, Block, Camera, Caption, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SOFTBOXES,
-    MAX_SPHERES, Material, Moment, Plane, Scene, Shape, Softbox, Sphere, Waves,
+    Ambience, Block, Camera, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SOFTBOXES, MAX_SPHERES,
+    Material, Plane, Scene, Shape, Softbox, Sphere, Waves,
 };
 use glam::{Mat3, Vec3, vec3};
 

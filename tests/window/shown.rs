@@ -2,7 +2,7 @@ use super::{end_by_key, servers};
 use eightfold::show;
 use eightfold_harness::{error::Difference, threaded_renderer::ThreadedRenderer};
 use eightfold_stage::{DISPLAY, Process, Server, headless, needs, run, try_for, wait_for};
-use eightfold_tracer::{Quality, scene::Moment};
+use eightfold_tracer::{Quality, presentation::Moment};
 use eightfold_window::cpu;
 use std::process::Command;
 use std::thread::sleep;

@@ -1,7 +1,8 @@
 use crate::scenes::{self, SceneName};
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::glam::{Quat, Vec2, vec2};
-use eightfold_tracer::scene::{Camera, Moment};
+use eightfold_tracer::presentation::Moment;
+use eightfold_tracer::scene::Camera;
 use eightfold_window::input::{Action, Button, Mouse};
 use std::f32::consts::PI;
 use std::path::Path;

@@ -1,7 +1,8 @@
 use eightfold_scene_file::SceneFile;
 use eightfold_scenes::text::Text;
 use eightfold_scenes::{Kinds, Random, cases};
-use eightfold_tracer::scene::{Caption, List, Presentation, Scene};
+use eightfold_tracer::presentation::{Caption, Presentation};
+use eightfold_tracer::scene::{List, Scene};
 use eightfold_tracer::{Quality, RangeError};
 use serde::Serialize;
 use serde::de::DeserializeOwned;

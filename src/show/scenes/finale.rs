@@ -7,7 +7,8 @@ use crate::show::scene::{Shot, ShowScene, shot};
 use crate::show::solids::{add_block, add_sphere, around};
 use crate::sound::Track;
 use eightfold_tracer::maths::{sin, smooth_step};
-use eightfold_tracer::scene::{Light, Material, Method, Presentation, Scene, Shape};
+use eightfold_tracer::presentation::{Method, Presentation};
+use eightfold_tracer::scene::{Light, Material, Scene, Shape};
 use glam::{Mat3, Vec3, vec3};
 
 pub(in crate::show) const SCENE: ShowScene =

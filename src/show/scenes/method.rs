@@ -5,7 +5,7 @@ use crate::show::captions::Cue;
 use crate::show::environment::{Environment, Now};
 use crate::show::path::view;
 use crate::show::scene::{Shot, ShowScene, shot};
-use eightfold_tracer::scene::{Method, Presentation};
+use eightfold_tracer::presentation::{Method, Presentation};
 
 pub(in crate::show) const SCENE: ShowScene = ShowScene {
     environment_since: still_life::SCENE.bars(),

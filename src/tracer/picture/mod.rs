@@ -7,7 +7,7 @@ pub use band::{Band, MAX_HEIGHT, MAX_WIDTH};
 pub(crate) use band::{CELL, CELL_ROWS, MAX_BANDS, Rough, RoughRow, TILE_HEIGHT, TILE_WIDTH};
 pub use error::Error;
 
-use crate::scene::Presentation;
+use crate::presentation::Presentation;
 use glam::{Vec2, vec2};
 
 /// The destination of a picture.
@@ -73,7 +73,7 @@ impl<'a> Frame<'a> {
     /// unchanged. The results are in [`Counts::probes`](crate::Counts::probes).
     ///
     /// Pass the frame's number as the seed: consecutive seeds probe different pixels until each was probed once. Probes ignore captions,
-    /// and pixels with a [`Method`](crate::scene::Method) overlay or coarse squares.
+    /// and pixels with a [`Method`](crate::presentation::Method) overlay or coarse squares.
     ///
     /// The estimated mean squared error is unbiased. A few pixels have most of it, so add the probes of many frames: at 60 frames a
     /// second it is accurate to 2 dB after a second, and to some tenths of a dB after a minute.

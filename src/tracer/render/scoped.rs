@@ -58,7 +58,8 @@ impl Threads for ScopedThreads {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Presentation, Scene};
+    use crate::presentation::Presentation;
+    use crate::scene::Scene;
     use crate::{Frame, Quality, Renderer};
     use std::vec;
 

@@ -1,4 +1,4 @@
-//! The scene description, and its presentation. Units are in [the crate's conventions](crate#conventions).
+//! The scene description. Units are in [the crate's conventions](crate#conventions).
 
 mod ambience;
 pub(crate) mod camera;
@@ -6,14 +6,11 @@ mod film;
 mod light;
 mod list;
 mod material;
-mod method;
 mod objects;
-mod overlay;
 mod pattern;
-mod presentation;
-mod ranges;
+pub(crate) mod ranges;
 #[cfg(feature = "serde")]
-mod serial;
+pub(crate) mod serial;
 mod softbox;
 mod waves;
 
@@ -23,11 +20,8 @@ pub use film::Film;
 pub use light::{Light, Spot};
 pub use list::{CapacityError, List};
 pub use material::Material;
-pub use method::Method;
 pub use objects::{Block, Plane, Shape, Sphere};
-pub use overlay::{Caption, MAX_LETTERS};
 pub use pattern::Pattern;
-pub use presentation::{MAX_CAPTIONS, Presentation};
 pub use ranges::{MAX_LENGTH, MIN_LENGTH};
 pub use softbox::Softbox;
 pub use waves::Waves;
@@ -49,7 +43,7 @@ pub const MAX_LIGHTS: usize = 4;
 /// The maximum number of softboxes.
 pub const MAX_SOFTBOXES: usize = 3;
 
-/// The content of a frame. A [`Presentation`] adds marks, mirrors and text.
+/// The content of a frame. A [`Presentation`](crate::presentation::Presentation) adds marks, mirrors and text.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -159,36 +153,5 @@ impl Scene {
 
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + self.blocks.len()
-    }
-}
-
-/// A scene and its presentation.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Moment {
-    /// The content of the frame.
-    pub scene: Scene,
-    /// The presentation of the content.
-    pub presentation: Presentation,
-}
-
-impl From<Scene> for Moment {
-    fn from(scene: Scene) -> Self {
-        Self { scene, ..Self::default() }
-    }
-}
-
-impl Moment {
-    /// All zeros, like [`Scene::ZEROED`].
-    #[doc(hidden)]
-    pub const ZEROED: Self = Self { scene: Scene::ZEROED, presentation: Presentation::ZEROED };
-
-    /// Checks the ranges of all numbers.
-    ///
-    /// # Errors
-    /// The first number out of range.
-    pub fn validate(&self) -> Result<(), RangeError> {
-        self.scene.validate()?;
-        self.presentation.validate()
     }
 }

@@ -9,7 +9,7 @@ pub const MIN_LENGTH: f32 = 1e-9;
 pub(super) const POINT: Range = Range(-MAX_LENGTH, MAX_LENGTH, "-1e9 to 1e9");
 pub(super) const EXTENT: Range = Range(MIN_LENGTH, MAX_LENGTH, "1e-9 to 1e9");
 pub(super) const LENGTH: Range = Range(0.0, MAX_LENGTH, "0 to 1e9");
-pub(super) const SHARE: Range = Range(0.0, 1.0, "0 to 1");
+pub(crate) const SHARE: Range = Range(0.0, 1.0, "0 to 1");
 pub(super) const SIGNED: Range = Range(-1.0, 1.0, "-1 to 1");
 pub(super) const THOUSAND: Range = Range(0.0, 1e3, "0 to 1000");
 
@@ -17,7 +17,7 @@ pub(super) fn is_unit(v: Vec3) -> bool {
     (v.length() - 1.0).abs() < 1e-4
 }
 
-pub(super) fn each<T>(
+pub(crate) fn each<T>(
     object: &'static str,
     items: &[T],
     check: fn(&T, Checked) -> Result<(), RangeError>,

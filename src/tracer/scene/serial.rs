@@ -37,7 +37,7 @@ impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for
     }
 }
 
-pub(super) mod text {
+pub(crate) mod text {
     use super::*;
 
     pub fn serialize<S: Serializer>(letters: &[u8], to: S) -> Result<S::Ok, S::Error> {

@@ -1,5 +1,5 @@
-use super::ranges::SHARE;
 use crate::range_error::{Checked, Range, RangeError};
+use crate::scene::ranges::SHARE;
 
 /// An overlay of the traced points and the filled squares.
 #[derive(Clone, Copy, Debug, PartialEq)]

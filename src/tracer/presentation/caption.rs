@@ -1,8 +1,8 @@
 //! Captions over the picture.
 
-use super::List;
-use super::ranges::SHARE;
 use crate::range_error::{Checked, RangeError};
+use crate::scene::List;
+use crate::scene::ranges::SHARE;
 
 /// The maximum number of letters in a caption. The longest of the show has 32.
 pub const MAX_LETTERS: usize = 32;
@@ -22,7 +22,7 @@ pub struct Caption {
     /// | `&` | a space | the fourth number |
     ///
     /// The last sign of a kind is the last digit; leading zeros are spaces.
-    #[cfg_attr(feature = "serde", serde(with = "super::serial::text"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::scene::serial::text"))]
     pub letters: List<u8, MAX_LETTERS>,
     /// The middle of the line, relative to the picture's height from the top, 0 to 1.
     pub middle: f32,

@@ -1,6 +1,14 @@
-use super::ranges::each;
-use super::{Caption, List, Method};
+//! The presentation of a scene: mirrored sectors, an overlay of the method, and captions.
+
+mod caption;
+mod method;
+
+pub use caption::{Caption, MAX_LETTERS};
+pub use method::Method;
+
 use crate::range_error::{Checked, Range, RangeError};
+use crate::scene::ranges::each;
+use crate::scene::{List, Scene};
 
 /// The maximum number of captions. The show uses one at a time.
 pub const MAX_CAPTIONS: usize = 10;
@@ -13,7 +21,7 @@ pub struct Presentation {
     /// The number of sectors of a kaleidoscope, 1 to 8, rounded down to a power of two: 1 for none; 2 mirrors the picture left and right;
     /// 4 also up and down; 8 also along diagonals.
     ///
-    /// The centre is in the middle, at 46 % of the height, closer to the middle where [`Camera::min_aspect`](super::Camera::min_aspect)
+    /// The centre is in the middle, at 46 % of the height, closer to the middle where [`Camera::min_aspect`](crate::scene::Camera::min_aspect)
     /// widens the view. The picture moves by up to 8 pixels: the centre is the corner of a square. Only one sector is traced (of 8 the
     /// one to the lower right). Captions are not mirrored.
     pub sectors: f32,
@@ -30,7 +38,7 @@ impl Presentation {
     pub const PLAIN: Self =
         Self { sectors: 1.0, method: Method::PLAIN, captions: List::over(Caption::ZERO) };
 
-    /// All zeros, like [`Scene::ZEROED`](super::Scene::ZEROED). It is invalid.
+    /// All zeros, like [`Scene::ZEROED`]. It is invalid.
     #[doc(hidden)]
     pub const ZEROED: Self =
         Self { sectors: 0.0, method: Method { picture: 0.0, ..Method::PLAIN }, ..Self::PLAIN };
@@ -43,5 +51,36 @@ impl Presentation {
         Checked::one("sectors").field("", self.sectors, Range(1.0, 8.0, "1 to 8"))?;
         self.method.check(Checked::one("method"))?;
         each("captions", &self.captions, Caption::check)
+    }
+}
+
+/// A scene and its presentation.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Moment {
+    /// The content of the frame.
+    pub scene: Scene,
+    /// The presentation of the content.
+    pub presentation: Presentation,
+}
+
+impl From<Scene> for Moment {
+    fn from(scene: Scene) -> Self {
+        Self { scene, ..Self::default() }
+    }
+}
+
+impl Moment {
+    /// All zeros, like [`Scene::ZEROED`].
+    #[doc(hidden)]
+    pub const ZEROED: Self = Self { scene: Scene::ZEROED, presentation: Presentation::ZEROED };
+
+    /// Checks the ranges of all numbers.
+    ///
+    /// # Errors
+    /// The first number out of range.
+    pub fn validate(&self) -> Result<(), RangeError> {
+        self.scene.validate()?;
+        self.presentation.validate()
     }
 }
