@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for number in 0..36_u8 {
         let (start, scene) = (time::Instant::now(), scene(f32::from(number) / 36.0));
         let frame = Frame::new(640, 360, &mut pixels);
-        renderer.render(&scene, governor.quality(), frame, &mut threads)?;
+        renderer.render(&scene, governor.preset().quality(), frame, &mut threads)?;
         governor.frame(start.elapsed());
         let file = PathBuf::from(&folder).join(format!("turntable-{number:02}.png"));
         let file = fs::File::create(file)?;

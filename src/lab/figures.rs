@@ -9,8 +9,7 @@ use eightfold_harness::Size;
 use eightfold_harness::error::Difference;
 use eightfold_harness::frame_trace::FrameTrace;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::presentation::Moment;
-use eightfold_tracer::{Preset, Quality};
+use eightfold_tracer::{Preset, Quality, presentation::Moment};
 use eightfold_window::cpu;
 use std::path::PathBuf;
 

@@ -9,8 +9,7 @@ use cpu_time::ThreadTime;
 use eightfold_harness::Size;
 use eightfold_harness::error::Difference;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::Counts;
-use eightfold_tracer::presentation::Moment;
+use eightfold_tracer::{Counts, presentation::Moment};
 use eightfold_window::cpu::Isa;
 use std::time::Instant;
 

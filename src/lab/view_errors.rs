@@ -5,8 +5,7 @@ use eightfold_harness::Size;
 use eightfold_harness::error::{Difference, pops};
 use eightfold_harness::picture::{Mean, rgb};
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::presentation::Moment;
-use eightfold_tracer::{Level, Quality};
+use eightfold_tracer::{Level, Quality, presentation::Moment};
 use nv_flip::FlipImageRgb8;
 use rayon::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Governors have no clock: equal times or probes give equal presets.
 
 use crate::counts::Probes;
-use crate::quality::{Preset, Quality};
+use crate::quality::Preset;
 use crate::zero::Zero;
 use core::time::Duration;
 
@@ -92,12 +92,6 @@ impl Governor {
         (self.late, self.calm, self.age, self.before) = (0, 0, 0, 0);
     }
 
-    /// Returns the quality for the next frame.
-    #[must_use]
-    pub fn quality(&self) -> &'static Quality {
-        self.preset().quality()
-    }
-
     /// Returns the preset for the next frame.
     #[must_use]
     pub fn preset(&self) -> Preset {
@@ -185,12 +179,6 @@ impl AccuracyGovernor {
             before: None,
             threshold: [target + STEP_LOSS[0]; PRESETS],
         }
-    }
-
-    /// Returns the quality for the next frame.
-    #[must_use]
-    pub fn quality(&self) -> &'static Quality {
-        self.preset().quality()
     }
 
     /// Returns the preset for the next frame.

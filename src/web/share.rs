@@ -1,5 +1,4 @@
-use eightfold_tracer::presentation::Presentation;
-use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
+use eightfold_tracer::{Band, Counts, Job, Threads, Worker, presentation::Presentation};
 use std::ops::Range;
 
 /// Returns the rows in which a worker's bands begin. Kaleidoscopes of four or more sectors copy pixels between rows: the first worker draws

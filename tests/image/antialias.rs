@@ -1,6 +1,6 @@
 //! Pixels that are mixed from points, and means of dithered pixels.
 
-use crate::drawn::{REFINEMENTS, TILE, draw_best, with_antialias};
+use crate::drawn::{REFINEMENTS, TILE, draw_best};
 use crate::error::worst_channel;
 use eightfold_scenes::{Kinds, cases};
 use eightfold_tracer::Quality;
@@ -21,7 +21,7 @@ fn points_are_added_between_differing_pixels() {
         };
         let (width, height) = (1 + random.below(600), 1 + random.below(80));
         let [plain, smooth] = [false, true]
-            .map(|antialias| draw_best(&scene, &with_antialias(antialias, quality), width, height));
+            .map(|antialias| draw_best(&scene, &Quality { antialias, ..quality }, width, height));
         let is_edge = |i: usize, j: usize| {
             worst_channel(plain.pixels[i], plain.pixels[j]) >= u32::from(quality.edge)
         };
@@ -56,7 +56,7 @@ fn points_are_added_between_differing_pixels() {
 #[test]
 fn share_of_a_cut_pixel_is_known_to_an_eighth() {
     const SIDE: usize = 40;
-    let quality = with_antialias(true, Quality::EXHAUSTIVE);
+    let quality = Quality { antialias: true, ..Quality::EXHAUSTIVE };
     let (mut worst, mut squares, mut count) = (0.0_f32, 0.0, 0);
     for step in 0..48 {
         let (angle, distance) = (step as f32 * TAU / 48.0, 3.0 + 0.37 * step as f32 % 5.0);

@@ -4,9 +4,8 @@ use crate::cpu::{self, Isa};
 use crate::drawn::{draw, show_at};
 use crate::golden::{assert_golden, assert_golden_by_all};
 use eightfold_stage::still;
-use eightfold_tracer::Preset;
-use eightfold_tracer::presentation::Moment;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_tracer::{Preset, presentation::Moment};
 
 /// `time` is in milliseconds.
 #[derive(Debug)]

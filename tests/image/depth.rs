@@ -100,13 +100,9 @@ fn facing_mirrors_show_no_black_pixel() {
 
 #[test]
 fn black_beyond_blackens_only_untraced_rays() {
-    let sides = [-1.0, 1.0].map(|z| Softbox {
-        aim: vec3(0.0, 0.0, z),
-        half_width: 1.0,
-        half_height: 1.0,
-        softness: 0.1,
-        colour: Vec3::ONE,
-    });
+    let ([half_width, half_height, softness], colour) = ([1.0; 3], Vec3::ONE);
+    let softbox = |aim| Softbox { aim, half_width, half_height, softness, colour };
+    let sides = [Vec3::Z, Vec3::NEG_Z].map(softbox);
     let white = furnace(Scene::default());
     let dark = Scene { background: Vec3::ZERO, softboxes: List::of(&sides), ..white.clone() };
     for (kt, scene) in [(0.0, &white), (1.0, &white), (0.0, &dark), (1.0, &dark)] {

@@ -6,9 +6,8 @@ use crate::threaded_renderer::{MomentRef, ThreadedRenderer};
 use eightfold::show;
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::observe::{Observer, Split};
-use eightfold_tracer::presentation::Moment;
 use eightfold_tracer::scene::Scene;
-use eightfold_tracer::{Counts, Preset, Quality};
+use eightfold_tracer::{Counts, Preset, Quality, presentation::Moment};
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fs;
@@ -27,14 +26,6 @@ pub fn named() -> impl Iterator<Item = Quality> {
 
 pub const fn of_side(square: usize, quality: Quality) -> Quality {
     Quality { square, ..quality }
-}
-
-pub const fn with_antialias(antialias: bool, quality: Quality) -> Quality {
-    Quality { antialias, ..quality }
-}
-
-pub const fn jagged(quality: Quality) -> Quality {
-    quality.jagged()
 }
 
 pub const fn bare(quality: Quality) -> Quality {

@@ -1,7 +1,7 @@
 //! Wrong pixels are few, and in small patches.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{bare, draw, draw_best, draw_by_all, example, jagged, show_at};
+use crate::drawn::{bare, draw, draw_best, draw_by_all, example, show_at};
 use crate::error::Difference;
 use crate::shown::pixels;
 use crate::threaded_renderer::MomentRef;
@@ -68,7 +68,7 @@ fn thesis_traces_an_eighth_of_points_at_44_db() {
 
 #[test]
 fn default_has_45_db_and_42_in_fields() {
-    let (jagged, smooth, large) = (jagged(Quality::DEFAULT), Quality::DEFAULT, [1024, 768]);
+    let (jagged, smooth, large) = (Quality::DEFAULT.jagged(), Quality::DEFAULT, [1024, 768]);
     for (second, quality) in [(0.0, smooth), (4.0, jagged), (8.0, smooth)] {
         let scene = show::model_scene(second);
         assert_near(&format!("{second} s"), &scene, quality, large, (ANY, 45.0));
@@ -144,7 +144,7 @@ fn room(random: &mut Random) -> Scene {
 #[test]
 fn show_worst_frames_have_small_patches() {
     for time in [76.8, 54.3, 66.5, 61.7] {
-        for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
+        for quality in [Quality::DEFAULT.jagged(), Quality::DEFAULT] {
             assert_near(&format!("{time} s"), &of_the_show(time), quality, SIZE, (19, 42.0));
         }
     }
@@ -175,7 +175,7 @@ fn rooms_of_mirrors_have_small_patches() {
     };
     for mut random in cases(2) {
         let (what, room) = (format!("room {}", random.seed), room(&mut random));
-        for quality in [jagged(dim), dim] {
+        for quality in [dim.jagged(), dim] {
             // The largest patch has 55 pixels, and 441 without nested images in the keys.
             assert_near(&what, &room, quality, SIZE, (60, 42.0));
         }
@@ -198,7 +198,8 @@ fn light_between_bars_has_no_patches() {
         for (i, (light, draw)) in LIGHTS[..3].iter().enumerate() {
             let scene = kind.scene(&mut random, *draw, FLOORS[0].1);
             let is_floor = shows_floor(&scene);
-            let drawn = |quality| draw_best(&scene, &jagged(quality), SIZE[0], SIZE[1]).pixels;
+            let drawn =
+                |quality: Quality| draw_best(&scene, &quality.jagged(), SIZE[0], SIZE[1]).pixels;
             let exact = drawn(Quality::EXHAUSTIVE);
             for preset in [Preset::Default, Preset::LADDER[(random.seed as usize + i) % 6]] {
                 let mut lost = lost(&exact, &drawn(*preset.quality()), SIZE[0]);
@@ -219,7 +220,7 @@ fn worst(
     size: [usize; 2],
 ) -> (usize, usize, f64) {
     let all = seeds.into_iter().map(|seed| {
-        let (psnr, patch) = compared(cpu::best(), &kind.seeded(seed), jagged(quality), size);
+        let (psnr, patch) = compared(cpu::best(), &kind.seeded(seed), quality.jagged(), size);
         if patch >= PATCH {
             println!("{}, seed {seed}: a patch of {patch}", kind.0);
         }

@@ -1,12 +1,11 @@
 //! Kaleidoscopes, see `Presentation::sectors`.
 
 use crate::cpu;
-use crate::drawn::{draw_best, of_the_show};
+use crate::drawn::{REFINEMENTS, draw_best, of_the_show};
 use crate::error::Difference;
 use crate::soak::work;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::Quality;
-use eightfold_tracer::presentation::Moment;
+use eightfold_tracer::{Quality, presentation::Moment};
 
 const SIZES: [[usize; 2]; 7] =
     [[240, 136], [103, 207], [133, 131], [1100, 40], [65, 33], [7, 9], [1, 1]];
@@ -70,10 +69,9 @@ fn draw(
 #[test]
 fn folded_picture_equals_its_reflections() {
     let mut renderers = [1, 3].map(ThreadedRenderer::new);
-    let jagged = Quality { antialias: false, ..Quality::EXHAUSTIVE };
     for size in SIZES {
         let coarse = Quality { square: 32, ..Quality::DEFAULT };
-        for quality in [Quality::DEFAULT, coarse, Quality::THESIS, Quality::EXHAUSTIVE, jagged] {
+        for quality in REFINEMENTS.into_iter().chain([coarse]) {
             for sectors in SECTORS {
                 let [x, y] = centre(size).map(|at| at % 8.0);
                 let (x, y) =

@@ -1,7 +1,7 @@
 //! The overlay of the method marks exactly the traced points and the filled squares. A golden picture has coarse squares.
 
 use crate::cpu;
-use crate::drawn::{Drawn, draw, jagged, of_side};
+use crate::drawn::{Drawn, draw, of_side};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_harness::Size;
@@ -81,7 +81,7 @@ fn overlay_keeps_or_dims_the_picture_between_marks() {
     let dimmed = Method { picture: 0.5, ..Method::PLAIN };
     let coarse = Method { coarse: 1.9, ..Method::PLAIN };
     // Pictures with an overlay are not antialiased.
-    let plain = drawn(Method::PLAIN, jagged(Quality::DEFAULT));
+    let plain = drawn(Method::PLAIN, Quality::DEFAULT.jagged());
     for (method, factor) in [(dimmed, 2), (coarse, 1)] {
         let drawn = drawn(method, Quality::DEFAULT);
         assert_eq!(plain.counts.points, drawn.counts.points);

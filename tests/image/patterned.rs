@@ -1,4 +1,4 @@
-use crate::drawn::{draw_best, example, isa_of, jagged};
+use crate::drawn::{draw_best, example, isa_of};
 use crate::errors::compared;
 use eightfold_harness::Size;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
@@ -47,7 +47,7 @@ fn patterns_are_right_at_any_distance() {
     for (any, mut random) in all {
         let scene = patterned(&mut random, any);
         let is_bare = scene.spheres.is_empty() && scene.blocks.is_empty();
-        for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
+        for quality in [Quality::DEFAULT.jagged(), Quality::DEFAULT] {
             let (psnr, patch) = compared(isa_of(random.seed), &scene, quality, SIZE);
             let is_right = psnr >= 42.0 && (patch <= 8 || !is_bare);
             let pattern = &scene.planes[0].material.pattern;
@@ -59,7 +59,7 @@ fn patterns_are_right_at_any_distance() {
 /// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp patterns.
 #[test]
 fn sharp_patterns_split_few_squares() {
-    let quality = jagged(Quality::DEFAULT);
+    let quality = Quality::DEFAULT.jagged();
     let (mut points, mut plainly) = (0, 0);
     for mut random in cases(40) {
         let mut scene = patterned(&mut random, materials::pattern);

@@ -1,7 +1,7 @@
 //! Named qualities show all objects, shadows and images of exhaustive pictures: at least one of their pixels is right.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{bare, draw, draw_best, isa_of, jagged, named, of_side, of_the_show};
+use crate::drawn::{bare, draw, draw_best, isa_of, named, of_side, of_the_show};
 use crate::error::worst_channel;
 use eightfold::show;
 use eightfold_harness::patches::patches;
@@ -17,7 +17,7 @@ use glam::{DMat2, DVec2, DVec3, Vec3, dvec2};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub fn pixels(isa: Isa, view: &View, quality: Quality) -> Vec<u32> {
-    let quality = jagged(quality);
+    let quality = quality.jagged();
     draw(isa, 2, &view.scene, &quality, view.width, view.height).pixels
 }
 
@@ -155,7 +155,7 @@ fn hidden_objects_open_few_squares() {
     for (time, limit) in [(65.0, 1.13), (54.0, 1.19)] {
         let scene = of_the_show(time);
         let [guarded, unguarded] = [Quality::DEFAULT, bare(Quality::DEFAULT)].map(|quality| {
-            let drawn = draw_best(&scene, &jagged(quality), 1280, 720);
+            let drawn = draw_best(&scene, &quality.jagged(), 1280, 720);
             drawn.counts.points as f64
         });
         assert!(guarded <= limit * unguarded, "{}", guarded / unguarded);
@@ -175,7 +175,7 @@ fn far_suns_and_telescopes_open_few_squares() {
                 *position = position.normalize() * light;
                 camera.eye = camera.look_at.lerp(camera.eye, eye);
                 camera.field_of_view /= eye;
-                draw_best(&scene, &jagged(Quality::DEFAULT), 640, 360).counts.points as f64
+                draw_best(&scene, &Quality::DEFAULT.jagged(), 640, 360).counts.points as f64
             });
             points.sum::<f64>()
         };

@@ -1,4 +1,4 @@
-use crate::drawn::{draw, isa_of, named, with_antialias};
+use crate::drawn::{draw, isa_of, named};
 use crate::error::worst_channel;
 use eightfold_harness::patches::largest_of;
 use eightfold_scenes::solids::Bars;
@@ -24,7 +24,7 @@ fn thin_bars_have_no_holes() {
         let mut references = HashMap::new();
         for antialias in [false, true] {
             for quality in named() {
-                let quality = with_antialias(antialias, quality);
+                let quality = Quality { antialias, ..quality };
                 let edge = antialias.then_some(quality.edge);
                 let [exhaustive, without] = references.entry(edge).or_insert_with(|| {
                     [&view, &without].map(|view| {
@@ -73,7 +73,7 @@ fn slits_in_black_fences_are_shown() {
         let exhaustive = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 160, 120).pixels;
         shown += exhaustive.iter().filter(|&&pixel| pixel != 0).count();
         for quality in named() {
-            let drawn = draw(isa, 1, &scene, &with_antialias(false, quality), 160, 120).pixels;
+            let drawn = draw(isa, 1, &scene, &quality.jagged(), 160, 120).pixels;
             assert!(drawn == exhaustive, "case {} by {quality:?}", random.seed);
         }
     }

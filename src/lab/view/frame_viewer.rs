@@ -4,8 +4,7 @@ use crate::overlay::{draw_error, draw_heat, draw_points, draw_squares};
 use eightfold_harness::Size;
 use eightfold_harness::error::Difference;
 use eightfold_harness::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::presentation::Moment;
-use eightfold_tracer::{Frame, Probes};
+use eightfold_tracer::{Frame, Probes, presentation::Moment};
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 
