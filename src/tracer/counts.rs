@@ -25,15 +25,6 @@ impl Counts {
         Self { points: 0, rays: 0, shadow_rays: 0, lanes: 0, probes: Probes::NONE };
 }
 
-impl core::ops::Add for Counts {
-    type Output = Self;
-
-    fn add(mut self, other: Self) -> Self {
-        self += other;
-        self
-    }
-}
-
 impl core::ops::AddAssign for Counts {
     fn add_assign(&mut self, other: Self) {
         self.points += other.points;

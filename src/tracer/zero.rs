@@ -1,6 +1,6 @@
 //! Constants for new memory, all bits zero, so that a `static` takes no space in an executable file; and a short form of `Default`.
 
-use glam::{Vec2, Vec3, Vec3A, Vec4};
+use glam::{Mat3, Vec2, Vec3, Vec3A, Vec4};
 
 pub(crate) trait Zero {
     const ZERO: Self;
@@ -32,7 +32,7 @@ macro_rules! default {
 
 zero! {
     bool = false; u8 = 0; u16 = 0; u32 = 0; u64 = 0; i16 = 0; i32 = 0; usize = 0; f32 = 0.0;
-    Vec2 = Vec2::ZERO; Vec3 = Vec3::ZERO; Vec3A = Vec3A::ZERO; Vec4 = Vec4::ZERO;
+    Mat3 = Mat3::ZERO; Vec2 = Vec2::ZERO; Vec3 = Vec3::ZERO; Vec3A = Vec3A::ZERO; Vec4 = Vec4::ZERO;
 }
 
 impl<T> Zero for Option<T> {

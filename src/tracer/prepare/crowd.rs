@@ -20,11 +20,9 @@ const LARGE: f32 = 0.2;
 impl Quality {
     /// Returns the quality for a scene. If it has a crowd, squares are smaller; otherwise [`Quality::crowds`] is false.
     pub(crate) fn in_scene(self, scene: &Scene) -> Self {
-        if self.crowds && is_crowd(scene) {
-            Self { square: self.square.min(SQUARE), ..self }
-        } else {
-            Self { crowds: false, ..self }
-        }
+        let crowds = self.crowds && is_crowd(scene);
+        let square = if crowds { self.square.min(SQUARE) } else { self.square };
+        Self { square, crowds, ..self }
     }
 }
 

@@ -35,10 +35,9 @@ pub struct Caption {
 
 default!(Caption = Self { letters: List::default(), middle: 0.9, size: 0.05, brightness: 1.0 });
 
-impl Caption {
-    pub(super) const ZERO: Self =
-        Self { letters: List::over(0), middle: 0.0, size: 0.0, brightness: 0.0 };
+zero! { Caption { letters, middle, size, brightness } }
 
+impl Caption {
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("middle", self.middle, SHARE)?;
         of.field("size", self.size, SHARE)?;

@@ -9,6 +9,7 @@ pub use method::Method;
 use crate::range_error::{Checked, Range, RangeError};
 use crate::scene::ranges::each;
 use crate::scene::{List, Scene};
+use crate::zero::Zero;
 
 /// The maximum number of captions. The show uses one at a time.
 pub const MAX_CAPTIONS: usize = 10;
@@ -35,8 +36,7 @@ default!(Presentation = Self::PLAIN);
 
 impl Presentation {
     /// The picture of the scene only.
-    pub const PLAIN: Self =
-        Self { sectors: 1.0, method: Method::PLAIN, captions: List::over(Caption::ZERO) };
+    pub const PLAIN: Self = Self { sectors: 1.0, method: Method::PLAIN, captions: Zero::ZERO };
 
     /// All zeros, like [`Scene::ZEROED`]. It is invalid.
     #[doc(hidden)]

@@ -1,5 +1,6 @@
 use super::ranges::{EXTENT, LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
+use crate::zero::Zero;
 use core::f32::consts::PI;
 use glam::Vec3;
 
@@ -35,22 +36,15 @@ default!(
     Light = Self::new(Vec3::new(-2.0, 3.0, 2.0), Vec3::ONE)
 );
 
+zero! { Light { position, colour, drawn_radius, parallel, diameter, glow, core, spot } }
+
 impl Light {
     /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, rays differ by at most 0.001
     /// radians.
     pub const FAR: f32 = 1000.0;
 
     /// Black and invisible.
-    pub const DARK: Self = Self {
-        position: Vec3::ZERO,
-        colour: Vec3::ZERO,
-        drawn_radius: 0.0,
-        parallel: false,
-        diameter: 0.0,
-        glow: 0.0,
-        core: 0.0,
-        spot: None,
-    };
+    pub const DARK: Self = Self::ZERO;
 
     /// Returns an invisible point light.
     #[must_use]

@@ -34,10 +34,6 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         items.iter().copied().collect()
     }
 
-    pub(crate) const fn over(item: T) -> Self {
-        Self { items: [item; N], len: 0 }
-    }
-
     pub(crate) const fn full(items: [T; N]) -> Self {
         Self { items, len: N }
     }
@@ -71,7 +67,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
 }
 
 impl<T: Copy + Default + Zero, const N: usize> Zero for List<T, N> {
-    const ZERO: Self = Self::over(T::ZERO);
+    const ZERO: Self = Self { items: [T::ZERO; N], len: 0 };
 }
 
 impl<T: Copy + Default, const N: usize> Default for List<T, N> {

@@ -1,6 +1,7 @@
 use super::Pattern;
 use super::ranges::{LENGTH, SHARE};
 use crate::range_error::{Checked, Range, RangeError};
+use crate::zero::Zero;
 use glam::Vec3;
 
 /// A surface that reflects light by Phong's model, and reflects and transmits rays.
@@ -46,23 +47,16 @@ pub struct Material {
 
 default!(Material = Self::BLACK);
 
+zero! {
+    Material {
+        colour, kd, ks, exponent, metallic, anisotropy, kr, fresnel, kt, film_thickness, index,
+        tint, pattern
+    }
+}
+
 impl Material {
     /// Black, without highlights, reflection or transmission.
-    pub const BLACK: Self = Self {
-        colour: Vec3::ZERO,
-        kd: 0.0,
-        ks: 0.0,
-        exponent: 1.0,
-        metallic: 0.0,
-        anisotropy: 0.0,
-        kr: 0.0,
-        fresnel: 0.0,
-        kt: 0.0,
-        film_thickness: 0.0,
-        index: 1.0,
-        tint: Vec3::ZERO,
-        pattern: Pattern::NONE,
-    };
+    pub const BLACK: Self = Self { exponent: 1.0, index: 1.0, ..Self::ZERO };
 
     /// Returns a diffuse material.
     #[must_use]

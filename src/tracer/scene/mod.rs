@@ -27,7 +27,8 @@ pub use softbox::Softbox;
 pub use waves::Waves;
 
 use crate::range_error::{Checked, Range, RangeError};
-use glam::{Mat3, Vec3};
+use crate::zero::Zero;
+use glam::Vec3;
 use ranges::{LENGTH, SHARE, THOUSAND, each};
 
 /// The maximum number of spheres. The show uses up to 71.
@@ -89,42 +90,27 @@ pub struct Scene {
     pub softboxes: List<Softbox, MAX_SOFTBOXES>,
 }
 
-default!(Scene = Self::EMPTY);
+default!(Scene = Self { camera: Camera::STANDARD, exposure: 1.0, ..Self::ZERO });
+
+zero! {
+    Film = Film::PLAIN; Ambience = Ambience::UNIFORM; Waves = Waves::CALM; Shape = Shape::Box;
+}
+
+zero! {
+    Camera { eye, look_at, up, field_of_view, min_aspect }
+    Sphere { centre, radius, material }
+    Plane { centre, half_x, half_z, material }
+    Block { shape, centre, half, axes, material }
+    Scene {
+        camera, background, sky, haze, haze_fall, scatter, exposure, film, ambient, ambience,
+        black_beyond, spheres, planes, water, blocks, lights, softboxes
+    }
+}
 
 impl Scene {
-    /// Unused memory of lists is zero.
-    const EMPTY: Self = {
-        let material = Material { exponent: 0.0, index: 0.0, ..Material::BLACK };
-        let block =
-            Block { axes: Mat3::ZERO, ..Block::new(Shape::Box, Vec3::ZERO, Vec3::ZERO, material) };
-        Self {
-            camera: Camera::STANDARD,
-            background: Vec3::ZERO,
-            sky: Vec3::ZERO,
-            haze: 0.0,
-            haze_fall: 0.0,
-            scatter: 0.0,
-            exposure: 1.0,
-            film: Film::PLAIN,
-            ambient: Vec3::ZERO,
-            ambience: Ambience::UNIFORM,
-            black_beyond: false,
-            spheres: List::over(Sphere::new(Vec3::ZERO, 0.0, material)),
-            planes: List::over(Plane::new(Vec3::ZERO, 0.0, 0.0, material)),
-            water: Waves::CALM,
-            blocks: List::over(block),
-            lights: List::over(Light::DARK),
-            softboxes: List::over(Softbox::ZERO),
-        }
-    };
-
     /// All zeros, so that a `static` scene takes no space in an executable file. It is invalid.
     #[doc(hidden)]
-    pub const ZEROED: Self = Self {
-        camera: Camera { eye: Vec3::ZERO, up: Vec3::ZERO, field_of_view: 0.0, ..Camera::STANDARD },
-        exposure: 0.0,
-        ..Self::EMPTY
-    };
+    pub const ZEROED: Self = Self::ZERO;
 
     /// Checks the ranges of all numbers.
     ///

@@ -2,6 +2,7 @@
 
 use super::ranges::{SHARE, SIGNED, THOUSAND};
 use crate::range_error::{Checked, RangeError};
+use crate::zero::Zero;
 use glam::Vec3;
 
 /// A procedural texture of two colours: the surface's, and a darker one.
@@ -40,6 +41,8 @@ pub struct Pattern {
     pub tint: Vec3,
 }
 
+zero! { Pattern { waves, depth, edge, balance, warp, grain, swirl, stretch, tint } }
+
 impl Pattern {
     /// Returns checkers of `side` scene units, for horizontal planes.
     #[must_use]
@@ -51,17 +54,7 @@ impl Pattern {
     pub const MIN_WARP: f32 = 0.2;
 
     /// A uniform colour.
-    pub const NONE: Self = Self {
-        waves: Vec3::ZERO,
-        depth: 0.0,
-        edge: 0.0,
-        balance: 0.0,
-        warp: 0.0,
-        grain: 0.0,
-        swirl: 0.0,
-        stretch: 0.0,
-        tint: Vec3::ZERO,
-    };
+    pub const NONE: Self = Self::ZERO;
 
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("material.pattern.waves", self.waves, THOUSAND)?;

@@ -23,15 +23,9 @@ pub struct Softbox {
     pub colour: Vec3,
 }
 
-impl Softbox {
-    pub(super) const ZERO: Self = Self {
-        aim: Vec3::ZERO,
-        half_width: 0.0,
-        half_height: 0.0,
-        softness: 0.0,
-        colour: Vec3::ZERO,
-    };
+zero! { Softbox { aim, half_width, half_height, softness, colour } }
 
+impl Softbox {
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let size = Range(1e-3, 1e3, "0.001 to 1000");
         let is_aimed = self.aim.normalize_or_zero() != Vec3::ZERO;
