@@ -18,13 +18,13 @@ static ENVIRONMENT: Environment = Environment {
     ambient: vec3(0.2, 0.17, 0.2),
     vignette: 0.4,
     lights: &[
-        Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [0.6, 0.2, 0.11]) },
+        Light { parallel: true, glow: 0.2, ..point([0.0, 0.06, -1.0], [1.0, 0.42, 0.26]) },
         Light { diameter: 0.5, ..point([-6.0, 3.0, 6.0], [2.0, 1.75, 1.5]) },
     ],
     softboxes: &[
         // Daylight, evening sun, and a pale sky above.
-        softbox([-9.0, 2.0, 5.0], [0.5, 10.0, 0.8], [16.0, 14.0, 11.0]),
-        softbox([9.0, -1.0, 5.0], [0.5, 10.0, 0.8], [8.0, 3.5, 2.0]),
+        softbox([-9.0, 2.0, 5.0], [0.5, 20.0, 0.8], [16.0, 14.0, 11.0]),
+        softbox([9.0, -1.0, 5.0], [0.5, 20.0, 0.8], [8.0, 3.5, 2.0]),
         softbox([0.0, 1.0, 0.2], [2.5, 2.5, 2.5], [1.2, 1.0, 1.1]),
     ],
     add,
@@ -70,6 +70,8 @@ static BUBBLES: [(Vec3, f32); 8] = [
 ];
 
 fn add(now: Now, scene: &mut Scene) {
+    // Dusk falls.
+    scene.lights[0].colour *= 1.0 - 0.02 * now.beat;
     // One near the camera, and specks that rise far behind. The guard has no bounds of specks seen in bubbles, so they are tiny.
     add_bubble(vec3(-2.0, -1.5, 3.2), 0.8, 3.0, now, scene);
     for number in 0..16 {

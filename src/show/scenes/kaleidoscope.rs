@@ -54,7 +54,7 @@ static FLOOR: Material = Material::matt(vec3(0.45, 0.36, 0.4), 0.9);
 
 /// Pearl, ruby, amethyst and sapphire.
 static COLOURS: [Vec3; 4] =
-    [vec3(0.85, 0.75, 0.6), vec3(0.5, 0.0, 0.03), vec3(0.1, 0.01, 0.36), vec3(0.0, 0.09, 0.42)];
+    [vec3(0.85, 0.75, 0.6), vec3(0.5, 0.0, 0.03), vec3(0.1, 0.01, 0.36), vec3(0.045, 0.03, 0.45)];
 
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
