@@ -202,7 +202,7 @@ macro_rules! presets {
         const PRESETS: &[(&str, Quality)] = &[$(($name, $quality)),*];
 
         impl Preset {
-            /// All presets, by [`Preset::index`].
+            /// All presets.
             pub const ALL: [Self; PRESETS.len()] = [$(Self::$preset),*];
         }
     };

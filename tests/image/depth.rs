@@ -62,7 +62,7 @@ fn mirror(centre: Vec3, half: Vec3) -> Block {
     Block::new(SHAPES[0], centre, half, material)
 }
 
-/// Also two glass balls in a row, and the eye inside a mirror: the fastest preset drew both black.
+/// Also two glass balls in a row, and the eye inside a mirror: once black.
 #[test]
 fn facing_mirrors_show_no_black_pixel() {
     let floor = Material::matt(Vec3::ONE, 0.6);

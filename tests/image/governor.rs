@@ -111,7 +111,7 @@ impl Machine {
     }
 }
 
-/// From the fastest frames, a step to a rung of unknown time may have to be taken back, and a preset that takes half of the time kept.
+/// A step from the fastest frames to a rung of unknown time may be taken back; a preset that takes half of the time is kept.
 #[test]
 fn constant_load_selects_the_finest_preset_in_time() {
     for mut random in cases(200) {
