@@ -8,7 +8,7 @@ use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Scene, Shape};
 use std::collections::BTreeMap;
 
-/// Samples between two keys or extremes. Between them, a distance of two splines has few minima.
+/// Samples between two keys or extremes, where a distance of two splines has few minima.
 const STEPS: u8 = 8;
 /// Commands draw at most this many seconds after a scene's length.
 const AFTER: f32 = 1.0;
@@ -89,12 +89,12 @@ impl Moving {
             let mut more = Vec::new();
             for three in samples.windows(3) {
                 let [a, b, c] = [0, 1, 2].map(|j| three[j].1[i]);
-                // The sides of a minimum at 0 are at least as steep.
+                // A minimum at 0 has a side at least this steep.
                 let fall = (a - b).max(c - b);
                 if b <= a && b <= c && b <= 2.0 * fall && fall > 0.0 {
                     let (from, to) = (three[0].0, three[2].0);
                     let time = self.closest(i, from, to, a.max(c))?;
-                    // Other distances change quickly near a small one.
+                    // Where one distance is small, others change quickly.
                     let steps = (1..12).map(|k| (to - from) * 0.25_f32.powi(k));
                     more.extend(steps.flat_map(|step| [time - step, time + step]));
                 }
@@ -144,8 +144,8 @@ impl Moving {
         }
     }
 
-    /// Refuses a direction that reverses between two times around `time`: up to rounding it passes 0. They are 1e-5 of `window` before and
-    /// after it, or 4 roundings of `time` if that is more; both are in seconds.
+    /// Refuses a direction that reverses between two times around `time`: up to rounding it passes 0. They are `time` plus and minus 1e-5
+    /// of `window`, or 4 roundings of `time` if more, all in seconds.
     fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
         let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
         let direction = |time| {

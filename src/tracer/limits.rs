@@ -14,7 +14,7 @@
 //! | holes in a bar 1 to 5 pixels wide, its shadow on a plane from a point light, its image in a flat first plane | 3 connected pixels |
 //! | lost patches of light between bars, on a plain floor, from a light without a diameter: `default`, 1280x720 | 8 pixels |
 //! | lost patches of patterned floors without objects: `default`, 480x270 | 8 pixels |
-//! | lost patches of thin things in waves, mirrors and glass, shadows on objects, slits of light: `finest`, to 1280x720 | 19 pixels |
+//! | lost patches of slits of light, shadows on objects, thin things in waves, mirrors and glass: `finest`, to 1280x720 | 19 pixels |
 //! | lit pixels in shadows of spheres and thin blocks on floors, from any light: `default` | 0.1 %, in patches of 8 |
 //! | fields of up to 320 spheres, crowds of up to 384 spheres and blocks, patterned floors and solids: `default` | 42 dB to exhaustive |
 //! | exhaustive frames of the model scene of 24 units, moved by 0, 1e2, 1e3, 1e4 and 1e5 units | 80, 55, 50, 41 and 31 dB to f64 |
@@ -38,7 +38,7 @@
 //! | the rim of a cylinder's end | lost edges of its shadow: points up to 0.087 radii outside may count as inside |
 //! | images of cylinders and capsules, and partly covered images, in the first plane | lost patches |
 //! | highlights in mirrors, on waves, on white, and on an object around the eye | missed |
-//! | highlights whose centre is hidden, in shadow, away from the light, or off the object | missed, as on a sphere's rim |
+//! | highlights whose centre is hidden, shadowed, turned from the light, or off the object | missed, for example on a sphere's rim |
 //! | glass spheres inside others | 40 dB to exhaustive |
 //! | two spheres and six blocks of mirrors and glass | 37 dB to exhaustive |
 //! | eyes inside glass, extreme scales, `fastest` | below 42 dB to exhaustive |

@@ -1,7 +1,7 @@
 //! The crate of the page: the show for browsers.
 //!
 //! Each worker, the sound and the page have an instance of this module, with one thread, so the mutexes never wait. Numbers, pixels and
-//! samples need no wasm-bindgen. Names must differ from the C library's, for tests elsewhere. A returned text is zero-terminated.
+//! samples need no wasm-bindgen. Names must differ from the C library's, for native tests. A returned text is zero-terminated.
 
 mod inspector;
 mod share;
@@ -172,7 +172,7 @@ pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f3
     presentation.captions.clear();
 }
 
-/// Sets the quality by its index in [`about`]; `is_reference` selects the reference of its error. Returns whether the index has one.
+/// Sets the quality by its index in [`about`]; `is_reference` selects the reference of its error. Returns whether that index exists.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_quality(place: usize, is_reference: bool) -> bool {
     let quality = Preset::ALL.get(place).map(|preset| preset.quality());

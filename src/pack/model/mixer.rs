@@ -8,10 +8,10 @@ pub const ROWS: usize = 3;
 /// A weight for each input, in 16,384ths.
 type Weights = [Lanes; ROWS];
 
-/// The initial sum of an input's seven weights: all 24 inputs together have nearly 1.5.
+/// The initial sum of an input's seven weights: together, all 24 inputs weigh nearly 1.5.
 const FIRST_WEIGHT: i16 = 1000;
 
-/// The number of weight sets, see [`sets`]. Some have the numbers of unused kinds.
+/// The number of weight sets, see [`sets`]. Some reuse the numbers of unused kinds.
 const SETS: usize = (2 * KINDS) << 8;
 
 /// The limit of a pair's logit in 256ths: a probability of 94 %. It saves 120 bytes.
@@ -28,7 +28,7 @@ pub struct Mixer {
     inputs: [[i16; 8]; ROWS],
     probability: i32,
     probabilities: [i32; STEPS],
-    /// The logits of probabilities in steps of 16, from one half on, in the format of slots.
+    /// The logits of probabilities in the format of slots: steps of 16 from one half on.
     logits: [i16; STEPS],
     /// Without [`FIRST_WEIGHT`].
     weights: [Weights; SETS],

@@ -63,7 +63,7 @@ pub(crate) struct Coverage {
     /// By plane and light.
     pub(super) shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     pub highlights: List<Highlight, MAX_HIGHLIGHTS>,
-    /// All outlines except behind the eye or without finite bounds.
+    /// All outlines, except behind the eye or of non-finite objects.
     pub outlines: [Outline; MAX_OUTLINES],
     pub screen: [ScreenBounds; MAX_OUTLINES],
     /// The least width of each outline in pixels, up to 255.
@@ -113,7 +113,7 @@ impl Coverage {
         if let Some((plane, viewer)) = receiver {
             let [min, max] = self.heights(id, &world.planes()[plane], viewer);
             // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly inside,
-            // except in a sphere's image: a sphere mostly on the eye's side hides all points inside that show no image.
+            // except in a sphere's image: if its centre is on the eye's side, the sphere hides the points inside that show no image.
             let is_image_of_sphere = view.side == 0.0 && self.objects[id.index()].power.is_some();
             let lowest = if is_image_of_sphere { min + max } else { min };
             if lowest < 0.0 {

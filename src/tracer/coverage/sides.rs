@@ -22,7 +22,7 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4};
 
 const SHORTEST: f32 = 1e-20;
 
-/// The number of successive cuts at each end of a row's range. Each cut is by the tangent at the current end, first the rectangle's.
+/// The number of successive cuts at each end of a row's range. Each is by the tangent at the current end, initially the rectangle's end.
 const TANGENTS: usize = 3;
 
 /// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).

@@ -49,8 +49,8 @@ impl Search<'_> {
 /// Returns whether one corner is nearly as bright as the brightest point, in every square of `side` pixels whose corners all show the
 /// object.
 ///
-/// The nearest corner is at most half a side across and half a side down from the square's brightest point. From that point to the
-/// corner, u grows by no more than it does from the highlight's centre to a point half a side across and half a side down.
+/// The nearest corner is at most half a side across and half a side down from the square's brightest point. From that point to the corner,
+/// the decay u grows by no more than it does from the highlight's centre to a point half a side across and half a side down.
 fn is_even(highlight: &Highlight, side: usize) -> bool {
     let [a, b, c] = highlight.decay;
     let half = 0.5 * to_f32(side);

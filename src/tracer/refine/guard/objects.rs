@@ -8,8 +8,8 @@ use crate::prepare::ObjectId;
 use crate::trace::surface_points;
 
 impl Search<'_> {
-    /// Opens a square if too few corners show the object and no occluder hides it: all corners must show a thin object, one corner any
-    /// other. Returns whether the square was opened.
+    /// Opens a square if too few corners show the object and no occluder hides it: all must show it if it is thin, otherwise one. Returns
+    /// whether the square was opened.
     pub(super) fn look_for_object(&mut self, id: ObjectId, shown: u64, x: usize, y: usize) -> bool {
         let labels = self.squares.labels(x, y);
         let is_same = labels.simd_eq(labels[0]).all_true();

@@ -7,10 +7,10 @@ use glam::{Vec4, Vec4Swizzles};
 impl Search<'_> {
     /// Tests one square against an image or a shadow on a plane that some of its corners show.
     ///
-    /// An image opens the square unless a corner that shows the plane is inside the region; a thin image needs all four such corners. If
-    /// only one straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that
-    /// meets a square contains a corner. The square is also opened if some corners are outside the region and none of these shows the
-    /// plane: between them and the region, the plane may be visible.
+    /// An image opens the square unless one corner, or all four if the image is thin, shows the plane inside the region. If only one
+    /// straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that meets a
+    /// square contains a corner. The square is also opened if some corners are outside the region and none of these shows the plane:
+    /// between them and the region, the plane may be visible.
     ///
     /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
