@@ -23,7 +23,7 @@ fn directions(scene: &mut Scene) -> Vec<(&mut Vec3, Vec3)> {
     ends
 }
 
-/// Returns numbers near 0 where a rule for several fields is nearly broken, lengths of directions first.
+/// Returns how far each rule for several fields is from being broken, lengths of directions first.
 fn distances(scene: &mut Scene) -> Vec<f32> {
     let ends = directions(scene).into_iter();
     let mut distances: Vec<f32> = ends.map(|(end, start)| end.distance(start)).collect();

@@ -19,7 +19,7 @@
 //! | fields of up to 320 spheres, crowds of up to 384 spheres and blocks, patterned floors and solids: `default` | 42 dB to exhaustive |
 //! | exhaustive frames of the model scene of 24 units, moved by 0, 1e2, 1e3, 1e4 and 1e5 units | 80, 55, 50, 41 and 31 dB to f64 |
 //! | scenes scaled by 1e-8 to 1e8 | 50 dB to the original |
-//! | pixels of mirrors that show themselves, points in their own shadow, light that leaks through a solid | 0 |
+//! | pixels where mirrors show themselves, points in their own shadow, light that leaks through a solid | 0 |
 //! | rays of a point, each with one shadow ray per light | `2^(depth + 1) - 1` |
 //! | rays of a scene made [invalid](crate::scene::Scene::validate), relative to the same scene while valid | 2.5 times |
 //!
@@ -29,7 +29,7 @@
 //!
 //! | scene | error |
 //! | --- | --- |
-//! | reflections except in a flat first plane, and refractions | lost thin things; at `finest` only in light of a weight below 0.1 |
+//! | reflections except in a flat first plane, and refractions | lost thin things; at `finest` only in light multiplied by less than 0.1 |
 //! | shadows on spheres and blocks, and slits of light between such shadows | lost except at `finest` |
 //! | low lights above a plane | missed shadows, even wider than a square, if the floor around them is nearly as dark |
 //! | lights with a diameter | holes in thin shadows and in slits of light on floors |

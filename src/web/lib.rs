@@ -217,7 +217,7 @@ pub extern "C" fn draw(
 }
 
 /// Returns seven numbers about the last [`draw`]: its first row, and the row after its last (smaller if it drew none); points, rays, and
-/// probed pixels; the sums of their squared errors, and of the squares of these.
+/// probed pixels; the sums of their squared errors and of those values' squares.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
     state().figures.as_ptr()

@@ -14,7 +14,7 @@ const FIRST_WEIGHT: i16 = 1000;
 /// The number of weight sets, see [`sets`]. Some reuse the numbers of unused kinds.
 const SETS: usize = (2 * KINDS) << 8;
 
-/// The limit of a pair's logit in 256ths: a probability of 94 %. It saves 120 bytes.
+/// The limit of a context pair's logit in 256ths: 94 % probability. It saves 120 bytes.
 const PAIR_LIMIT: i16 = 700;
 
 const RATE: i32 = 12;

@@ -49,7 +49,7 @@ pub(crate) struct Highlight {
     /// In pixels: the least x and y, and the negated greatest x and y.
     pub bounds: Vec4,
     pub decay: [f32; 3],
-    /// The peak, of 255.
+    /// The peak, in 255ths.
     pub strength: f32,
 }
 

@@ -13,7 +13,7 @@ use crate::rounding::DRAWN_OUT;
 use crate::zero::Zero;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The least visible difference in brightness, of 255: larger errors count as wrong pixels. Lights share it: their
+/// The least visible difference in brightness, in 255ths: larger errors count as wrong pixels. Lights share it: their
 /// highlights may add up.
 pub(crate) const VISIBLE: f32 = 8.0;
 

@@ -39,8 +39,7 @@ impl Mirror {
         }
     }
 
-    /// Adds the mirror point of an endless cylinder if it is on the capsule's straight part. Otherwise adds two points, since a highlight
-    /// may continue across the joint: the nearest one on this part, and the mirror point of the end's sphere.
+    /// Adds the mirror point of an endless cylinder if it is on the capsule's straight part. Otherwise adds two points, the nearest one on this part and the mirror point of the end's sphere, since a highlight may continue across the joint.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);

@@ -71,9 +71,7 @@ impl View {
     /// shadows are not). Its normal is `right - k forward`, and `down - k forward` for a bound of v.
     ///
     /// A light at the height L above the plane casts the shadow of a point p, at the height h, on a point x of the plane: `(L - h) n . (x -
-    /// eye) = L n . (p - eye) - h n . (light - eye)`. The factor `L - h` is the same for all axes n, so it cancels in u and v. So for a
-    /// shadow, the right side replaces `n . (p - eye)` in the tests of a sphere: its gradient in p replaces the axis n, and its value at
-    /// the sphere's centre replaces `n . (centre - eye)`.
+    /// eye) = L n . (p - eye) - h n . (light - eye)`. The factor `L - h` is the same for all axes n, so it cancels in u and v. So a shadow has a sphere's tests with this equation's right side for `n . (p - eye)`: its gradient in p for the axis n, its value at the sphere's centre for `n . (centre - eye)`.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;

@@ -48,7 +48,7 @@ fn printed_bytes(line: &str) -> Vec<u8> {
     output.stdout
 }
 
-/// Returns table cells by line, without rules.
+/// Returns table cells by line, without separators.
 fn cells(text: &str) -> Vec<Vec<&str>> {
     let lines = text.lines();
     let lines = lines.filter(|line| line.starts_with('|') && !line.starts_with("| -"));
@@ -59,7 +59,7 @@ fn render(out: &Path, more: &str) -> Output {
     lab(&format!("render --size 40x30 --out {} {more}", out.display()))
 }
 
-/// Asserts an exit code and one line with these words, without a temporary name.
+/// Asserts an exit code and one line with these words, naming no temporary file.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = stderr(output);

@@ -116,7 +116,7 @@ impl Guard {
 }
 
 impl Search<'_> {
-    /// Tests the open squares against an outline. Returns whether the outline must be tested at the next level.
+    /// Tests the squares of `open` against an outline. Returns whether the outline must be tested at the next level.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
         let plane = |i: u8| ObjectId::new(self.squares.world.first_plane() + usize::from(i));
         // The light, and the object that corners must show: the plane, for images and shadows.
@@ -138,7 +138,7 @@ impl Search<'_> {
             #[inline(always)]
             |y, [first, last]| {
                 Bits::masks(first, last, |i, mask| {
-                    // A test of an open square could only set `may_be_missed`.
+                    // Testing a square of `self.open` could only set `may_be_missed`.
                     let known = self.open[y].0[i] & u64::from(may_be_missed).wrapping_neg();
                     each(open[y].0[i] & mask & !known, |bit| {
                         let x = 64 * i + bit;
