@@ -1,4 +1,5 @@
-//! An intro of ten seconds, a ball that jumps to a kick: `cargo run --release -p eightfold-examples --bin intro`
+//! An intro of ten seconds, a ball that jumps to a kick:
+//! `cargo run --release -p eightfold-examples --bin intro`
 
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};

@@ -1,4 +1,5 @@
-//! The crate of the show and its soundtrack as functions of time, which the intro plays and the lab measures.
+//! The crate of the show and its soundtrack as functions of time, which the intro plays and the lab
+//! measures.
 //!
 //! | part | module |
 //! | --- | --- |

@@ -1,4 +1,5 @@
-//! The tempo of picture and sound. A beat is 24,000 samples at 48 kHz and 30 frames at 60 Hz, so every beat falls on a frame.
+//! The tempo of picture and sound. A beat is 24,000 samples at 48 kHz and 30 frames at 60 Hz, so
+//! every beat falls on a frame.
 
 /// Beats per minute.
 pub const BEATS_PER_MINUTE: u32 = 120;

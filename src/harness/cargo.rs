@@ -48,7 +48,8 @@ impl Build {
         path.with_context(|| format!("{name} is missing from cargo's output"))
     }
 
-    /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Cargo reports the packed one.
+    /// Returns the path of an unpacked program, see `src/pack/build/mod.rs`. Cargo reports the
+    /// packed one.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
         let copy = self.program(program)?;
         let bytes = fs::read(&copy).with_context(|| copy.display().to_string())?;

@@ -44,7 +44,8 @@ fn channels(a: u32, b: u32) -> [u32; 3] {
     [16, 8, 0].map(|shift| (a >> shift & 0xff).abs_diff(b >> shift & 0xff))
 }
 
-/// A pixel pops if a channel changes by more than [`POP`] of 255 in a frame, and by at most [`STILL`] in the reference.
+/// A pixel pops if a channel changes by more than [`POP`] of 255 in a frame, and by at most
+/// [`STILL`] in the reference.
 const POP: u32 = 16;
 const STILL: u32 = 4;
 

@@ -1,4 +1,5 @@
-//! The crate for the lab and the tests: draws frames on a pool of threads, compares and encodes them, and builds programs.
+//! The crate for the lab and the tests: draws frames on a pool of threads, compares and encodes
+//! them, and builds programs.
 
 pub mod cargo;
 pub mod error;

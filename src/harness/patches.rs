@@ -1,7 +1,8 @@
 use crate::error::worst_channel;
 use std::collections::BTreeSet;
 
-/// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2 pixels.
+/// Returns the exhaustive pixels that differ by more than 32 of 255 from all drawn pixels within 2
+/// pixels.
 pub fn lost(exact: &[u32], drawn: &[u32], width: usize) -> Vec<usize> {
     let height = exact.len() / width;
     let is_alike =

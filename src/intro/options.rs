@@ -35,7 +35,8 @@ pub enum Task {
 #[derive(Default)]
 pub struct Options {
     pub task: Task,
-    /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`]; `None` means at most [`SIZE`], by the monitor.
+    /// In pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`]; `None` means at most [`SIZE`], by the
+    /// monitor.
     pub size: Option<(usize, usize)>,
     pub is_fullscreen: bool,
     /// 1 to [`MAX_THREADS`]; `None` means one for each processor.
@@ -83,8 +84,8 @@ impl Misuse {
 }
 
 impl Options {
-    /// Parses the command line up to `--help` or `--version`. A flag's value is the next argument, or follows after `=`; the last
-    /// of repeated flags counts.
+    /// Parses the command line up to `--help` or `--version`. A flag's value is the next argument,
+    /// or follows after `=`; the last of repeated flags counts.
     pub fn parse(mut arguments: Arguments) -> Result<Options, Misuse> {
         let mut options = Options { isa: cpu::shipped().next(), ..Options::default() };
         while let Some(argument) = arguments.next() {
@@ -163,7 +164,8 @@ fn nanoseconds(text: &[u8]) -> Option<u64> {
     decimal(text, SECOND, MAX_SECONDS * SECOND)
 }
 
-/// Parses a decimal number as a multiple of 1 / `one`, rounded down, at most `max`. If `one` is 1, it has no fraction.
+/// Parses a decimal number as a multiple of 1 / `one`, rounded down, at most `max`. If `one` is 1,
+/// it has no fraction.
 fn decimal(text: &[u8], one: u64, max: u64) -> Option<u64> {
     let (mut number, mut unit) = (0, one);
     let (mut has_digits, mut has_point) = (false, false);

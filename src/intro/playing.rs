@@ -20,10 +20,12 @@ struct Music(Synthesizer);
 
 static MUSIC: StaticCell<Music> = StaticCell::new(Music(Synthesizer::new()));
 
-/// Pixels above which a window starts with the fastest frames. The finest frames at 3840x2160 take 0.13 s.
+/// Pixels above which a window starts with the fastest frames. The finest frames at 3840x2160 take
+/// 0.13 s.
 const LARGE: usize = 1920 * 1080;
 
-/// Pixels up to which a window's frames are never drawn smaller: these take less than a tenth of the frame's time.
+/// Pixels up to which a window's frames are never drawn smaller: these take less than a tenth of
+/// the frame's time.
 const SMALLEST: usize = 320 * 240;
 
 // Targets hold the largest frame.
@@ -37,7 +39,8 @@ impl Source for Music {
 }
 
 pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
-    // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal last, after all messages.
+    // Open the window first: it starts a thread, and the pool can run on fewer. Open the terminal
+    // last, after all messages.
     let size = options.size.unwrap_or(SIZE);
     let inner = match options.size {
         Some((width, height)) => InnerSize::Exactly(width, height),
@@ -70,7 +73,8 @@ pub fn play(options: &Options, isa: Isa, output: &mut Writer) -> i32 {
         }
         Err(_) => match Terminal::open() {
             Some(mut terminal) => {
-                // Repeated pixels need fewer changes of the colour, so that a slow terminal is faster.
+                // Repeated pixels need fewer changes of the colour, so that a slow terminal is
+                // faster.
                 playing.is_smooth = false;
                 playing.on(&mut terminal)
             }

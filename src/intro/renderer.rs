@@ -50,7 +50,8 @@ impl ShowRenderer {
         self.threads.0.threads()
     }
 
-    /// Draws the frame at a time in nanoseconds; the show repeats. `number` selects the pixels to probe.
+    /// Draws the frame at a time in nanoseconds; the show repeats. `number` selects the pixels to
+    /// probe.
     #[inline(never)]
     pub fn draw(
         &mut self,

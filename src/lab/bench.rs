@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Measures the speed and the error of frames
 ///
-/// Prints a Markdown table with a row per setting and scene, relative to exhaustive frames. Ctrl-C prints the figures so far.
+/// Prints a Markdown table with a row per setting and scene, relative to exhaustive frames. Ctrl-C
+/// prints the figures so far.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -28,14 +29,16 @@ pub struct Arguments {
     /// Draws all frames with jagged edges; by default all but the checkerboard are antialiased
     #[arg(long)]
     jagged: bool,
-    /// Compares with rivals instead: prints by how many dB (to 64 samples) each quality beats a smaller, enlarged frame of equal time, and
-    /// the figures of a checkerboard. Adds `default` without its guard
+    /// Compares with rivals instead: prints by how many dB (to 64 samples) each quality beats a
+    /// smaller, enlarged frame of equal time, and the figures of a checkerboard. Adds `default`
+    /// without its guard
     #[arg(long)]
     rivals: bool,
     /// Frames of each setting, at even intervals
     #[arg(long, value_name = "N", default_value = "101", value_parser = within(arguments::FRAMES))]
     frames: usize,
-    /// JSON file for the figures of all frames, or - for standard output; the table then goes to standard error
+    /// JSON file for the figures of all frames, or - for standard output; the table then goes to
+    /// standard error
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }

@@ -20,7 +20,8 @@ pub struct Arguments {
     frame: FrameArguments,
     #[arg(long, value_name = "NAME", default_value = "default", help = arguments::QUALITY)]
     quality: Preset,
-    /// Draw the pixels around this one: without antialiasing, exhaustively, without the guard and with it
+    /// Draw the pixels around this one: without antialiasing, exhaustively, without the guard and
+    /// with it
     #[arg(long, value_name = "X,Y", value_parser = pixel)]
     at: Option<[usize; 2]>,
     /// PNG file to write, or - for standard output

@@ -9,7 +9,8 @@ static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
 const EXIT_CODE: u8 = 128 + SIGINT as u8;
 
-/// Makes the first signal set a flag and the second end the program, except SIGHUP, which both a terminal and its shell send.
+/// Makes the first signal set a flag and the second end the program, except SIGHUP, which both a
+/// terminal and its shell send.
 pub fn listen() {
     for signal in [SIGINT, SIGTERM] {
         let exits = flag::register_conditional_shutdown(signal, EXIT_CODE.into(), STOPPED.clone());

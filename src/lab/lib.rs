@@ -1,4 +1,5 @@
-//! The crate that draws frames, and measures speed against accuracy. Each command of `cargo lab` is a module.
+//! The crate that draws frames, and measures speed against accuracy. Each command of `cargo lab` is
+//! a module.
 
 pub mod arguments;
 pub mod bench;

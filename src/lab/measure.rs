@@ -17,7 +17,8 @@ use std::time::Instant;
 pub struct ShotArguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::names())]
     pub scene: SceneName,
-    /// Evenly spaced views for FLIP and dB to 64 samples; pops are counted in the next ten frames, 60 per second
+    /// Evenly spaced views for FLIP and dB to 64 samples; pops are counted in the next ten frames,
+    /// 60 per second
     #[arg(long, value_name = "N", default_value = "9", value_parser = within(arguments::FRAMES))]
     pub views: usize,
     /// Instruction set [default: the best of this machine]
@@ -89,8 +90,8 @@ pub struct Run {
 }
 
 impl Measurement {
-    /// Settings and techniques take turns, so a drift of the machine's speed affects all. After Ctrl-C only the first frame of each shot is
-    /// drawn.
+    /// Settings and techniques take turns, so a drift of the machine's speed affects all. After
+    /// Ctrl-C only the first frame of each shot is drawn.
     pub fn run(&self) -> Vec<Setting> {
         let mut settings = self.settings();
         let renderers = self.threads.iter().map(|&count| ThreadedRenderer::new(count));

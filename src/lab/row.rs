@@ -24,7 +24,8 @@ pub struct Row {
     pub fps_worst_second: f64,
     pub ms_median: f64,
     pub ms_p99: f64,
-    /// The reference's first quartile of times, divided by this row's: other programs lengthen slower frames.
+    /// The reference's first quartile of times, divided by this row's: other programs lengthen
+    /// slower frames.
     pub speedup: f64,
     pub traced_fraction: f64,
     /// Primary and secondary rays.
@@ -160,7 +161,8 @@ const RACES: [Column<Race>; 8] = [
     }),
 ];
 
-/// Compares qualities with the checkerboard and with enlarged frames of equal time, by interpolation.
+/// Compares qualities with the checkerboard and with enlarged frames of equal time, by
+/// interpolation.
 pub fn races(rows: &[Row]) -> String {
     let setting = |row: &Row| (row.scene.clone(), row.width, row.height, row.threads);
     let settings = rows.chunk_by(|a, b| setting(a) == setting(b));

@@ -18,7 +18,8 @@ pub enum Sampling {
     Full,
     /// The relative side of a smaller frame, enlarged by a Catmull-Rom filter.
     Enlarged(f64),
-    /// Every second pixel is traced; the others are means of the two opposite neighbours that differ less.
+    /// Every second pixel is traced; the others are means of the two opposite neighbours that
+    /// differ less.
     Checkerboard,
 }
 

@@ -92,8 +92,8 @@ fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Mo
 /// FLIP's default: 3840 pixels on 0.7 m at a distance of 0.7 m.
 pub const PIXELS_PER_DEGREE: f32 = 67.0;
 
-/// Returns the visible difference of `0x00RRGGBB` pixels that alternate, from 0 to 1 (Andersson et al., "FLIP: A Difference Evaluator
-/// for Alternating Images", 2020).
+/// Returns the visible difference of `0x00RRGGBB` pixels that alternate, from 0 to 1 (Andersson et
+/// al., "FLIP: A Difference Evaluator for Alternating Images", 2020).
 pub fn flip(width: usize, reference: &[u32], test: &[u32]) -> Vec<f32> {
     if reference == test {
         return vec![0.0; test.len()];

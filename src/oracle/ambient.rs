@@ -6,7 +6,8 @@ use super::shade::{Hit, depth};
 use eightfold_tracer::scene::{Ambience, Block, Material, Shape, Sphere};
 use glam::DVec3;
 
-/// The share of the hemisphere that a solid covers, and the direction from it, in world coordinates.
+/// The share of the hemisphere that a solid covers, and the direction from it, in world
+/// coordinates.
 struct Cover {
     share: f64,
     from: DVec3,

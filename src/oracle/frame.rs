@@ -38,7 +38,8 @@ impl Frame {
         })
     }
 
-    /// Returns the pixels on silhouettes: ray trees differ within 3x3 pixels, so rounding can change the object hit.
+    /// Returns the pixels on silhouettes: ray trees differ within 3x3 pixels, so rounding can
+    /// change the object hit.
     pub fn silhouettes(&self) -> Vec<bool> {
         self.map_pixels(|x, y| {
             let tree = self.at(x, y).tree;

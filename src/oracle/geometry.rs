@@ -12,8 +12,8 @@ pub struct Ray {
     pub o: DVec3,
     /// Of length 1.
     pub d: DVec3,
-    /// The rounding error of the origin, in scene units. Outward rays do not hit surfaces within it; inward rays hit their far
-    /// sides.
+    /// The rounding error of the origin, in scene units. Outward rays do not hit surfaces within
+    /// it; inward rays hit their far sides.
     slack: f64,
 }
 
@@ -73,8 +73,8 @@ impl PicturePlane {
     }
 }
 
-/// Returns the two distances at which a ray crosses a sphere, or an infinite cylinder if `d` and `oc`, the origin relative to the centre,
-/// are perpendicular to its axis.
+/// Returns the two distances at which a ray crosses a sphere, or an infinite cylinder if `d` and
+/// `oc`, the origin relative to the centre, are perpendicular to its axis.
 fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
     let b = oc.dot(d);
@@ -196,7 +196,8 @@ fn face(ray: &Ray, at: f64, i: usize) -> f64 {
     if to_face.abs() <= ray.slack { 0.0 } else { to_face / ray.d[i] }
 }
 
-/// Intersects a box around the origin: a ray hits the last slab that it enters, or the first that it leaves.
+/// Intersects a box around the origin: a ray hits the last slab that it enters, or the first that
+/// it leaves.
 fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
     let [mut enter, mut leave] =
         [f64::NEG_INFINITY, f64::INFINITY].map(|t| Met { t, normal: DVec3::ZERO });

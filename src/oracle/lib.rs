@@ -1,5 +1,5 @@
-//! The crate of the oracle, a reference tracer for the library's pictures: scalar and recursive, in f64, with textbook formulas. It shares
-//! only the scene description with the library.
+//! The crate of the oracle, a reference tracer for the library's pictures: scalar and recursive, in
+//! f64, with textbook formulas. It shares only the scene description with the library.
 
 mod ambient;
 pub mod frame;
@@ -37,7 +37,8 @@ pub struct Traced {
     pub colour: DVec3,
     /// A hash of the ray tree: the object that each ray hits, and the lights visible there.
     pub tree: u64,
-    /// A hash of objects, and of light states (dark, lit, highlight), each up to the quality's depth.
+    /// A hash of objects, and of light states (dark, lit, highlight), each up to the quality's
+    /// depth.
     pub key: u64,
     pub rays: u64,
     pub shadow_rays: u64,
@@ -139,11 +140,12 @@ const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 
 
 /// The distance between numbers, in output steps, below which rounding can change their order.
 ///
-/// A ray tree's sum is off by up to 1/100 of a step, a square's corner by 1/128, a filled square's last pixel by 8/256.
+/// A ray tree's sum is off by up to 1/100 of a step, a square's corner by 1/128, a filled square's
+/// last pixel by 8/256.
 const TIE: f64 = 1.0 / 16.0;
 
-/// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, both are right; the nearer to `drawn` is
-/// returned.
+/// Returns the pixel (x, y) of a colour. Where a channel is half-way between two steps, both are
+/// right; the nearer to `drawn` is returned.
 pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
     let channels = [16, 8, 0].into_iter().zip(steps(colour, dither, x, y));
     channels.fold(0, |pixel, (shift, step)| {

@@ -64,8 +64,9 @@ impl Oracle<'_> {
     }
 }
 
-/// Returns the share of an area light that a sphere does not block, by the library's `sphere_covers`. A sphere around `p` and the whole
-/// light blocks nothing: domes are lit from within.
+/// Returns the share of an area light that a sphere does not block, by the library's
+/// `sphere_covers`. A sphere around `p` and the whole light blocks nothing: domes are lit from
+/// within.
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);

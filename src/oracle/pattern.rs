@@ -2,7 +2,8 @@ use super::light::smooth;
 use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
-/// Returns a pattern's factors at `p` in the object's own axes; a pixel covers `footprint` scene units.
+/// Returns a pattern's factors at `p` in the object's own axes; a pixel covers `footprint` scene
+/// units.
 pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> DVec3 {
     if pattern.depth == 0.0 {
         return DVec3::ONE;
@@ -73,7 +74,8 @@ fn noise(p: [f64; 2]) -> f64 {
     sum
 }
 
-/// Returns the random number, -1 to 1, at integer coordinates, hashed as offsets to the bits of the float 1.5 * 2^23.
+/// Returns the random number, -1 to 1, at integer coordinates, hashed as offsets to the bits of the
+/// float 1.5 * 2^23.
 fn random(point: [u32; 2]) -> f64 {
     let [u, v] = point.map(|n| n.wrapping_add(0x4b40_0000));
     let h = u.wrapping_mul(0x9e37_79b9).wrapping_add(v.wrapping_mul(0x85eb_ca6b));

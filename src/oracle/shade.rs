@@ -31,7 +31,8 @@ impl Hit<'_> {
         -self.ray.d.dot(self.n)
     }
 
-    /// Returns the share of light from the direction `l` along the ray, and the strength of the highlight.
+    /// Returns the share of light from the direction `l` along the ray, and the strength of the
+    /// highlight.
     pub fn reflected(&self, l: DVec3) -> (DVec3, f64) {
         let material = self.material;
         let mirrored = self.ray.d + 2.0 * self.cosine() * self.n;

@@ -1,8 +1,10 @@
-//! The crate that packs the intro when it is linked, and unpacks it when it starts. [`build`] is the intro's build script and linker,
-//! `model` predicts the next bit of x86 code, and `stub` starts a packed executable.
+//! The crate that packs the intro when it is linked, and unpacks it when it starts. [`build`] is
+//! the intro's build script and linker, `model` predicts the next bit of x86 code, and `stub`
+//! starts a packed executable.
 //!
-//! The model computes with integers, in one function for packing and unpacking. Unpacking takes 1.1 microseconds a byte (`time
-//! target/release/eightfold --version`). Sizes of an intro of 116,673 bytes by packer:
+//! The model computes with integers, in one function for packing and unpacking. Unpacking takes 1.1
+//! microseconds a byte (`time target/release/eightfold --version`). Sizes of an intro of 116,673
+//! bytes by packer:
 //!
 //! | packer | packed | unpacker | time to unpack |
 //! | --- | ---: | ---: | ---: |

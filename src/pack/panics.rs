@@ -1,8 +1,8 @@
-//! Blanks panic locations, which saves 1,091 of 66,047 bytes. These are 24-byte records in `.data.rel.ro`: address and length of a file's
-//! name in `.rodata`, line, column.
+//! Blanks panic locations, which saves 1,091 of 66,047 bytes. These are 24-byte records in
+//! `.data.rel.ro`: address and length of a file's name in `.rodata`, line, column.
 //!
-//! Only the code of panic messages reads these records, and `build::redirect` has replaced this code. A record has a name that ends in
-//! `.rs`, and a line and a column of at least 1.
+//! Only the code of panic messages reads these records, and `build::redirect` has replaced this
+//! code. A record has a name that ends in `.rs`, and a line and a column of at least 1.
 
 use std::ops::Range;
 

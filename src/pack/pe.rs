@@ -81,8 +81,8 @@ impl Executable {
             minor_linker_version: 0,
             address_of_entry_point: self.entry as u32,
             image_base: self.base,
-            // Windows 6.0 (Vista), although the intro needs a newer one: an old Windows then starts the intro, which reports the missing
-            // function.
+            // Windows 6.0 (Vista), although the intro needs a newer one: an old Windows then starts
+            // the intro, which reports the missing function.
             major_operating_system_version: 6,
             minor_operating_system_version: 0,
             major_image_version: 0,

@@ -1,9 +1,11 @@
-//! A small context-mixing model, for the stub's second stage. Its decoder is `stub/small.s`, which computes the same floats.
+//! A small context-mixing model, for the stub's second stage. Its decoder is `stub/small.s`, which
+//! computes the same floats.
 //!
-//! Six contexts count the zeros and ones after them; each bit halves the opposite count. The odds of a 1 are the fourth root of the product
-//! of all odds.
+//! Six contexts count the zeros and ones after them; each bit halves the opposite count. The odds
+//! of a 1 are the fourth root of the product of all odds.
 
-/// Sets of the three bytes before, in the decoder's order: 1 for the last byte, 2 and 4 for those before it.
+/// Sets of the three bytes before, in the decoder's order: 1 for the last byte, 2 and 4 for those
+/// before it.
 const CONTEXTS: [u32; 6] = [5, 4, 3, 2, 1, 0];
 
 /// The count of an unseen bit.
@@ -67,7 +69,8 @@ impl Encoder {
         for (i, bit) in self.bits.iter().skip(1).enumerate() {
             words[i / 32] ^= u32::from(!bit) << (i % 32);
         }
-        // The decoder reads words. The last bit is 1, so that any cut of the file changes it in memory.
+        // The decoder reads words. The last bit is 1, so that any cut of the file changes it in
+        // memory.
         words.into_iter().flat_map(u32::to_le_bytes).collect()
     }
 }

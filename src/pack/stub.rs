@@ -124,7 +124,8 @@ impl<'a> Stub<'a> {
             return Ok(address + start as u64 + symbol.address());
         }
         let name = symbol.name()?;
-        // The stub's panic handler calls an undefined function: this error also means that the stub can panic.
+        // The stub's panic handler calls an undefined function: this error also means that the stub
+        // can panic.
         names.get(name).copied().ok_or_else(|| format!("stub symbol {name} is undefined").into())
     }
 }

@@ -67,7 +67,8 @@ fn costs_sum_to_packed_size() {
     assert!((size - expected).abs() < 1.0, "{size} and {expected}");
 }
 
-/// The model, the file, the alignment to huge pages and the program's 33 MB add up to the 105 MB in the stub's message.
+/// The model, the file, the alignment to huge pages and the program's 33 MB add up to the 105 MB in
+/// the stub's message.
 #[test]
 fn model_size_is_bounded() {
     assert!(size_of::<Model>() <= 66 << 20, "{}", size_of::<Model>());

@@ -1,5 +1,6 @@
-//! Checks a moving scene at all times. A field's extremes are at keys and at the extremes of splines. Rules for several fields, or for a
-//! vector's length, can be broken between them: a search finds the closest approaches.
+//! Checks a moving scene at all times. A field's extremes are at keys and at the extremes of
+//! splines. Rules for several fields, or for a vector's length, can be broken between them: a
+//! search finds the closest approaches.
 
 use super::motion::Motion;
 use super::moving::Moving;
@@ -144,8 +145,9 @@ impl Moving {
         }
     }
 
-    /// Refuses a direction that reverses between two times around `time`: up to rounding it passes 0. They are `time` plus and minus 1e-5
-    /// of `window`, or 4 roundings of `time` if more, all in seconds.
+    /// Refuses a direction that reverses between two times around `time`: up to rounding it passes
+    /// 0. They are `time` plus and minus 1e-5 of `window`, or 4 roundings of `time` if more, all in
+    /// seconds.
     fn check_turn(&self, i: usize, time: f32, window: f32, size: f32) -> Result<(), Mistake> {
         let step = (1e-5 * window).max(4.0 * time.abs() * f32::EPSILON);
         let direction = |time| {

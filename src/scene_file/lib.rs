@@ -1,4 +1,5 @@
-//! The crate of scene files in RON, see docs/lab.md: the fields of [`Scene`] and [`Presentation`], named materials, and motions.
+//! The crate of scene files in RON, see docs/lab.md: the fields of [`Scene`] and [`Presentation`],
+//! named materials, and motions.
 
 mod check;
 mod message;
@@ -24,7 +25,8 @@ const LENGTH: f32 = 8.0 * std::f32::consts::PI;
 /// Some editors begin a text with it, without a column.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// A scene file. An error of its functions is one line: file, line and column, then the value and its range.
+/// A scene file. An error of its functions is one line: file, line and column, then the value and
+/// its range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneFile {
     pub name: String,

@@ -3,7 +3,8 @@
 use ron::Error as E;
 use ron::error::{Position, SpannedError};
 
-/// The most letters of a message, of its file's name, and of a word or a quotation in a longer message.
+/// The most letters of a message, of its file's name, and of a word or a quotation in a longer
+/// message.
 const MAX_MESSAGE: usize = 200;
 const MAX_NAME: usize = 100;
 const MAX_WORD: usize = 60;
@@ -11,7 +12,8 @@ const MAX_WORD: usize = 60;
 /// The nesting that `ron` reads; each level takes two of its 128.
 const MAX_NESTING: usize = 64;
 
-/// Returns a line of at most 200 printable letters. Cuts long words and quotations first, then the end.
+/// Returns a line of at most 200 printable letters. Cuts long words and quotations first, then the
+/// end.
 #[must_use]
 pub fn one_line(message: &str) -> String {
     shortened(message, MAX_MESSAGE)
@@ -30,7 +32,8 @@ pub fn located(name: &str, text: &str, at: usize, message: &str) -> String {
     place + &shortened(message, max)
 }
 
-/// Replaces white space by spaces, and escapes control characters and marks that could rearrange a terminal's text.
+/// Replaces white space by spaces, and escapes control characters and marks that could rearrange a
+/// terminal's text.
 fn visible(text: &str) -> String {
     let letter = |letter: char| match letter {
         _ if letter.is_whitespace() => " ".to_owned(),

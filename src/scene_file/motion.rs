@@ -126,7 +126,8 @@ impl Motion {
         (start.at, (0..start.numbers.len()).map(number).collect())
     }
 
-    /// Returns a spline's slopes after the key `i` and before the next, times the seconds between them.
+    /// Returns a spline's slopes after the key `i` and before the next, times the seconds between
+    /// them.
     fn slopes(&self, i: usize, n: usize) -> [f32; 2] {
         let last = self.keys.len() - 1;
         let places = [i.saturating_sub(1), i, i + 1, last.min(i + 2)];
@@ -136,7 +137,8 @@ impl Motion {
         [(c - a) * (length / (end - before)), (d - b) * (length / (after - start))]
     }
 
-    /// Returns a spline's extremes between the key `i` and the next, 0 to 1: the roots of its derivative.
+    /// Returns a spline's extremes between the key `i` and the next, 0 to 1: the roots of its
+    /// derivative.
     fn extremes(&self, i: usize, n: usize) -> impl Iterator<Item = f32> {
         let [b, c] = [i, i + 1].map(|i| f64::from(self.keys[i].numbers[n]));
         let [leaving, coming] = self.slopes(i, n).map(f64::from);

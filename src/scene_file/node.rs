@@ -71,7 +71,8 @@ impl Node {
         Some(self.parts.remove(i))
     }
 
-    /// Returns the value at a path such as `materials["gold"].colour[0]`, with a new place. Adds missing fields.
+    /// Returns the value at a path such as `materials["gold"].colour[0]`, with a new place. Adds
+    /// missing fields.
     pub fn place(&mut self, path: &str, at: usize) -> Option<&mut Self> {
         let place = steps(path).try_fold(self, |node, name| {
             let is_struct = node.kind == Kind::Struct && node.name != "materials";

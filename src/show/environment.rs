@@ -3,7 +3,8 @@ use eightfold_tracer::presentation::Presentation;
 use eightfold_tracer::scene::{Ambience, Film, Light, Material, Plane, Scene, Softbox, Waves};
 use glam::Vec3;
 
-/// The environment of one or two consecutive scenes. The first fields are as in [`Scene`]; colours are linear.
+/// The environment of one or two consecutive scenes. The first fields are as in [`Scene`]; colours
+/// are linear.
 pub(super) struct Environment {
     pub background: Vec3,
     pub sky: Vec3,

@@ -1,4 +1,5 @@
-//! A field of small spheres, with the model scene's floor and lights, to measure frame times by the number of objects.
+//! A field of small spheres, with the model scene's floor and lights, to measure frame times by the
+//! number of objects.
 
 use super::model::{model, orbit};
 use eightfold_tracer::scene::{MAX_SPHERES, Material, Scene, Sphere};
@@ -8,12 +9,13 @@ use glam::{Vec3, vec3};
 const SIDE: f32 = 16.0;
 /// The maximum side of a sphere's cell in scene units: few spheres stay near the centre.
 const CELL: f32 = 4.0;
-/// The minimum radius, and the maximum random addition, in scene units. Even 320 of the largest spheres fit.
+/// The minimum radius, and the maximum random addition, in scene units. Even 320 of the largest
+/// spheres fit.
 const RADIUS: (f32, f32) = (0.2, 0.2);
 const SEED: u32 = 2008;
 
-/// Returns a field of `count` spheres, at most [`MAX_SPHERES`], that do not touch: plastic with probability 0.6, mirrors with 0.2, glass
-/// with 0.2. It depends only on `count`.
+/// Returns a field of `count` spheres, at most [`MAX_SPHERES`], that do not touch: plastic with
+/// probability 0.6, mirrors with 0.2, glass with 0.2. It depends only on `count`.
 #[must_use]
 pub fn field(count: usize, time: f32) -> Scene {
     let count = count.min(MAX_SPHERES);
@@ -67,7 +69,8 @@ fn material(random: &mut Random) -> Material {
     }
 }
 
-/// Pseudorandom numbers: SplitMix of Steele, Lea and Flood with the 32-bit mixer of Wellons and Mulvey.
+/// Pseudorandom numbers: SplitMix of Steele, Lea and Flood with the 32-bit mixer of Wellons and
+/// Mulvey.
 struct Random(u32);
 
 impl Random {

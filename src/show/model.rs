@@ -1,4 +1,5 @@
-//! The model scene, the default of measurements: four spheres, a plane and two lights, after the 2008 thesis.
+//! The model scene, the default of measurements: four spheres, a plane and two lights, after the
+//! 2008 thesis.
 
 use crate::tempo::BEAT;
 use eightfold_tracer::maths::{cos, sin};
@@ -62,7 +63,8 @@ pub fn model(time: f32, scene: &mut Scene) {
     }
 }
 
-/// Returns a camera that orbits the y axis, `distance` units away from it and `above` a point at `height`.
+/// Returns a camera that orbits the y axis, `distance` units away from it and `above` a point at
+/// `height`.
 pub(super) fn orbit(time: f32, height: f32, distance: f32, above: f32) -> Camera {
     let angle = 0.25 * time;
     let look_at = vec3(0.0, height, 0.0);

@@ -12,7 +12,8 @@ pub(super) struct View {
     tilt: [f32; 2],
 }
 
-/// The height of the disc's middle above the picture's, in half heights. All scenes begin and end with a disc here.
+/// The height of the disc's middle above the picture's, in half heights. All scenes begin and end
+/// with a disc here.
 pub(super) const DISC: f32 = 0.08;
 
 pub(super) const fn view(eye: [f32; 3], target: [f32; 3]) -> View {
@@ -27,8 +28,8 @@ impl View {
 
 /// Sets the camera to a shot at `time`, 0 to 1 from its start to its end.
 ///
-/// Views are evenly spaced in time, on a Catmull-Rom spline. The first and last count twice, so at a cut the camera keeps about half of its
-/// speed.
+/// Views are evenly spaced in time, on a Catmull-Rom spline. The first and last count twice, so at
+/// a cut the camera keeps about half of its speed.
 pub(super) fn move_camera(views: &[View], time: f32, field_of_view: f32, scene: &mut Scene) {
     let last = views.len() - 1;
     let time = time * last as f32;

@@ -46,7 +46,8 @@ pub(super) struct Size {
 /// A stroke's depth relative to the previous one: coincident surfaces would flicker.
 const THINNER: f32 = 0.985;
 
-/// Adds a letter of boxes. `axes` are to its right, up, and towards its reader; `foot` is its lower left end.
+/// Adds a letter of boxes. `axes` are to its right, up, and towards its reader; `foot` is its lower
+/// left end.
 pub(super) fn add_letter(
     letter: u8,
     foot: Vec3,

@@ -13,7 +13,8 @@ pub fn at(time: f32, moment: &mut Moment) {
     transition(without_transition(time, moment), &mut moment.presentation);
 }
 
-/// Sets a scene like [`at`], without a transition's coarse squares. Returns the transition's halvings.
+/// Sets a scene like [`at`], without a transition's coarse squares. Returns the transition's
+/// halvings.
 pub fn without_transition(time: f32, Moment { scene, presentation }: &mut Moment) -> f32 {
     let (show_scene, bar) = playing(&ALL, ShowScene::bars, time / BAR);
     let since = bar + show_scene.environment_since as f32;
@@ -34,7 +35,8 @@ pub fn without_transition(time: f32, Moment { scene, presentation }: &mut Moment
     BEATS * if is_last { 2.0 * bar } else { f32::min(2.0 * bar, 4.0 * bars_left) }
 }
 
-/// Coarsens a scene's beginning and end, from squares of 32 pixels. `halvings` counts from the beginning, or to the end.
+/// Coarsens a scene's beginning and end, from squares of 32 pixels. `halvings` counts from the
+/// beginning, or to the end.
 fn transition(halvings: f32, presentation: &mut Presentation) {
     // No squares of a single pixel.
     let side = (32 >> (halvings as u32).min(6) & !1) as f32;
@@ -43,7 +45,8 @@ fn transition(halvings: f32, presentation: &mut Presentation) {
     method.squares = method.squares.max(side / 128.0);
 }
 
-/// Returns the scene or shot at a bar from the start of the first, and the bars since its own start. The last has no end.
+/// Returns the scene or shot at a bar from the start of the first, and the bars since its own
+/// start. The last has no end.
 fn playing<T>(all: &[T], bars: impl Fn(&T) -> u32, mut bar: f32) -> (&T, f32) {
     let mut playing = &all[0];
     for next in &all[1..] {

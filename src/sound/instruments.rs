@@ -11,7 +11,8 @@ pub(super) enum Notes {
     Root,
     /// A note of the theme, this number of semitones down.
     Theme(u8),
-    /// A note of the bar's chord, this number of semitones up: digits 1 to 4 count from its root, 5 to 8 an octave higher.
+    /// A note of the bar's chord, this number of semitones up: digits 1 to 4 count from its root, 5
+    /// to 8 an octave higher.
     Tone(u8),
     /// The note of [`Notes::Tone`], and the three above it.
     Chord(u8),
@@ -20,14 +21,16 @@ pub(super) enum Notes {
 pub(super) struct Instrument {
     pub notes: Notes,
     pub source: Source,
-    /// The oscillators' pitches relative to the note's; the first is the lowest. The higher ones decay faster.
+    /// The oscillators' pitches relative to the note's; the first is the lowest. The higher ones
+    /// decay faster.
     pub partials: Vec4,
     /// The outermost oscillators' deviation, as a fraction of the pitch.
     pub detune: f32,
     /// The pitch's initial deviation, as a fraction of the pitch.
     pub bend: f32,
     pub modulation: Modulation,
-    /// The fraction of the interval to its note that the pitch glides in each [chunk](super::CHUNK).
+    /// The fraction of the interval to its note that the pitch glides in each
+    /// [chunk](super::CHUNK).
     pub glide: f32,
     pub envelope: Envelope,
     pub sweep: Sweep,
@@ -216,7 +219,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         ..PAD
     },
     PAD,
-    // The second pad, a little more detuned. Its chords start on another note, which swaps the notes' sides in stereo.
+    // The second pad, a little more detuned. Its chords start on another note, which swaps the
+    // notes' sides in stereo.
     Instrument { detune: 0.007, ..PAD },
     // Arpeggio.
     Instrument {

@@ -1,4 +1,5 @@
-//! The soundtrack: a song and its synthesizer, in stereo at 48 kHz. A sample depends only on its position in the song.
+//! The soundtrack: a song and its synthesizer, in stereo at 48 kHz. A sample depends only on its
+//! position in the song.
 
 mod cue;
 mod instruments;

@@ -1,5 +1,6 @@
-//! The song: each instrument's notes, as text that the compiler parses. Spaces separate scenes and beats for the reader; the
-//! harmony's also mark the cuts, before which all instruments rest. `docs/sound.md` describes the music.
+//! The song: each instrument's notes, as text that the compiler parses. Spaces separate scenes and
+//! beats for the reader; the harmony's also mark the cuts, before which all instruments rest.
+//! `docs/sound.md` describes the music.
 
 use super::STEPS_PER_BAR;
 
@@ -51,7 +52,8 @@ pub(super) const TRACKS: usize = Track::Boom as usize + 1;
 /// The song's length, which the compiler checks against the harmony, every track and the show.
 pub(super) const BARS: usize = 58;
 
-/// The theme in A minor as MIDI notes: each degree of the scale once, from E5. Digits 1 to 8 of a melody count its notes.
+/// The theme in A minor as MIDI notes: each degree of the scale once, from E5. Digits 1 to 8 of a
+/// melody count its notes.
 pub const THEME: [u8; 8] = [76, 79, 81, 77, 72, 74, 71, 69];
 
 /// Whether a note of the theme is a semitone higher in A major, where the song ends.
@@ -60,7 +62,8 @@ const RAISED: [u8; 8] = [0, 1, 0, 1, 1, 0, 0, 0];
 /// The first bar in A major.
 const MAJOR: u32 = 52;
 
-/// Chords as MIDI notes: the bass, and three upper voices that move little from chord to chord. 33 is A1, 55 Hz.
+/// Chords as MIDI notes: the bass, and three upper voices that move little from chord to chord. 33
+/// is A1, 55 Hz.
 static CHORDS: [[u8; 4]; 11] = [
     [33, 36, 40, 43], // a: A minor 7
     [29, 36, 40, 45], // f: F major 7
@@ -93,8 +96,8 @@ static LIGHT: [u8; BARS] = indices_of(
 static GAIN: [u8; BARS] = indices_of(
     b"a99999 cccccc bbbbcccc cccccccc cccccc bbbbbb cccccd ddddde cccccc", DIGITS);
 
-/// A track: for each bar the number of its pattern, 0 for silence, and the patterns. A step's digit from 1 to 15 starts the note that
-/// [`Notes`](super::instruments::Notes) defines.
+/// A track: for each bar the number of its pattern, 0 for silence, and the patterns. A step's digit
+/// from 1 to 15 starts the note that [`Notes`](super::instruments::Notes) defines.
 struct Part([u8; BARS], &'static [[u8; STEPS]]);
 
 const STEPS: usize = STEPS_PER_BAR as usize;

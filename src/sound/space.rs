@@ -9,7 +9,8 @@ const DELAY: usize = 3 * STEP as usize;
 
 const FEEDBACK: f32 = 0.5;
 
-/// The delays in samples of allpass filters before the reverberation, 2 to 14 ms, which multiply its echoes.
+/// The delays in samples of allpass filters before the reverberation, 2 to 14 ms, which multiply
+/// its echoes.
 const DIFFUSERS: [usize; 3] = [113, 307, 677];
 
 /// The allpass filters' ring buffers in samples, above the longest of [`DIFFUSERS`].
@@ -33,7 +34,8 @@ const WALL: f32 = 0.5;
 const LEFT: Vec4 = vec4(0.5, 0.0, 0.5, 0.0);
 const RIGHT: Vec4 = vec4(0.0, 0.5, 0.0, 0.5);
 
-/// Echo, and reverberation from a feedback delay network. Silence is all zeros. [`Mix`] explains the lanes.
+/// Echo, and reverberation from a feedback delay network. Silence is all zeros. [`Mix`] explains
+/// the lanes.
 pub(super) struct Space {
     echo: [Vec4; ECHO],
     diffusion: [[Vec4; DIFFUSERS.len()]; DIFFUSION],
@@ -60,8 +62,8 @@ impl Space {
             difference += tap * sign;
             sign = -sign;
         }
-        // A Householder reflection mixes all delays and preserves the energy. Rotating the lanes spreads the sound between left and
-        // right.
+        // A Householder reflection mixes all delays and preserves the energy. Rotating the lanes
+        // spreads the sound between left and right.
         let reflected = taps * (-2.0 / LENGTHS.len() as f32);
         let mut sent = mix.room + echo * 0.5;
         for (line, &length) in DIFFUSERS.iter().enumerate() {

@@ -79,7 +79,8 @@ impl Synthesizer {
         }
     }
 
-    /// Moves to a position in samples. This synthesizes the song up to there, a few milliseconds per second of sound.
+    /// Moves to a position in samples. This synthesizes the song up to there, a few milliseconds
+    /// per second of sound.
     pub fn seek(&mut self, position: u32) {
         *self = const { Self::new() };
         for _ in 0..position % SONG_LENGTH {
@@ -150,7 +151,8 @@ impl Default for Synthesizer {
     }
 }
 
-/// Returns a pseudorandom number from -1 to 1, by the linear congruential generator of Knuth and Lewis ("Numerical Recipes").
+/// Returns a pseudorandom number from -1 to 1, by the linear congruential generator of Knuth and
+/// Lewis ("Numerical Recipes").
 fn random(seed: &mut i32) -> f32 {
     *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
     *seed as f32 / (1_u32 << 31) as f32

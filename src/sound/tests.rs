@@ -63,7 +63,8 @@ fn reverberation_of_the_centre_is_wide() {
     assert!(correlation.abs() < 0.3, "{correlation}");
 }
 
-/// The share of samples beyond the standard deviation, relative to 31.7 % of Gaussian noise (Abel and Huang 2006).
+/// The share of samples beyond the standard deviation, relative to 31.7 % of Gaussian noise (Abel
+/// and Huang 2006).
 #[test]
 fn reverberation_is_dense_after_100_ms() {
     let samples = &reverberation()[..RATE as usize / 25];

@@ -157,13 +157,15 @@ fn wrap(phase: Vec4) -> Vec4 {
     phase - (phase + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
-/// Approximates the sine of an angle from -1/2 to 1/2 turns by two parabolas, with overtones below -28 dB.
+/// Approximates the sine of an angle from -1/2 to 1/2 turns by two parabolas, with overtones below
+/// -28 dB.
 #[inline(always)]
 fn sine(phase: Vec4) -> Vec4 {
     phase * (8.0 - phase.abs() * 16.0)
 }
 
-/// Returns a sawtooth that advances by `turn` turns per sample. Two parabolas smooth its step (PolyBLEP).
+/// Returns a sawtooth that advances by `turn` turns per sample. Two parabolas smooth its step
+/// (PolyBLEP).
 #[inline(always)]
 fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
     let per_turn = turn.recip();
@@ -172,8 +174,8 @@ fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
     phase + phase + after * after - before * before
 }
 
-/// The coefficients of a state-variable filter with 12 dB per octave, by the trapezoidal rule (Simper, "Linear trapezoidal
-/// integrated SVF", 2011).
+/// The coefficients of a state-variable filter with 12 dB per octave, by the trapezoidal rule
+/// (Simper, "Linear trapezoidal integrated SVF", 2011).
 struct Filter {
     a1: Vec4,
     a2: Vec4,

@@ -15,7 +15,8 @@ pub struct Counts {
     pub shadow_rays: u64,
     /// Lanes of all packets of `rays`, including idle ones.
     pub lanes: u64,
-    /// The results of [`Frame::with_probes`](crate::Frame::with_probes). The other counts exclude the work of probes.
+    /// The results of [`Frame::with_probes`](crate::Frame::with_probes). The other counts exclude
+    /// the work of probes.
     pub probes: Probes,
 }
 
@@ -35,7 +36,8 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// The errors of probed pixels against [`Quality::reference`](crate::Quality::reference): an estimate of all pixels' errors.
+/// The errors of probed pixels against [`Quality::reference`](crate::Quality::reference): an
+/// estimate of all pixels' errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probes {
     /// The number of probed pixels.
@@ -46,15 +48,16 @@ pub struct Probes {
     pub fourths: u64,
 }
 
-/// The addend to `fourths / squares` (5 to 10,000 in a show), for rare large errors that no probe met: 93 to 97 of 100 confidence
-/// intervals of 648 probes contain the truth, 65 without it.
+/// The addend to `fourths / squares` (5 to 10,000 in a show), for rare large errors that no probe
+/// met: 93 to 97 of 100 confidence intervals of 648 probes contain the truth, 65 without it.
 const UNSEEN: f32 = 200.0;
 
 impl Probes {
     /// No probes.
     pub const NONE: Self = Self { pixels: 0, squares: 0, fourths: 0 };
 
-    /// The number of probes above which moving pictures should [halve](Probes::halve) the sums: 1.7 s at 60 frames per second.
+    /// The number of probes above which moving pictures should [halve](Probes::halve) the sums: 1.7
+    /// s at 60 frames per second.
     pub const MAX_RECENT: u64 = 8_000;
 
     /// Halves all sums, so that later probes weigh twice as much.
@@ -70,13 +73,15 @@ impl Probes {
         *self += Self { pixels: 1, squares: square, fourths: square * square };
     }
 
-    /// Returns an unbiased estimate of a channel's mean squared error, in steps of 1/255; NaN without probes.
+    /// Returns an unbiased estimate of a channel's mean squared error, in steps of 1/255; NaN
+    /// without probes.
     #[must_use]
     pub fn mean_squared_error(&self) -> f64 {
         self.squares as f64 / (3 * self.pixels) as f64
     }
 
-    /// Returns the PSNR to the exhaustive frame in dB, accurate to 0.01 dB; infinity without errors.
+    /// Returns the PSNR to the exhaustive frame in dB, accurate to 0.01 dB; infinity without
+    /// errors.
     #[must_use]
     #[inline(never)]
     pub fn psnr(&self) -> f32 {
@@ -86,8 +91,9 @@ impl Probes {
         10.0 * LOG10_2 * log2((255.0 * 255.0 / self.mean_squared_error()) as f32)
     }
 
-    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for probes of different frames. Four times the
-    /// probes halve it. It is infinite or NaN without errors, or with one probe.
+    /// Returns the half width of the 95 % confidence interval of [`Probes::psnr`] in dB, for probes
+    /// of different frames. Four times the probes halve it. It is infinite or NaN without errors,
+    /// or with one probe.
     #[must_use]
     pub fn margin(&self) -> f32 {
         self.margin_with(UNSEEN)
@@ -102,7 +108,8 @@ impl Probes {
         1.96 * 10.0 * LOG10_E * sqrt(variance)
     }
 
-    /// Returns the [`Probes::margin`] for a still picture of `pixels` pixels, each probed at most once.
+    /// Returns the [`Probes::margin`] for a still picture of `pixels` pixels, each probed at most
+    /// once.
     #[must_use]
     pub fn margin_at_rest(&self, pixels: u64) -> f32 {
         let unknown = 1.0 - self.pixels as f32 / pixels as f32;

@@ -1,4 +1,5 @@
-//! Kaleidoscopes, see `Presentation::sectors`: one part of the picture is drawn, and copied to the rest.
+//! Kaleidoscopes, see `Presentation::sectors`: one part of the picture is drawn, and copied to the
+//! rest.
 
 use crate::maths::to_f32;
 use crate::picture::{Band, CELL};
@@ -10,8 +11,8 @@ pub(crate) struct Fold {
     /// The upper left corner of the part that is drawn, in cells.
     centre: [usize; 2],
     has_diagonal: bool,
-    /// Whether the wedge of eight sectors is to the right of its diagonal. If it is to the left, cells on both sides of the diagonal are
-    /// drawn.
+    /// Whether the wedge of eight sectors is to the right of its diagonal. If it is to the left,
+    /// cells on both sides of the diagonal are drawn.
     is_wide: bool,
     pub offset: Vec2,
 }
@@ -48,8 +49,8 @@ impl Fold {
         (left + cut).saturating_sub(margin)
     }
 
-    /// Copies the drawn part to the rest, from the last row backwards: each half mirrors a finished one. Only the diagonal reads along
-    /// columns.
+    /// Copies the drawn part to the rest, from the last row backwards: each half mirrors a finished
+    /// one. Only the diagonal reads along columns.
     pub fn copy(&self, picture: &mut Band<'_>) {
         let [left, top] = self.centre.map(|cells| cells * CELL);
         if left == 0 && !self.has_diagonal {

@@ -2,7 +2,8 @@
 
 use glam::{Vec2, vec2};
 
-/// The capitals, each as the points that a pen visits; a space lifts the pen. The grid's rows are `abc`, `def`, `ghi`, `jkl`, `mno`.
+/// The capitals, each as the points that a pen visits; a space lifts the pen. The grid's rows are
+/// `abc`, `def`, `ghi`, `jkl`, `mno`.
 #[rustfmt::skip]
 static CAPITALS: [&str; 26] = [
     "mdbfo gi", // A
@@ -50,8 +51,8 @@ static DIGITS: [&str; 12] = [
     "nlfbdgi", // 9
 ];
 
-/// Returns the strokes of an ASCII capital, digit or full stop, of ± for a slash, and none for other bytes. Ends are in grid units from
-/// the letter's upper left, y down.
+/// Returns the strokes of an ASCII capital, digit or full stop, of ± for a slash, and none for
+/// other bytes. Ends are in grid units from the letter's upper left, y down.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     points(letter)
         .windows(2)

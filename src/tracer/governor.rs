@@ -12,20 +12,23 @@ const PRESETS: usize = Preset::LADDER.len();
 /// The presets at full size, then the fastest one at a half and at a third of each side.
 const RUNGS: usize = PRESETS + 2;
 
-/// Late frames before a step down: 0.1 s at 60 frames per second. A frame of several periods counts several times.
+/// Late frames before a step down: 0.1 s at 60 frames per second. A frame of several periods counts
+/// several times.
 const TOO_LATE: u64 = 6;
 
 /// The most late frames that one frame counts as: one outlier causes no step.
 const MAX_LATENESS: u64 = 4;
 
-/// The nanoseconds for which a finer preset must look possible: with the delay of `mean`, half a second at 30 frames per second.
+/// The nanoseconds for which a finer preset must look possible: with the delay of `mean`, half a
+/// second at 30 frames per second.
 const CALM: u64 = SECOND / 5;
 
-/// The factor on [`CALM`] before frames grow, unless half of the time is left: changes of size are more visible.
+/// The factor on [`CALM`] before frames grow, unless half of the time is left: changes of size are
+/// more visible.
 const SIZE_CALM: u64 = 5;
 
-/// The fifths of the budget below which a finer rung of unknown time looks possible. The next preset takes a quarter longer, larger
-/// frames 1.7 to 3 times as long.
+/// The fifths of the budget below which a finer rung of unknown time looks possible. The next
+/// preset takes a quarter longer, larger frames 1.7 to 3 times as long.
 const GUESS: u64 = 3;
 
 /// Frames after a step down that are compared with the frames before it.
@@ -33,11 +36,12 @@ const COMPARED: u64 = 8;
 
 /// Selects presets of [`Preset::LADDER`] to hold a frame rate.
 ///
-/// It steps down when frames are late, and up if the next finer preset would leave a sixth of the time unused, predicted by the ratio of
-/// the times before and after the last step down.
+/// It steps down when frames are late, and up if the next finer preset would leave a sixth of the
+/// time unused, predicted by the ratio of the times before and after the last step down.
 ///
-/// A constant load keeps the preset, even if times vary. After a change of the load, the first step follows within half a second, or two
-/// frames if these are longer. If the load falls within eight frames of a step down, the preset may stay too fast until the next change.
+/// A constant load keeps the preset, even if times vary. After a change of the load, the first step
+/// follows within half a second, or two frames if these are longer. If the load falls within eight
+/// frames of a step down, the preset may stay too fast until the next change.
 ///
 /// ```
 /// use core::time::Duration;
@@ -71,7 +75,8 @@ pub struct Governor {
 zero! { Governor { budget, rung, last, late, calm, age, mean, before, threshold } }
 
 impl Governor {
-    /// Returns a governor at the finest preset, for a time of `budget` per frame, at most one second.
+    /// Returns a governor at the finest preset, for a time of `budget` per frame, at most one
+    /// second.
     #[must_use]
     #[inline]
     pub fn new(budget: Duration) -> Self {
@@ -98,7 +103,8 @@ impl Governor {
         Preset::LADDER[self.rung.min(PRESETS - 1)]
     }
 
-    /// Returns the number that divides the sides of the next frame: 1, or 2 or 3 with [`Governor::with_smaller_frames`].
+    /// Returns the number that divides the sides of the next frame: 1, or 2 or 3 with
+    /// [`Governor::with_smaller_frames`].
     #[must_use]
     pub fn divisor(&self) -> usize {
         1 + self.rung.saturating_sub(PRESETS - 1)
@@ -153,9 +159,11 @@ const RETRY_GAIN: f32 = 0.5;
 
 /// Selects presets of [`Preset::LADDER`] to hold an accuracy.
 ///
-/// It steps to a finer preset if the accuracy is certainly below the target, and to a faster one that would certainly reach it, predicted
-/// by the gain of the last step. A difference of 6 dB causes a step within two seconds; a constant accuracy keeps the preset. The
-/// accuracy is at most 4 dB above the target and, except at the finest preset, at most 1 dB below it (2 dB in two cases of a thousand).
+/// It steps to a finer preset if the accuracy is certainly below the target, and to a faster one
+/// that would certainly reach it, predicted by the gain of the last step. A difference of 6 dB
+/// causes a step within two seconds; a constant accuracy keeps the preset. The accuracy is at most
+/// 4 dB above the target and, except at the finest preset, at most 1 dB below it (2 dB in two cases
+/// of a thousand).
 #[derive(Debug)]
 pub struct AccuracyGovernor {
     target: f32,

@@ -3,8 +3,9 @@
 //!
 //! # Shapes, materials and lights
 //!
-//! Shapes are spheres, boxes, cylinders, capsules and planes. Materials are matt, mirrors, metal or glass, and can have a pattern. Lights
-//! are points, suns or spotlights; with a diameter they cast soft shadows.
+//! Shapes are spheres, boxes, cylinders, capsules and planes. Materials are matt, mirrors, metal or
+//! glass, and can have a pattern. Lights are points, suns or spotlights; with a diameter they cast
+//! soft shadows.
 //!
 //! ```
 //! use eightfold_tracer::glam::{Mat3, Vec3, vec3};
@@ -34,8 +35,9 @@
 //!
 //! # How it works
 //!
-//! A square is split if its corners differ in colour, objects or light, or if conservative bounds place an object, a shadow, a mirror
-//! image or a highlight between them. [`Method::squares`](presentation::Method::squares) draws the outlines of the filled squares:
+//! A square is split if its corners differ in colour, objects or light, or if conservative bounds
+//! place an object, a shadow, a mirror image or a highlight between them.
+//! [`Method::squares`](presentation::Method::squares) draws the outlines of the filled squares:
 //!
 #![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
 //!
@@ -43,44 +45,53 @@
 //!
 //! # Quality
 //!
-//! [`Preset::LADDER`] has seven presets, from almost [`Quality::EXHAUSTIVE`] to one for slow machines. A [`Governor`] selects the preset,
-//! and optionally a smaller size, that holds a frame rate. An [`AccuracyGovernor`] selects the preset that holds an accuracy, measured by
+//! [`Preset::LADDER`] has seven presets, from almost [`Quality::EXHAUSTIVE`] to one for slow
+//! machines. A [`Governor`] selects the preset, and optionally a smaller size, that holds a frame
+//! rate. An [`AccuracyGovernor`] selects the preset that holds an accuracy, measured by
 //! [`Frame::with_probes`]. [`limits`] has the accuracy of the presets in figures.
 //!
 //! # Memory and threads
 //!
-//! Rendering never allocates. A renderer needs one [`Memory`], and one [`Worker`] per thread: under 8 MiB with sixteen threads, for
-//! pictures of any size. [`Renderer::detect`], [`ScopedThreads`] and [`Worker::several`] allocate them in place on the heap: a small
-//! stack suffices. Implement [`Threads`] for your own thread pool.
+//! Rendering never allocates. A renderer needs one [`Memory`], and one [`Worker`] per thread: under
+//! 8 MiB with sixteen threads, for pictures of any size. [`Renderer::detect`], [`ScopedThreads`]
+//! and [`Worker::several`] allocate them in place on the heap: a small stack suffices. Implement
+//! [`Threads`] for your own thread pool.
 //!
 //! # Without std
 //!
-//! With `default-features = false` the crate needs neither an operating system nor an allocator, and draws the same bits. Pass the memory
-//! to [`Renderer::with_memory`]: new memory and workers are all zeros, so a `static` takes no space in an executable file.
+//! With `default-features = false` the crate needs neither an operating system nor an allocator,
+//! and draws the same bits. Pass the memory to [`Renderer::with_memory`]: new memory and workers
+//! are all zeros, so a `static` takes no space in an executable file.
 //!
 //! # Scenes as data
 //!
-//! The feature `serde` implements serialisation of a [`Scene`](scene::Scene) and a [`Quality`]. Missing fields get their defaults,
-//! except an object's position, size and material. Some qualities contain infinity, which JSON cannot represent.
+//! The feature `serde` implements serialisation of a [`Scene`](scene::Scene) and a [`Quality`].
+//! Missing fields get their defaults, except an object's position, size and material. Some
+//! qualities contain infinity, which JSON cannot represent.
 //!
 //! # Conventions
 //!
-//! Coordinates are right-handed with y up, in scene units of any size. Angles are in radians, times in seconds. Pixel (0, 0) is the
-//! upper left one, sampled at its centre. Colours are linear RGB; 1 is the brightest displayed value. Pixels are `0x00RRGGBB`:
-//! colours clamped to 0 to 1, times 255, rounded, without gamma.
+//! Coordinates are right-handed with y up, in scene units of any size. Angles are in radians, times
+//! in seconds. Pixel (0, 0) is the upper left one, sampled at its centre. Colours are linear RGB; 1
+//! is the brightest displayed value. Pixels are `0x00RRGGBB`: colours clamped to 0 to 1, times 255,
+//! rounded, without gamma.
 //!
 //! # Determinism
 //!
-//! A frame depends only on the scene, the size, the quality, the samples' offset and the instruction set, not on threads or previous
-//! frames. Between instruction sets pixels differ by at most 1/255, except on silhouettes.
+//! A frame depends only on the scene, the size, the quality, the samples' offset and the
+//! instruction set, not on threads or previous frames. Between instruction sets pixels differ by at
+//! most 1/255, except on silhouettes.
 //!
 //! # Compatibility
 //!
-//! Minor versions may add fields to [`Scene`](scene::Scene), [`Presentation`](presentation::Presentation), their structs, and [`Quality`], with
-//! defaults that keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`.
+//! Minor versions may add fields to [`Scene`](scene::Scene),
+//! [`Presentation`](presentation::Presentation), their structs, and [`Quality`], with defaults that
+//! keep pictures unchanged. End struct expressions with `..Material::BLACK`, `..Scene::default()`
+//! or `..Quality::DEFAULT`.
 //!
-//! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of each [`Preset`] may change. A
-//! breaking version of `glam` or `fearless_simd` ([`Level`]) makes a breaking version of this crate.
+//! The figures of [`limits`] hold in later versions. The bits of pictures and the numbers of each
+//! [`Preset`] may change. A breaking version of `glam` or `fearless_simd` ([`Level`]) makes a
+//! breaking version of this crate.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs, missing_debug_implementations)]

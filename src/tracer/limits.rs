@@ -2,8 +2,9 @@
 //!
 //! # Guarantees
 //!
-//! Tests check these figures on random scenes, with every preset and at 320x240 unless a row differs. Figures in dB are minimums, all
-//! others maximums. A pixel is lost if its exhaustive colour differs by more than 32/255 from all drawn pixels up to 2 pixels away.
+//! Tests check these figures on random scenes, with every preset and at 320x240 unless a row
+//! differs. Figures in dB are minimums, all others maximums. A pixel is lost if its exhaustive
+//! colour differs by more than 32/255 from all drawn pixels up to 2 pixels away.
 //!
 //! | property | figure |
 //! | --- | --- |
@@ -25,7 +26,8 @@
 //!
 //! # Known limitations
 //!
-//! `docs/unguarded.png` shows the first two rows; `docs/accuracy.md`, "Unguarded light", has their figures.
+//! `docs/unguarded.png` shows the first two rows; `docs/accuracy.md`, "Unguarded light", has their
+//! figures.
 //!
 //! | scene | error |
 //! | --- | --- |
@@ -48,5 +50,5 @@
 //! | radii of spheres, and chords through them, below 1e-6 of the sphere's largest coordinate | displaced or missed hits |
 //! | coordinates | rounded to a relative 6e-8: keep scenes near the origin |
 //!
-//! Rays start 1e-5 S above a block's surface, or 1.2e-7 S if the eye is within 16e-5 S of it. S is the sum of the block's absolute
-//! coordinates and half extents.
+//! Rays start 1e-5 S above a block's surface, or 1.2e-7 S if the eye is within 16e-5 S of it. S is
+//! the sum of the block's absolute coordinates and half extents.

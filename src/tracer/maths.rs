@@ -1,4 +1,5 @@
-//! Scalar functions that `core` lacks. Public ones use only correctly rounded operations: the same bits on every platform.
+//! Scalar functions that `core` lacks. Public ones use only correctly rounded operations: the same
+//! bits on every platform.
 
 pub use crate::lanes::ROUND_TO_INTEGER;
 
@@ -21,8 +22,8 @@ pub fn sqrt(x: f32) -> f32 {
     f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
 
-/// Returns the sine of an angle in radians, accurate to 1e-6 up to 1e6; NaN for NaN and infinity. `libm` has 2.8 kB of digits of pi for
-/// larger angles.
+/// Returns the sine of an angle in radians, accurate to 1e-6 up to 1e6; NaN for NaN and infinity.
+/// `libm` has 2.8 kB of digits of pi for larger angles.
 #[must_use]
 pub fn sin(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU)
@@ -71,7 +72,8 @@ pub fn round(x: f32) -> f32 {
     (x + ROUND_TO_INTEGER) - ROUND_TO_INTEGER
 }
 
-/// Returns Hermite's smooth step: 0 for `u` up to 0, 1 from 1 on, and `u^2 (3 - 2 u)` between, with slope 0 at both ends.
+/// Returns Hermite's smooth step: 0 for `u` up to 0, 1 from 1 on, and `u^2 (3 - 2 u)` between, with
+/// slope 0 at both ends.
 #[must_use]
 // Saves 8 packed bytes; hot code uses lanes.
 #[inline(never)]

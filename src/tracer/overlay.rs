@@ -1,4 +1,5 @@
-//! Captions over a finished picture. A pixel's coverage depends on its distance to the nearest stroke: edges are antialiased at any size.
+//! Captions over a finished picture. A pixel's coverage depends on its distance to the nearest
+//! stroke: edges are antialiased at any size.
 
 use crate::font::strokes;
 use crate::maths::{round, sqrt, to_f32};
@@ -70,7 +71,8 @@ impl Overlay<'_> {
 }
 
 impl Frame<'_> {
-    /// Draws captions over a finished picture, aligned to its left side, with the digits of four numbers, see [`Caption::letters`].
+    /// Draws captions over a finished picture, aligned to its left side, with the digits of four
+    /// numbers, see [`Caption::letters`].
     ///
     /// # Panics
     /// If the frame has too few pixels.
@@ -102,8 +104,8 @@ fn distance(at: Vec2, letter: u8) -> f32 {
     sqrt(distance2)
 }
 
-/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares, at most `covered`. Not inlined: 240 packed bytes
-/// less.
+/// Darkens a pixel by the share `covered`, 0 to 1, and adds blue, green and red shares, at most
+/// `covered`. Not inlined: 240 packed bytes less.
 #[inline(never)]
 fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
     // In 256ths; invalid scenes exceed the limits.

@@ -4,10 +4,11 @@ use core::str::FromStr;
 
 /// Settings that trade accuracy for speed: the refinement of squares and the depth of rays.
 ///
-/// A square is filled if its corners show one object, in one 8-bit colour or in colours within a tolerance; otherwise it is split.
-/// Corners with equal *keys* show the same objects in the same light and, in mirrors and glass, the same half-waves of patterns. A
-/// tolerance is in units of 1/255 of a channel, for squares of 8 pixels; it doubles for squares of 4 pixels, where an error covers a
-/// quarter of the pixels, and so on.
+/// A square is filled if its corners show one object, in one 8-bit colour or in colours within a
+/// tolerance; otherwise it is split. Corners with equal *keys* show the same objects in the same
+/// light and, in mirrors and glass, the same half-waves of patterns. A tolerance is in units of
+/// 1/255 of a channel, for squares of 8 pixels; it doubles for squares of 4 pixels, where an error
+/// covers a quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -16,41 +17,48 @@ pub struct Quality {
     pub square: usize,
     /// The tolerance for equal keys, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The tolerance for different keys of one object, 0 to infinity. If both tolerances are equal, keys are not computed.
+    /// The tolerance for different keys of one object, 0 to infinity. If both tolerances are equal,
+    /// keys are not computed.
     pub tolerance_differing: f32,
-    /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have the same key and colours within it, the
-    /// midpoint is their mean.
+    /// The tolerance for the midpoint of a split square's side, 0 to infinity. If both ends have
+    /// the same key and colours within it, the midpoint is their mean.
     pub tolerance_side: f32,
-    /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first plane, or a highlight may be between
-    /// its corners, or if it is between two split squares. [`limits`](crate::limits) lists exceptions. The rules of 2008 are
+    /// Whether a square is also split if an object, a shadow on a plane, an image in a flat first
+    /// plane, or a highlight may be between its corners, or if it is between two split squares.
+    /// [`limits`](crate::limits) lists exceptions. The rules of 2008 are
     /// `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
-    /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to infinity: most such light has no bounds.
-    /// Below infinity, a square is also split where a sphere or a block may be in shadow: no thin thing is missed. Ignored unless
-    /// `guarded`.
+    /// The least weight of reflected or refracted light that splits a square down to pixels, 0 to
+    /// infinity: most such light has no bounds. Below infinity, a square is also split where a
+    /// sphere or a block may be in shadow: no thin thing is missed. Ignored unless `guarded`.
     pub unguarded_weight: f32,
     /// The largest depth of rays whose objects are part of the key; 0 for primary rays only.
     pub key_depth: u32,
-    /// The least weight of rays whose objects are part of the key, 0 to infinity. It excludes weak reflections of a floor. A ray's weight
-    /// is the exposure times `kr`, `kt` and the haze's factors along its path.
+    /// The least weight of rays whose objects are part of the key, 0 to infinity. It excludes weak
+    /// reflections of a floor. A ray's weight is the exposure times `kr`, `kt` and the haze's
+    /// factors along its path.
     pub key_weight: f32,
-    /// Whether crowds are refined: in dense clusters reflections are tiny. In a scene of twelve or more mirrors and glass solids with a
-    /// `kr + kt` of 0.3, all their points have different keys, except on large glass spheres, and squares have 4 pixels at most.
+    /// Whether crowds are refined: in dense clusters reflections are tiny. In a scene of twelve or
+    /// more mirrors and glass solids with a `kr + kt` of 0.3, all their points have different keys,
+    /// except on large glass spheres, and squares have 4 pixels at most.
     pub crowds: bool,
     /// The largest depth of rays at whose hits the lights' states are part of the key.
     pub state_depth: u32,
-    /// The strength `ks (r.v)^h` above which a light's state is "lit with a highlight" instead of "lit", 0 to infinity.
+    /// The strength `ks (r.v)^h` above which a light's state is "lit with a highlight" instead of
+    /// "lit", 0 to infinity.
     pub highlight: f32,
-    /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`]. A deeper ray returns the background in its direction or the ambient light,
-    /// the brighter in each channel; black if the scene is [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
+    /// The largest depth of rays, 0 to [`Quality::MAX_DEPTH`]. A deeper ray returns the background
+    /// in its direction or the ambient light, the brighter in each channel; black if the scene is
+    /// [`Scene::black_beyond`](crate::scene::Scene::black_beyond).
     pub depth: u32,
-    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the light of rays beyond `depth`.
+    /// The least weight of secondary rays, 0 to infinity. Weaker rays return the light of rays
+    /// beyond `depth`.
     pub least_contribution: f32,
-    /// Whether edges are antialiased. The midpoint between two pixels at an edge is traced and mixed into both pixels; up to three more
-    /// points on each side find the edge by bisection.
+    /// Whether edges are antialiased. The midpoint between two pixels at an edge is traced and
+    /// mixed into both pixels; up to three more points on each side find the edge by bisection.
     pub antialias: bool,
-    /// The least difference of neighbouring pixels at an edge, in a channel, in units of 1/255; 0 counts as 1. A smaller number bisects
-    /// deeper.
+    /// The least difference of neighbouring pixels at an edge, in a channel, in units of 1/255; 0
+    /// counts as 1. A smaller number bisects deeper.
     pub edge: u8,
 }
 
@@ -81,16 +89,17 @@ impl Quality {
         edge: 20,
     };
 
-    /// The rules of the 2008 thesis, guarded: squares of 8 pixels are filled if the corners agree in all objects of the ray tree and in
-    /// the lights' states at the primary hit, whatever their colours.
+    /// The rules of the 2008 thesis, guarded: squares of 8 pixels are filled if the corners agree
+    /// in all objects of the ray tree and in the lights' states at the primary hit, whatever their
+    /// colours.
     pub const THESIS: Self =
         Self { square: 8, tolerance_agreeing: f32::INFINITY, ..Self::EXHAUSTIVE };
 
     /// The quality of [`Preset::Default`].
     pub const DEFAULT: Self = Self::within(8, 7.7).followed(5, 0.015).antialiased(20);
 
-    /// Keys have the objects of the primary hit and of stronger secondary rays, and whether each light is lit. Only equal keys have a
-    /// tolerance.
+    /// Keys have the objects of the primary hit and of stronger secondary rays, and whether each
+    /// light is lit. Only equal keys have a tolerance.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,
@@ -113,7 +122,8 @@ impl Quality {
         Self { antialias: true, edge, ..self }
     }
 
-    /// Returns the reference for this quality's errors: every pixel traced, antialiased in the same way.
+    /// Returns the reference for this quality's errors: every pixel traced, antialiased in the same
+    /// way.
     #[must_use]
     pub const fn reference(&self) -> Self {
         Self { antialias: self.antialias, edge: self.edge, ..Self::EXHAUSTIVE }
@@ -130,7 +140,8 @@ impl Quality {
         Self { edge: self.edge.max(1), ..self }
     }
 
-    /// Returns the quality with squares of at least `side` pixels, rounded down to a power of two, 1 to [`Quality::MAX_SQUARE`].
+    /// Returns the quality with squares of at least `side` pixels, rounded down to a power of two,
+    /// 1 to [`Quality::MAX_SQUARE`].
     pub(crate) fn coarser(self, side: usize) -> Self {
         let side = 1 << side.clamp(1, Self::MAX_SQUARE).ilog2();
         Self { square: self.square.max(side), ..self }
@@ -180,9 +191,11 @@ macro_rules! presets {
     ($($(#[$doc:meta])* $preset:ident, $name:literal, $quality:expr;)*) => {
         /// A named quality.
         ///
-        /// `docs/accuracy.md` has the speed and errors of each. [`Preset::LADDER`] is on the Pareto front of time, FLIP and pops (pixels
-        /// that jump while the exhaustive frame's stay), see `cargo lab trade`. By PSNR only, a tolerance of 9 and a least contribution
-        /// of 0.02 would be the best default: a tenth less time, but three times the pops. Squares of 16 are no faster at equal error.
+        /// `docs/accuracy.md` has the speed and errors of each. [`Preset::LADDER`] is on the Pareto
+        /// front of time, FLIP and pops (pixels that jump while the exhaustive frame's stay), see
+        /// `cargo lab trade`. By PSNR only, a tolerance of 9 and a least contribution of 0.02 would
+        /// be the best default: a tenth less time, but three times the pops. Squares of 16 are no
+        /// faster at equal error.
         ///
         /// ```
         /// use eightfold_tracer::{Preset, Quality};
@@ -211,7 +224,8 @@ macro_rules! presets {
 presets! {
     /// [`Quality::EXHAUSTIVE`].
     Exhaustive, "exhaustive", Quality::EXHAUSTIVE;
-    /// The most accurate preset that fills squares. It and the next three are antialiased: a third to a half more time at `default`.
+    /// The most accurate preset that fills squares. It and the next three are antialiased: a third
+    /// to a half more time at `default`.
     Finest, "finest", Quality { unguarded_weight: 0.1, ..Quality::within(8, 2.0).antialiased(8) };
     /// Between [`Preset::Finest`] and [`Preset::Fine`].
     Finer, "finer", Quality::within(8, 3.0).antialiased(12);

@@ -1,4 +1,5 @@
-//! Constants for new memory, all bits zero, so that a `static` takes no space in an executable file; and a short form of `Default`.
+//! Constants for new memory, all bits zero, so that a `static` takes no space in an executable
+//! file; and a short form of `Default`.
 
 use glam::{Mat3, Vec2, Vec3, Vec3A, Vec4};
 

@@ -17,7 +17,8 @@ impl Inspector {
         Self { pixel: [x, y], squares: Mutex::default(), points: Mutex::default() }
     }
 
-    /// Returns JSON: the squares, the largest first, each with its corner, sides and reason, and the traced points.
+    /// Returns JSON: the squares, the largest first, each with its corner, sides and reason, and
+    /// the traced points.
     pub fn json(self) -> String {
         let [squares, points] = [self.squares, self.points]
             .map(|list| list.into_inner().unwrap_or_else(PoisonError::into_inner));

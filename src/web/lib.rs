@@ -1,7 +1,8 @@
 //! The crate of the page: the show for browsers.
 //!
-//! Each worker, the sound and the page have an instance of this module, with one thread, so the mutexes never wait. Numbers, pixels and
-//! samples need no wasm-bindgen. Names must differ from the C library's, for native tests. A returned text is zero-terminated.
+//! Each worker, the sound and the page have an instance of this module, with one thread, so the
+//! mutexes never wait. Numbers, pixels and samples need no wasm-bindgen. Names must differ from the
+//! C library's, for native tests. A returned text is zero-terminated.
 
 mod inspector;
 mod share;
@@ -78,8 +79,8 @@ fn state() -> MutexGuard<'static, State> {
     STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns JSON: the show's length and its scenes' starts in seconds, the qualities from the most accurate on, the default quality, the
-/// probes per frame, and the sampling rate.
+/// Returns JSON: the show's length and its scenes' starts in seconds, the qualities from the most
+/// accurate on, the default quality, the probes per frame, and the sampling rate.
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
@@ -101,7 +102,8 @@ pub extern "C" fn about() -> *const u8 {
     state().store_text(text)
 }
 
-/// Sets the next frames' size. Returns the address of their pixels, a word each, valid until the size changes.
+/// Sets the next frames' size. Returns the address of their pixels, a word each, valid until the
+/// size changes.
 #[unsafe(no_mangle)]
 pub extern "C" fn resize(width: usize, height: usize) -> *mut u32 {
     let mut state = state();
@@ -172,7 +174,8 @@ pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f3
     presentation.captions.clear();
 }
 
-/// Sets the quality by its index in [`about`]; `is_reference` selects the reference of its error. Returns whether that index exists.
+/// Sets the quality by its index in [`about`]; `is_reference` selects the reference of its error.
+/// Returns whether that index exists.
 #[unsafe(no_mangle)]
 pub extern "C" fn set_quality(place: usize, is_reference: bool) -> bool {
     let quality = Preset::ALL.get(place).map(|preset| preset.quality());
@@ -182,8 +185,9 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) -> bool {
     quality.is_some()
 }
 
-/// Draws the bands that begin in rows `from..to` in one pass of the frame, see `share`. `before` is the number of points in all workers'
-/// previous passes. The seed selects the probed pixels. Returns the frame's number of passes.
+/// Draws the bands that begin in rows `from..to` in one pass of the frame, see `share`. `before` is
+/// the number of points in all workers' previous passes. The seed selects the probed pixels.
+/// Returns the frame's number of passes.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(
     from: usize,
@@ -216,8 +220,9 @@ pub extern "C" fn draw(
     share.passes
 }
 
-/// Returns seven numbers about the last [`draw`]: its first row, and the row after its last (smaller if it drew none); points, rays, and
-/// probed pixels; the sums of their squared errors and of those values' squares.
+/// Returns seven numbers about the last [`draw`]: its first row, and the row after its last
+/// (smaller if it drew none); points, rays, and probed pixels; the sums of their squared errors and
+/// of those values' squares.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
     state().figures.as_ptr()
@@ -229,7 +234,8 @@ pub extern "C" fn psnr(pixels: f64, squares: f64, fourths: f64) -> f32 {
     probes(pixels, squares, fourths).psnr()
 }
 
-/// Returns the half width in dB of the PSNR's interval for `all` pixels, see [`Probes::margin_at_rest`].
+/// Returns the half width in dB of the PSNR's interval for `all` pixels, see
+/// [`Probes::margin_at_rest`].
 #[unsafe(no_mangle)]
 pub extern "C" fn margin(pixels: f64, squares: f64, fourths: f64, all: f64) -> f32 {
     probes(pixels, squares, fourths).margin_at_rest(all as u64)
@@ -242,7 +248,8 @@ fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {
     probes
 }
 
-/// Draws the bands that begin in rows `from..to`. Returns JSON about the squares with the pixel (x, y), and the points around it.
+/// Draws the bands that begin in rows `from..to`. Returns JSON about the squares with the pixel (x,
+/// y), and the points around it.
 #[unsafe(no_mangle)]
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
     let (space, state) = (&mut *workspace(), &mut *state());
@@ -270,7 +277,8 @@ pub extern "C" fn restart_sound() {
     workspace().synthesizer.seek(0);
 }
 
-/// Returns the address of at most `SAMPLES` next samples, left and right alternating. The song repeats.
+/// Returns the address of at most `SAMPLES` next samples, left and right alternating. The song
+/// repeats.
 #[unsafe(no_mangle)]
 pub extern "C" fn play(count: usize) -> *const f32 {
     let space = &mut *workspace();
@@ -284,7 +292,8 @@ pub extern "C" fn govern(frames_per_second: u32) {
     state().governor = Some(Governor::new(budget));
 }
 
-/// Passes a frame's time in nanoseconds to the governor. Returns the index of the next frame's quality.
+/// Passes a frame's time in nanoseconds to the governor. Returns the index of the next frame's
+/// quality.
 #[unsafe(no_mangle)]
 pub extern "C" fn governed(nanoseconds: f64) -> usize {
     let mut state = state();

@@ -1,8 +1,8 @@
 use eightfold_tracer::{Band, Counts, Job, Threads, Worker, presentation::Presentation};
 use std::ops::Range;
 
-/// Returns the rows in which a worker's bands begin. Kaleidoscopes of four or more sectors copy pixels between rows: the first worker draws
-/// them.
+/// Returns the rows in which a worker's bands begin. Kaleidoscopes of four or more sectors copy
+/// pixels between rows: the first worker draws them.
 pub fn rows_of(presentation: &Presentation, rows: Range<usize>, height: usize) -> Range<usize> {
     match (presentation.sectors >= 4.0, rows.start) {
         (false, _) => rows,
@@ -11,8 +11,8 @@ pub fn rows_of(presentation: &Presentation, rows: Range<usize>, height: usize) -
     }
 }
 
-/// Draws a worker's bands in one of a frame's passes: drawing, antialiasing (if enabled), and captions (if any). Antialiasing needs a
-/// row of each neighbour.
+/// Draws a worker's bands in one of a frame's passes: drawing, antialiasing (if enabled), and
+/// captions (if any). Antialiasing needs a row of each neighbour.
 pub struct Share<'a> {
     pub worker: &'a mut Worker,
     pub rows: Range<usize>,

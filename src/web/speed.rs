@@ -1,5 +1,5 @@
-//! Draws frames of the model scene for `speed.mjs`. A line of input has a quality's index and seconds, a line of output the processor time
-//! in milliseconds.
+//! Draws frames of the model scene for `speed.mjs`. A line of input has a quality's index and
+//! seconds, a line of output the processor time in milliseconds.
 
 use cpu_time::ThreadTime;
 use eightfold_tracer::Frame;

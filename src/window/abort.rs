@@ -1,5 +1,5 @@
-//! The replacement for std's panic functions in the intro, see `src/pack/build/redirect.rs`. Other programs do not call it. Only
-//! bugs panic, never errors.
+//! The replacement for std's panic functions in the intro, see `src/pack/build/redirect.rs`. Other
+//! programs do not call it. Only bugs panic, never errors.
 
 use crate::{line, terminal};
 

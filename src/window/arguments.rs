@@ -2,9 +2,11 @@ pub use crate::backend::arguments::Arguments;
 #[doc(hidden)]
 pub use crate::backend::arguments::{First, Second, end};
 
-/// Defines the entry point of a crate with `#![no_main]`, which calls a `fn(Arguments) -> i32` for the exit code.
+/// Defines the entry point of a crate with `#![no_main]`, which calls a `fn(Arguments) -> i32` for
+/// the exit code.
 ///
-/// Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack overflow; std's arguments add 432.
+/// Rust's own start adds 9,564 bytes to the packed intro, most of them to explain a stack overflow;
+/// std's arguments add 432.
 #[macro_export]
 macro_rules! main {
     ($run:path) => {

@@ -31,7 +31,8 @@ pub(crate) fn sleep(time: u64) {
     sleep_until(now() + time);
 }
 
-/// Waits while `number` is `value`, for at most three seconds, which a network device may need to open. Returns the number.
+/// Waits while `number` is `value`, for at most three seconds, which a network device may need to
+/// open. Returns the number.
 pub(crate) fn wait_while(number: &AtomicU64, value: u64) -> u64 {
     let clock = Clock::start();
     loop {

@@ -23,7 +23,8 @@ pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     wide.into_iter().chain(avx2()).chain([baseline()])
 }
 
-/// Returns this machine's instruction sets with kernels in the intro, best first; `docs/size.md` has the cost of others.
+/// Returns this machine's instruction sets with kernels in the intro, best first; `docs/size.md`
+/// has the cost of others.
 pub fn shipped() -> impl Iterator<Item = Isa> {
     let baseline = if HAS_BASELINE { Some(baseline()) } else { None };
     avx2().into_iter().chain(baseline)
@@ -82,8 +83,8 @@ mod x86_64 {
 
     /// Returns AVX2 if the machine has all of x86-64-v3, and the system saves YMM registers.
     pub fn avx2() -> Option<Avx2> {
-        /// SSE3, SSSE3, FMA, CMPXCHG16B, SSE4.1, SSE4.2, MOVBE, POPCNT, XSAVE, OSXSAVE, AVX and F16C. Processors with these have
-        /// leaf 7.
+        /// SSE3, SSSE3, FMA, CMPXCHG16B, SSE4.1, SSE4.2, MOVBE, POPCNT, XSAVE, OSXSAVE, AVX and
+        /// F16C. Processors with these have leaf 7.
         const LEAF_1_ECX: u64 = bits(&[0, 9, 12, 13, 19, 20, 22, 23, 26, 27, 28, 29]);
         /// BMI1, AVX2 and BMI2.
         const LEAF_7_EBX: u64 = bits(&[3, 5, 8]);

@@ -1,4 +1,5 @@
-//! Input for interactive programs. The intro has five keys (Esc, F, H, Q, W) and does not link this module.
+//! Input for interactive programs. The intro has five keys (Esc, F, H, Q, W) and does not link this
+//! module.
 
 use core::ffi::c_uint;
 

@@ -4,7 +4,8 @@
 //!
 //! - The small one, on Xlib and libc, for the 64 kB intro on x86-64 Linux.
 //! - The one for the 64 kB intro on Windows (feature `windows`), compiled for x86-64 Linux.
-//! - The portable one, on `minifb` and std, for other systems and processors, or the feature `portable`.
+//! - The portable one, on `minifb` and std, for other systems and processors, or the feature
+//!   `portable`.
 
 #[cfg(windows)]
 compile_error!("the intro for Windows is compiled on Linux, by `cargo exe`");

@@ -4,7 +4,8 @@
 
 pub use crate::system::{ERROR, OUTPUT, is_terminal, write};
 
-/// A buffered writer to a file descriptor. It writes when it is full or [flushed](Writer::flush), until an error.
+/// A buffered writer to a file descriptor. It writes when it is full or [flushed](Writer::flush),
+/// until an error.
 pub struct Writer {
     file: i32,
     has_failed: bool,
@@ -44,7 +45,8 @@ impl Writer {
         self
     }
 
-    /// Adds up to 60 bytes from the user. `?` replaces bytes that are not printable ASCII: they could control the terminal.
+    /// Adds up to 60 bytes from the user. `?` replaces bytes that are not printable ASCII: they
+    /// could control the terminal.
     pub fn printable(&mut self, bytes: &[u8]) -> &mut Writer {
         for &byte in bytes.iter().take(60) {
             let is_printable = byte == b' ' || byte.is_ascii_graphic();

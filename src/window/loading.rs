@@ -45,7 +45,8 @@ impl<T> Table<T> {
     #[inline]
     pub fn open(&'static self) -> Option<&'static T> {
         let slot = self.functions.get().cast();
-        // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for each name.
+        // SAFETY: nothing reads the table before `ready` is set. It consists of pointers, one for
+        // each name.
         let is_filled = unsafe { load(&self.ready, self.library, self.names, slot) };
         // SAFETY: it has been filled.
         is_filled.then(|| unsafe { (*self.functions.get()).assume_init_ref() })

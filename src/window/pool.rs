@@ -1,5 +1,5 @@
-//! A thread pool for the work of a frame. A run costs a few atomic operations: the caller works too, closes the run when the last
-//! item is taken, and waits only for threads that have entered.
+//! A thread pool for the work of a frame. A run costs a few atomic operations: the caller works
+//! too, closes the run when the last item is taken, and waits only for threads that have entered.
 
 use core::cell::UnsafeCell;
 use core::ffi::c_void;
@@ -12,8 +12,8 @@ use core::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering::*};
 pub use crate::backend::threads::processors;
 use crate::backend::threads::{Thread, spawn, wait, wake};
 
-/// Iterations of a spinning wait before the thread sleeps: about 50 microseconds, several times the gap between two runs of a
-/// frame.
+/// Iterations of a spinning wait before the thread sleeps: about 50 microseconds, several times the
+/// gap between two runs of a frame.
 const SPINS: u32 = 1000;
 
 /// A pool whose threads end when it is dropped.
@@ -40,15 +40,16 @@ struct Shared {
 
 const OPEN: u32 = 1 << 31;
 
-// SAFETY: all is atomic except `work`. The pool's owner writes it while no run is open and no thread is inside; threads read it
-// only inside.
+// SAFETY: all is atomic except `work`. The pool's owner writes it while no run is open and no
+// thread is inside; threads read it only inside.
 unsafe impl Sync for Shared {}
 
 impl Pool {
     /// The maximum number of threads, including the caller's.
     pub const MAX_THREADS: usize = 256;
 
-    /// Starts a pool of `count` threads including the caller's, at most [`Pool::MAX_THREADS`]. It has fewer if the system refuses.
+    /// Starts a pool of `count` threads including the caller's, at most [`Pool::MAX_THREADS`]. It
+    /// has fewer if the system refuses.
     #[must_use]
     pub fn new(count: usize) -> Pool {
         let shared = Box::new(Shared {
@@ -78,8 +79,8 @@ impl Pool {
         self.count + 1
     }
 
-    /// Runs a job on every item, in order, each with one of the workers. Each worker belongs to one thread during the run, so
-    /// `workers` limits the number of threads.
+    /// Runs a job on every item, in order, each with one of the workers. Each worker belongs to one
+    /// thread during the run, so `workers` limits the number of threads.
     ///
     /// # Panics
     /// If the job panics on the caller's thread. A panic on another thread aborts the process.
@@ -124,16 +125,16 @@ impl Pool {
         });
     }
 
-    /// Runs the work on the caller's thread, with number 0, and on all threads that enter in time. It has two callers and is too
-    /// large to inline.
+    /// Runs the work on the caller's thread, with number 0, and on all threads that enter in time.
+    /// It has two callers and is too large to inline.
     #[inline(never)]
     fn work(&mut self, work: Work<'_>) {
         let shared = &*self.shared;
         if self.count == 0 {
             return work(0);
         }
-        // SAFETY: no run is open and no thread inside, by `&mut self` and the end of `Run`. Threads read `work` only inside, and
-        // `Run` ends after they have left.
+        // SAFETY: no run is open and no thread inside, by `&mut self` and the end of `Run`. Threads
+        // read `work` only inside, and `Run` ends after they have left.
         unsafe { (*shared.work.get()).write(transmute::<Work<'_>, Work<'static>>(work)) };
         shared.inside.store(OPEN, Release);
         shared.wake();
@@ -153,7 +154,8 @@ impl Drop for Pool {
     }
 }
 
-/// A run that threads may enter. It ends after all of them have left, even if the caller's work panics.
+/// A run that threads may enter. It ends after all of them have left, even if the caller's work
+/// panics.
 struct Run<'a>(&'a Shared);
 
 impl Drop for Run<'_> {

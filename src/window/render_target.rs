@@ -25,13 +25,15 @@ impl InnerSize {
     }
 }
 
-/// A target for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or [`Headless`].
+/// A target for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal)
+/// or [`Headless`].
 pub trait RenderTarget {
-    /// Returns the target's width and height in pixels, at least 1. For more than [`MAX_PIXELS`], draw a smaller frame: it is
-    /// stretched.
+    /// Returns the target's width and height in pixels, at least 1. For more than [`MAX_PIXELS`],
+    /// draw a smaller frame: it is stretched.
     fn size(&self) -> (usize, usize);
 
-    /// Returns the pixels of the next frame, `width` by `height`, `0x00RRGGBB`, row by row, with undefined content.
+    /// Returns the pixels of the next frame, `width` by `height`, `0x00RRGGBB`, row by row, with
+    /// undefined content.
     ///
     /// # Panics
     /// If `width * height` is above [`MAX_PIXELS`].

@@ -45,14 +45,16 @@ fn points_are_added_between_differing_pixels() {
             let is_same = plain.pixels[i] == smooth.pixels[i];
             assert!(is_same || is_beside, "case {}: pixel {i}", random.seed);
         }
-        // Bisection adds at most two points on each side of the midpoint, three below an edge of 20.
+        // Bisection adds at most two points on each side of the midpoint, three below an edge of
+        // 20.
         let max = if quality.edge < 20 { 7 } else { 5 };
         let (traced, seed) = (smooth.counts.points - plain.counts.points, random.seed);
         assert!((points..=max * points).contains(&traced), "case {seed}: {traced} of {points}");
     }
 }
 
-/// Bisection finds an edge to an eighth of a pixel along the axis that it crosses. Cutting off a corner adds an error of an eighth.
+/// Bisection finds an edge to an eighth of a pixel along the axis that it crosses. Cutting off a
+/// corner adds an error of an eighth.
 #[test]
 fn share_of_a_cut_pixel_is_known_to_an_eighth() {
     const SIDE: usize = 40;
@@ -88,7 +90,8 @@ fn covered(angle: f32, distance: f32) -> f32 {
     (0..SLICES).map(slice).sum::<f32>() / SLICES as f32
 }
 
-/// Returns a white box whose edge is `distance` pixels from the picture's centre, turned clockwise by an angle.
+/// Returns a white box whose edge is `distance` pixels from the picture's centre, turned clockwise
+/// by an angle.
 fn half_plane(angle: f32, distance: f32, height: usize) -> Scene {
     let mut scene = Scene { ambient: Vec3::ONE, ..Scene::default() };
     let pixel = 2.0 * (0.5 * scene.camera.field_of_view).tan() / height as f32;

@@ -1,4 +1,5 @@
-//! The built intro draws the bits of the library. Their module's name sorts early, since the build takes longest.
+//! The built intro draws the bits of the library. Their module's name sorts early, since the build
+//! takes longest.
 
 use crate::cpu::{self, Isa};
 use crate::drawn::{draw, show_at};
@@ -40,7 +41,8 @@ impl Still {
     }
 }
 
-/// Times in milliseconds, two or more in each scene except the method's. The oracle draws neither captions nor coarse squares.
+/// Times in milliseconds, two or more in each scene except the method's. The oracle draws neither
+/// captions nor coarse squares.
 pub const TIMES: [u32; 18] = [
     2_300, 5_500, 13_300, 18_700, 21_500, 41_300, 46_400, 54_700, 57_400, 62_500, 69_900, 78_300,
     83_600, 90_700, 94_300, 102_800, 112_000, 113_500,

@@ -8,8 +8,8 @@ use eightfold_tracer::scene::{Camera, Material, Scene, Sphere};
 const MIRROR: Material = Material { kr: 0.8, ..Material::BLACK };
 const CLEAR: Material = Material { kt: 1.0, index: 1.0, ..Material::BLACK };
 
-/// Returns a scene of one solid: a block near the origin, or a sphere at up to 1,000 radii from the origin. The distance enlarges rounding
-/// errors.
+/// Returns a scene of one solid: a block near the origin, or a sphere at up to 1,000 radii from the
+/// origin. The distance enlarges rounding errors.
 fn lone(random: &mut Random, material: Material) -> Scene {
     let scale = random.power(-4.0, 4.0);
     let (far, half) = (random.power(0.0, 3.0), Vec3::ONE.map(|_| random.power(-1.5, 0.0)));
@@ -49,8 +49,8 @@ fn mirrors_never_show_themselves() {
     assert!(shown >= 600_000 * isas, "{shown}");
 }
 
-/// Without a least contribution, each hit traces a reflected and a transmitted ray. One of them is inside the solid and hits it again, the
-/// other misses it; so each depth adds as many rays.
+/// Without a least contribution, each hit traces a reflected and a transmitted ray. One of them is
+/// inside the solid and hits it again, the other misses it; so each depth adds as many rays.
 #[test]
 fn clear_solid_is_entered_and_left_once() {
     for mut random in cases(30) {

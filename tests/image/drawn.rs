@@ -1,5 +1,5 @@
-//! Draws pictures on all instruction sets ([`draw_by_all`]), on one per scene, in turns ([`isa_of`]), or on the best
-//! ([`draw_best`]).
+//! Draws pictures on all instruction sets ([`draw_by_all`]), on one per scene, in turns
+//! ([`isa_of`]), or on the best ([`draw_best`]).
 
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::{MomentRef, ThreadedRenderer};

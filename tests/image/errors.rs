@@ -77,13 +77,15 @@ fn default_has_45_db_and_42_in_fields() {
         let scene = show::field(count, time);
         assert_near(&format!("{count} spheres"), &scene, smooth, large, (ANY, 42.0));
     }
-    // Swirls, the rim of air, low fog, films and the soft edges of softboxes are smooth enough for squares.
+    // Swirls, the rim of air, low fog, films and the soft edges of softboxes are smooth enough for
+    // squares.
     for (name, min_psnr) in [("planet", 55.0), ("city", 55.0), ("bubbles", 50.0)] {
         assert_near(name, &example(name), smooth, [960, 540], (ANY, min_psnr));
     }
 }
 
-/// Tests crowds of mirrors and glass, and matt crowds under all kinds of light. `CASES` sets the number of scenes of each kind (1).
+/// Tests crowds of mirrors and glass, and matt crowds under all kinds of light. `CASES` sets the
+/// number of scenes of each kind (1).
 #[test]
 #[ignore = "many random scenes"]
 fn random_crowds_have_42_db() {
@@ -231,8 +233,8 @@ fn worst(
     })
 }
 
-/// Without `unguarded_weight` some of these seeds have patches in stairs, shelves, water, mirrors, glass, nets in balls and strips
-/// of light.
+/// Without `unguarded_weight` some of these seeds have patches in stairs, shelves, water, mirrors,
+/// glass, nets in balls and strips of light.
 #[test]
 fn finest_shows_thin_things_without_bounds() {
     for kind in &KINDS[ON_FLOORS..] {

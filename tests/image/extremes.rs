@@ -1,5 +1,6 @@
-//! Numbers at the ends of their ranges, and beyond: `render` refuses these, `render_valid` draws them with bounded work. Objects whose
-//! size is many times the eye's height above them: the ground, and planets.
+//! Numbers at the ends of their ranges, and beyond: `render` refuses these, `render_valid` draws
+//! them with bounded work. Objects whose size is many times the eye's height above them: the
+//! ground, and planets.
 
 use crate::cpu;
 use crate::drawn::{Drawn, REFINEMENTS, draw, draw_by_all, isa_of, of_side};
@@ -176,7 +177,8 @@ fn scene_or_quality_out_of_range_is_refused() {
     }
 }
 
-/// Returns the model scene's lights, nearer, and a solid of its first material ahead, by its number.
+/// Returns the model scene's lights, nearer, and a solid of its first material ahead, by its
+/// number.
 fn alone(number: usize) -> Scene {
     let Scene { mut lights, spheres, .. } = show::model_scene(0.0);
     let material = spheres[0].material;
@@ -217,7 +219,8 @@ fn scene_of_any_scale_is_the_same_picture() {
     }
 }
 
-/// Scene units from the origin, and the least PSNR in dB against the oracle; [`eightfold_tracer::limits`] has both.
+/// Scene units from the origin, and the least PSNR in dB against the oracle;
+/// [`eightfold_tracer::limits`] has both.
 #[test]
 fn scene_far_from_the_origin_is_as_exact_as_stated() {
     let limits = [0.0, 1e2, 1e3, 1e4, 1e5].into_iter();
@@ -300,7 +303,8 @@ fn telescope_sees_a_far_sphere_as_in_f64() {
     }
 }
 
-/// Returns a white ball. The distances are in radii. A box beyond the ball, and the diameter of a light inside, make no difference.
+/// Returns a white ball. The distances are in radii. A box beyond the ball, and the diameter of a
+/// light inside, make no difference.
 fn ball(random: &mut Random, [eye_at, light_at]: [f32; 2], has_more: bool) -> Scene {
     let radius = random.power(-4.0, 4.0);
     let centre = random.vector(Vec3::NEG_ONE, Vec3::ONE) * random.power(0.0, 3.0) * radius;
@@ -320,7 +324,8 @@ fn ball(random: &mut Random, [eye_at, light_at]: [f32; 2], has_more: bool) -> Sc
     scene
 }
 
-/// A light wholly inside a sphere illuminates its inside, others its outside. Rounding makes no point shadow itself.
+/// A light wholly inside a sphere illuminates its inside, others its outside. Rounding makes no
+/// point shadow itself.
 #[test]
 fn sphere_is_lit_on_the_side_of_its_light_only() {
     let mut counts = [0; 2];

@@ -43,7 +43,8 @@ fn scene(time: f32, sectors: f32) -> Moment {
     moment
 }
 
-/// Draws over other pixels with 1 and 3 threads, and asserts that both agree, and that probes find no error in exhaustive pictures.
+/// Draws over other pixels with 1 and 3 threads, and asserts that both agree, and that probes find
+/// no error in exhaustive pictures.
 fn draw(
     renderers: &mut [ThreadedRenderer; 2],
     scene: &Moment,
@@ -104,7 +105,8 @@ fn eight_sectors_trace_a_quarter_of_the_picture() {
     assert!(points(8.0) < points(1.0) / 4, "{} of {}", points(8.0), points(1.0));
 }
 
-/// The lamp is as high in a folded picture as in the whole one: no mirror cuts or doubles a part of it.
+/// The lamp is as high in a folded picture as in the whole one: no mirror cuts or doubles a part of
+/// it.
 #[test]
 fn lamp_is_the_centre_of_folds_at_all_aspects() {
     for [width, height] in [[180, 320], [240, 240], [320, 240], [320, 180], [420, 180]] {

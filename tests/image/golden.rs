@@ -1,4 +1,5 @@
-//! Pictures match the reviewed ones in `tests/golden`, which the baseline instruction set drew. To redraw those that differ:
+//! Pictures match the reviewed ones in `tests/golden`, which the baseline instruction set drew. To
+//! redraw those that differ:
 //!
 //!     UPDATE_GOLDEN=1 cargo test --test image golden
 
@@ -14,7 +15,8 @@ use eightfold_tracer::scene::Scene;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The largest mean error, in steps of 1/255: rounding decides a few squares differently on other instruction sets.
+/// The largest mean error, in steps of 1/255: rounding decides a few squares differently on other
+/// instruction sets.
 const MEAN: f64 = 0.05;
 /// Pixels in a thousand that may differ by more than 8/255.
 const OVER_8: usize = 1;

@@ -103,7 +103,8 @@ impl Machine {
         (time - start, rungs)
     }
 
-    /// Asserts that the rung is in time, and that the next finer one would take more than a share of the time.
+    /// Asserts that the rung is in time, and that the next finer one would take more than a share
+    /// of the time.
     fn assert_finest(&self, share: f64) {
         let rung = self.rung();
         assert!(self.cost() <= 1.0 || rung + 1 == self.shares.len(), "{}", self.load);
@@ -111,7 +112,8 @@ impl Machine {
     }
 }
 
-/// A step from the fastest frames to a rung of unknown time may be taken back; a preset that takes half of the time is kept.
+/// A step from the fastest frames to a rung of unknown time may be taken back; a preset that takes
+/// half of the time is kept.
 #[test]
 fn constant_load_selects_the_finest_preset_in_time() {
     for mut random in cases(200) {
@@ -201,7 +203,8 @@ impl Show {
         self.finest - self.losses[..preset].iter().sum::<f64>() - self.target
     }
 
-    /// Returns the probes of a frame: a fiftieth of the pixels has four fifths of the error, as where edges are missed.
+    /// Returns the probes of a frame: a fiftieth of the pixels has four fifths of the error, as
+    /// where edges are missed.
     fn probes(&mut self) -> Probes {
         let psnr = self.room(rung(self.governor.preset())) + self.target;
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(psnr / 10.0);

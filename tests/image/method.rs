@@ -1,4 +1,5 @@
-//! The overlay of the method marks exactly the traced points and the filled squares. A golden picture has coarse squares.
+//! The overlay of the method marks exactly the traced points and the filled squares. A golden
+//! picture has coarse squares.
 
 use crate::cpu;
 use crate::drawn::{Drawn, draw, of_side};

@@ -10,8 +10,8 @@ use eightfold_tracer::scene::{Camera, Light, List, Material, Scene, Sphere};
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{DVec3, Vec3, vec3};
 
-/// Asserts that at most 0.02 % of the pixels, or four, differ by more than 8/255, all on silhouettes, and the others by at most
-/// 0.01/255 on average (0.05/255 on film).
+/// Asserts that at most 0.02 % of the pixels, or four, differ by more than 8/255, all on
+/// silhouettes, and the others by at most 0.01/255 on average (0.05/255 on film).
 #[track_caller]
 fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     let mut expected = frame.picture_like(&drawn.pixels);
@@ -39,7 +39,8 @@ fn assert_traced(scene: &Scene, [width, height]: [usize; 2], what: &str) {
     }
 }
 
-/// Asserts that squares of 8 pixels are filled by the rules, except for one in 200, or 2, where rounding decides.
+/// Asserts that squares of 8 pixels are filled by the rules, except for one in 200, or 2, where
+/// rounding decides.
 #[track_caller]
 fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2], what: &str) {
     let frame = Frame::new(scene, quality, width, height);

@@ -56,7 +56,8 @@ fn patterns_are_right_at_any_distance() {
     }
 }
 
-/// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp patterns.
+/// Squares split at the edges of objects and shadows, but not at the much longer edges of sharp
+/// patterns.
 #[test]
 fn sharp_patterns_split_few_squares() {
     let quality = Quality::DEFAULT.jagged();

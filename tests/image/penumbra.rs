@@ -20,7 +20,8 @@ fn visible_share(oracle: &Oracle<'_>, p: DVec3) -> f64 {
     visible.count() as f64 / SAMPLES as f64
 }
 
-/// Returns the mean and the largest error of a white floor's brightness, seen from above, where the occluder does not hide it.
+/// Returns the mean and the largest error of a white floor's brightness, seen from above, where the
+/// occluder does not hide it.
 fn errors(scene: &Scene) -> [f64; 2] {
     let size = 50;
     let drawn = draw_best(scene, &Quality::EXHAUSTIVE, size, size);

@@ -17,7 +17,8 @@ fn show_is_valid_at_all_times() {
     }
 }
 
-/// Both sides of a cut show a disc at the same place, so that coarse squares turn one into the other.
+/// Both sides of a cut show a disc at the same place, so that coarse squares turn one into the
+/// other.
 #[test]
 fn disc_stands_at_its_place_at_every_cut() {
     const HEIGHT: usize = 90;

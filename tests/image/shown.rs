@@ -1,4 +1,5 @@
-//! Named qualities show all objects, shadows and images of exhaustive pictures: at least one of their pixels is right.
+//! Named qualities show all objects, shadows and images of exhaustive pictures: at least one of
+//! their pixels is right.
 
 use crate::cpu::{self, Isa};
 use crate::drawn::{bare, draw, draw_best, isa_of, named, of_side, of_the_show};
@@ -149,7 +150,8 @@ fn objects_are_shown() {
     assert_objects(random(sunk, 30), [450, 45]);
 }
 
-/// The guard traces 1.11 times an unguarded frame's points among the chimes, 1.17 times among the towers.
+/// The guard traces 1.11 times an unguarded frame's points among the chimes, 1.17 times among the
+/// towers.
 #[test]
 fn hidden_objects_open_few_squares() {
     for (time, limit) in [(65.0, 1.13), (54.0, 1.19)] {
@@ -188,7 +190,8 @@ fn far_suns_and_telescopes_open_few_squares() {
     }
 }
 
-/// Returns the shadow of the last sphere, unless it is darker than light by at most 1/255, which can be rounding.
+/// Returns the shadow of the last sphere, unless it is darker than light by at most 1/255, which
+/// can be rounding.
 fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let Some((_, others)) = view.scene.spheres.split_last() else { return Vec::new() };
     let mut lit = view.clone();
@@ -220,7 +223,8 @@ fn shadows_on_a_floor_are_shown() {
     tally.assert_counts(60, 15);
 }
 
-/// Returns a black mirror that halves its images: their channels are below 128, the objects' are 128 or more.
+/// Returns a black mirror that halves its images: their channels are below 128, the objects' are
+/// 128 or more.
 fn mirror(random: &mut Random) -> View {
     let view = hidden(random, [20, 20], Material::mirror(0.5));
     let (background, lights) = (Vec3::ZERO, List::default());
@@ -283,7 +287,8 @@ fn thin_and_near_images_are_shown() {
 /// The step of numerical derivatives, in pixels.
 const NEAR: f64 = 1e-4;
 
-/// Returns whether one of the pixels, or a neighbour, shows a point that mirrors a light to the eye.
+/// Returns whether one of the pixels, or a neighbour, shows a point that mirrors a light to the
+/// eye.
 fn show_mirror_point(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
     // The difference between the mirrored ray and the direction to the light.
@@ -312,7 +317,8 @@ fn show_mirror_point(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     })
 }
 
-/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that mirrors the light.
+/// Highlights of five pixels are promised if one of them, or a neighbour, shows the point that
+/// mirrors the light.
 fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let spheres = scene.spheres.iter().map(Shape::from);

@@ -1,5 +1,6 @@
-//! Any scene, size and quality draws the same bits on any number of threads, in any order, and after any other frame, for bounded
-//! work, and never panics while glam asserts its conditions, which `tests/scenes` enables for all tests.
+//! Any scene, size and quality draws the same bits on any number of threads, in any order, and
+//! after any other frame, for bounded work, and never panics while glam asserts its conditions,
+//! which `tests/scenes` enables for all tests.
 
 use crate::cpu;
 use crate::drawn::{REFINEMENTS, Record, draw, isa_of, max_points, of_side, of_the_show};
@@ -19,8 +20,9 @@ use std::panic::catch_unwind;
 use std::time::{Duration, Instant};
 
 const CASES: u64 = 150;
-/// A mean error of the default quality, in steps of 1/255. Two of 5,521 pictures had more, 2.6 at worst: thin things in unguarded light.
-/// There `finest` must leave at most [`MAX_MEAN_ERROR_LEFT`]: it left 0.00007.
+/// A mean error of the default quality, in steps of 1/255. Two of 5,521 pictures had more, 2.6 at
+/// worst: thin things in unguarded light. There `finest` must leave at most
+/// [`MAX_MEAN_ERROR_LEFT`]: it left 0.00007.
 const MAX_MEAN_ERROR: f64 = 2.0;
 const MAX_MEAN_ERROR_LEFT: f64 = 0.1;
 
@@ -44,7 +46,8 @@ fn quality(random: &mut Random) -> Quality {
     random.one_of([Quality::THESIS, Quality::DEFAULT, any])
 }
 
-/// Puts the eye and lights at, above, or in the middle of objects: directions and normals have no length.
+/// Puts the eye and lights at, above, or in the middle of objects: directions and normals have no
+/// length.
 fn degenerate(random: &mut Random) -> Scene {
     let mut scene = any(random);
     let places = scene.spheres.iter().map(|sphere| sphere.centre);
@@ -75,8 +78,9 @@ fn corrupt(scene: &mut Moment, random: &mut Random) -> bool {
 }
 
 fn max_traced(quality: &Quality, width: usize, height: usize) -> u64 {
-    // Antialiasing traces the midpoints to the right of a pixel and below it; between stretches and between bands twice. Bisection adds up
-    // to two points on each side of a midpoint, three if `edge` is below 20.
+    // Antialiasing traces the midpoints to the right of a pixel and below it; between stretches and
+    // between bands twice. Bisection adds up to two points on each side of a midpoint, three if
+    // `edge` is below 20.
     let of_pixel = if quality.edge < 20 { 15 } else { 11 };
     let middles = usize::from(quality.antialias) * of_pixel * width * height;
     (max_points(quality.square, width, height) + middles) as u64
@@ -90,7 +94,8 @@ fn assert_same_bits([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random)
     let mut scene = match kind {
         0 => {
             let mut scene = show::model_scene(time);
-            // A light level with the floor, which must not hide it only among some rays of a packet.
+            // A light level with the floor, which must not hide it only among some rays of a
+            // packet.
             scene.lights[0].position.y *= random.one_of([1.0, 1e-40, 1e-9, 1e-7]);
             scene.into()
         }
@@ -132,8 +137,8 @@ fn assert_same_bits([one, two]: &mut [ThreadedRenderer; 2], random: &mut Random)
         && counts.shadow_rays <= counts.rays * scene.scene.lights.len() as u64;
     assert!(is_bounded, "{what}: {counts:?}");
 
-    // The corners of the largest squares are always traced. But antialiasing and marks change their pixels, culling by wrong
-    // axes depends on the squares, and folds copy pixels to corners.
+    // The corners of the largest squares are always traced. But antialiasing and marks change their
+    // pixels, culling by wrong axes depends on the squares, and folds copy pixels to corners.
     let every = Quality { square: 1, ..quality };
     let (others, _) = draw(one, &every);
     if !quality.antialias && scene.presentation.method == Method::PLAIN && !is_moved {

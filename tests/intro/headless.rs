@@ -134,7 +134,8 @@ fn library_that_cannot_be_loaded_is_named() {
     assert_eq!(errors, expected);
 }
 
-/// `INTRO` in the script is the linked intro, `PACKED` the packed file. Returns the exit code and the standard error.
+/// `INTRO` in the script is the linked intro, `PACKED` the packed file. Returns the exit code and
+/// the standard error.
 fn shell(script: &str) -> (Option<i32>, String) {
     let script = script.replace("INTRO", &linked_intro().display().to_string());
     let script = script.replace("PACKED", &intro().display().to_string());
@@ -174,7 +175,8 @@ fn address_space_of_118000_kib_is_enough() {
     let configuration = folder.path().join("asound.conf");
     fs::write(&configuration, "pcm.default { type null }").unwrap();
     let configuration = configuration.display();
-    // In KiB, mostly for the largest frames and all threads. A null sound device adds a thread and libraries.
+    // In KiB, mostly for the largest frames and all threads. A null sound device adds a thread and
+    // libraries.
     for (limit, sound) in [(118_000, "--silent"), (140_000, "")] {
         let play = format!("PACKED {sound} --seconds 0.2 --threads 2 > /dev/null");
         let limited = format!("ulimit -v {limit}; ALSA_CONFIG_PATH={configuration} {play}");

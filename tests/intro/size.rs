@@ -37,7 +37,8 @@ fn damaged_or_cut_intro_prints_one_line() {
     let (source, path) = (folder.path().join("bytes"), folder.path().join("damaged"));
     let assert_damaged = |what: String, bytes: &[u8]| {
         fs::write(&source, bytes).expect("it can be written");
-        // Another process copies it: Linux starts no program that a child of another test has open for writing.
+        // Another process copies it: Linux starts no program that a child of another test has open
+        // for writing.
         let copied = Command::new("install").args([&source, &path]).status();
         assert!(copied.expect("install is there").success());
         let (code, _, errors) = ended(Command::new(&path).arg("--version"));

@@ -15,7 +15,8 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// Starts the intro, and waits for a picture. At the end the terminal shows the exit code and whether its mode was restored.
+    /// Starts the intro, and waits for a picture. At the end the terminal shows the exit code and
+    /// whether its mode was restored.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!("eightfold-{}-{}", process::id(), COUNT.fetch_add(1, Relaxed));

@@ -4,7 +4,8 @@ use std::path::Path;
 
 type Modules = BTreeMap<String, BTreeSet<String>>;
 
-/// Returns the modules of a folder, such as "crate::scene" for `scene/mod.rs`, and all paths in their code.
+/// Returns the modules of a folder, such as "crate::scene" for `scene/mod.rs`, and all paths in
+/// their code.
 fn modules(folder: &Path, parent: &str) -> Modules {
     let mut modules = Modules::new();
     for entry in fs::read_dir(folder).expect("a folder") {
@@ -29,7 +30,8 @@ fn modules(folder: &Path, parent: &str) -> Modules {
     modules
 }
 
-/// Returns all paths from "use", "crate" or "super" on, except in comments, in tests, and from inline modules to their file.
+/// Returns all paths from "use", "crate" or "super" on, except in comments, in tests, and from
+/// inline modules to their file.
 fn paths(text: &str) -> Vec<String> {
     let text = text.split("#[cfg(all(test").next().expect("a part");
     let text = text.split("#[cfg(test)]\nmod tests {").next().expect("a part");

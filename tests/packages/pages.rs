@@ -31,3 +31,30 @@ fn paths_in_architecture_name_files() {
     }
     assert!(paths.len() > 30, "{} paths", paths.len());
 }
+
+#[test]
+fn comments_fit_in_100_columns() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut folders: Vec<_> = ["src", "tests", "examples"].map(|name| root.join(name)).into();
+    let mut count = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() && !path.ends_with("target") {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "rs") {
+                let text = fs::read_to_string(&path).expect("text");
+                // Not tables and pictures.
+                let comments = text
+                    .lines()
+                    .map(str::trim_end)
+                    .filter(|line| line.trim_start().starts_with("//") && !line.contains('|'));
+                for line in comments {
+                    assert!(line.chars().count() <= 100, "{path:?}: {line}");
+                    count += 1;
+                }
+            }
+        }
+    }
+    assert!(count > 5000, "{count} comments");
+}

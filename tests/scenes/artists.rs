@@ -119,7 +119,8 @@ fn upright(random: &mut Random) -> impl Fn(f32, f32) -> Vec3 + use<> {
     move |x, y| at + across * x + Vec3::Y * y
 }
 
-/// Adds bars from the floor, up to `deep` in front, that lean by up to `lean` and have heights from `low` to `high`.
+/// Adds bars from the floor, up to `deep` in front, that lean by up to `lean` and have heights from
+/// `low` to `high`.
 fn upright_bars(
     scene: &mut Scene,
     random: &mut Random,

@@ -58,7 +58,8 @@ fn empty(random: &mut Random) -> View {
     View::new(scene, size)
 }
 
-/// Returns a floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly hidden, often after others.
+/// Returns a floor with the shadow of a sphere: a few pixels wide, or thin and long, or mostly
+/// hidden, often after others.
 pub fn shadow(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -121,7 +122,8 @@ pub fn image(random: &mut Random) -> View {
     view
 }
 
-/// Returns objects that rise from a floor or a slab by a tenth of their size down to a rounding error.
+/// Returns objects that rise from a floor or a slab by a tenth of their size down to a rounding
+/// error.
 pub fn contact(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();

@@ -46,7 +46,8 @@ impl View {
         Self { scene, width, height }
     }
 
-    /// Returns the direction through a point of the picture, at a depth of 1, and the length of a pixel there.
+    /// Returns the direction through a point of the picture, at a depth of 1, and the length of a
+    /// pixel there.
     fn ray(&self, x: f32, y: f32) -> (Vec3, f32) {
         let raster = self.scene.camera.raster(self.width, self.height);
         (raster.corner + raster.dx * x + raster.dy * y, raster.dx.length())

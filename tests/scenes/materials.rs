@@ -48,7 +48,8 @@ pub fn extreme(random: &mut Random) -> Material {
     }
 }
 
-/// Returns a pattern: stripes, checkers, marble, veins or spots, from soft to sharp. Half the balances leave thin veins.
+/// Returns a pattern: stripes, checkers, marble, veins or spots, from soft to sharp. Half the
+/// balances leave thin veins.
 pub fn pattern(random: &mut Random) -> Pattern {
     let waves = [0; 3].map(|_| random.zero_or(0.2, 2.0));
     let max = random.one_of([1.0_f32, 0.2]);

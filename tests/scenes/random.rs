@@ -59,8 +59,8 @@ impl Random {
     }
 }
 
-/// Returns a generator per case. `CASES` sets another count, and `FIRST_CASE` the first seed (0). To repeat a failed case, set
-/// `FIRST_CASE` to its seed and `CASES=1`.
+/// Returns a generator per case. `CASES` sets another count, and `FIRST_CASE` the first seed (0).
+/// To repeat a failed case, set `FIRST_CASE` to its seed and `CASES=1`.
 pub fn cases(count: u64) -> impl Iterator<Item = Random> {
     let number = |name: &str| {
         let text = std::env::var(name).ok()?;

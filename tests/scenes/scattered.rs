@@ -41,7 +41,8 @@ const PLACED: Kinds = Kinds {
 
 pub const GREY: Material = Material::matt(Vec3::splat(0.8), 0.9);
 
-/// Returns a view whose materials are [`bright`] ones by number, in the order of [`materials_of`], except the floor's.
+/// Returns a view whose materials are [`bright`] ones by number, in the order of [`materials_of`],
+/// except the floor's.
 pub fn hidden(random: &mut Random, [spheres, blocks]: [usize; 2], floor: Material) -> View {
     let mut view = Kinds { spheres, blocks, ..HIDDEN }.view(random);
     let scene = &mut view.scene;
@@ -70,8 +71,8 @@ fn crowded(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     Material { kd, kr, kt, ..plastic }
 }
 
-/// Returns a crowd with these shares of glass and mirrors, over checkers or a plain floor. Up to sixteen objects are large, and
-/// large glass spheres contain up to three others.
+/// Returns a crowd with these shares of glass and mirrors, over checkers or a plain floor. Up to
+/// sixteen objects are large, and large glass spheres contain up to three others.
 pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let is_large = spheres + blocks <= 16;
     let kinds = Kinds {
@@ -138,7 +139,8 @@ pub fn placed(random: &mut Random) -> View {
     completed(random, Kinds { spheres, blocks, ..PLACED })
 }
 
-/// Returns blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
+/// Returns blocks from half a pixel to far larger than the picture, some around the eye, some very
+/// thin.
 pub fn placed_blocks(random: &mut Random) -> View {
     let (blocks, thick) = (1 + random.below(31), random.one_of([1.0, 1.0, 0.1]));
     let (place, radius) = (AtPixel([-1.5, 1.5]), [[-0.3, 3.5]; 2]);

@@ -46,7 +46,8 @@ impl Bars {
         }
     }
 
-    /// Adds vertical bars at `columns`, as high as `rows` from 0 up, and horizontal ones at `rows`, as wide as the columns.
+    /// Adds vertical bars at `columns`, as high as `rows` from 0 up, and horizontal ones at `rows`,
+    /// as wide as the columns.
     pub fn grid(
         &self,
         scene: &mut Scene,

@@ -1,4 +1,5 @@
-//! Bars of one to five pixels in any direction, single, crossing, in front of patterns and behind other objects.
+//! Bars of one to five pixels in any direction, single, crossing, in front of patterns and behind
+//! other objects.
 
 use crate::kinds::add;
 use crate::materials::numbered;

@@ -4,7 +4,8 @@ use eightfold::show;
 use eightfold::sound::Track;
 use std::ops::{Range, RangeInclusive};
 
-/// Bands in Hz, and their levels per octave in dB relative to 500 to 2,000 Hz: masters fall by about 5 dB per octave (Pestana 2013).
+/// Bands in Hz, and their levels per octave in dB relative to 500 to 2,000 Hz: masters fall by
+/// about 5 dB per octave (Pestana 2013).
 type Bounds = [(Range<f64>, RangeInclusive<f64>)];
 
 #[rustfmt::skip]

@@ -58,7 +58,8 @@ fn finale_ends_on_sixteenths_and_a_last_note() {
     assert_eq!(cue(Track::Marimba, 52, 23.0).until, f32::INFINITY);
 }
 
-/// The kicks of a bar are three, three and two quavers apart. The last bar has two, since it rests before the cut.
+/// The kicks of a bar are three, three and two quavers apart. The last bar has two, since it rests
+/// before the cut.
 #[test]
 fn sun_moves_17_times() {
     let moves: Vec<f32> = notes(Track::Kick, 40, 6).iter().map(|&(beat, _)| beat).collect();

@@ -14,8 +14,8 @@ const SHARP: [u8; 8] = [0, 1, 0, 1, 1, 0, 0, 0];
 
 /// Returns the power of a frequency, the sum of the left and right channels.
 fn power(samples: &[Complex<f64>], hertz: f64) -> f64 {
-    // A sample's real part is the left side, its imaginary part the right. The powers at the frequency and at its negative add up to the
-    // power of left and right together.
+    // A sample's real part is the left side, its imaginary part the right. The powers at the
+    // frequency and at its negative add up to the power of left and right together.
     let turn = Complex::from_polar(1.0, TAU * hertz / f64::from(RATE));
     let (mut phase, mut sums) = (Complex::new(1.0, 0.0), [Complex::<f64>::default(); 2]);
     for sample in samples {
@@ -33,7 +33,8 @@ fn windowed(samples: &[[f32; 2]]) -> Vec<Complex<f64>> {
         .collect()
 }
 
-/// Returns the number of a track's notes, and the notes whose pitch is not the strongest. The track plays `down` semitones below the theme.
+/// Returns the number of a track's notes, and the notes whose pitch is not the strongest. The track
+/// plays `down` semitones below the theme.
 fn heard(track: Track, down: u8) -> (usize, Vec<(f32, u8)>) {
     let notes = cues::notes(track, 0, show::BARS);
     let ends = notes.iter().skip(1).map(|&(beat, _)| beat).chain([232.0]);

@@ -7,7 +7,8 @@ const FRAME: usize = RATE as usize / 1000;
 /// Milliseconds before and after an onset whose energies are compared.
 const SPAN: usize = 8;
 
-/// Returns the treble's energy per millisecond. A kick starts with treble; its bass rises over 50 ms.
+/// Returns the treble's energy per millisecond. A kick starts with treble; its bass rises over 50
+/// ms.
 fn energies() -> Vec<f32> {
     let steps = song().windows(2).map(|pair| {
         let step = [0, 1].map(|side| pair[1][side] - pair[0][side]);

@@ -5,7 +5,8 @@ use std::ops::Range;
 /// The window in samples: bins are 5.9 Hz apart.
 const WINDOW: usize = 8192;
 
-/// The mean power spectrum of a stereo sound by Welch's method, with Hann windows that overlap by half.
+/// The mean power spectrum of a stereo sound by Welch's method, with Hann windows that overlap by
+/// half.
 pub struct Spectrum {
     /// For each bin the power on the left, on the right, and the real part of their product.
     bins: Vec<[f64; 3]>,
@@ -46,7 +47,8 @@ pub fn windows(samples: &[[f32; 2]], window: usize, hop: usize) -> Vec<Vec<[f64;
     let hann = |i: usize| (std::f64::consts::PI * i as f64 / window as f64).sin().powi(2);
     let starts = (0..=samples.len() - window).step_by(hop);
     let spectra = starts.map(|start| {
-        // Left and right are the real and the imaginary part, whose spectra are the even and the odd half of the sum's spectrum.
+        // Left and right are the real and the imaginary part, whose spectra are the even and the
+        // odd half of the sum's spectrum.
         let samples = samples[start..start + window].iter().enumerate();
         let mut bins: Vec<_> = samples
             .map(|(i, &[left, right])| Complex::new(f64::from(left), f64::from(right)) * hann(i))

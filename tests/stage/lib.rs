@@ -103,7 +103,8 @@ impl Process {
         Process(command.spawn().expect("the command starts"))
     }
 
-    /// Returns the waiting time, the exit code (`None` after a signal), standard output and standard error.
+    /// Returns the waiting time, the exit code (`None` after a signal), standard output and
+    /// standard error.
     pub fn end(mut self) -> (Duration, Option<i32>, String, String) {
         let start = Instant::now();
         let status =
@@ -160,7 +161,8 @@ impl Server {
         let mut openbox = tool("openbox");
         openbox.env("DISPLAY", &server.display);
         server.manager = Some(Process::start(&mut openbox));
-        // Until its event loop runs, openbox ignores requests, so this one is repeated, and does not place windows.
+        // Until its event loop runs, openbox ignores requests, so this one is repeated, and does
+        // not place windows.
         server.wait_for_text("xdotool", "set_num_desktops 1 get_num_desktops", "1\n");
         server
     }
@@ -274,8 +276,8 @@ fn import(display: &str, arguments: &[&str]) -> Vec<u32> {
     from_rgb(&run(import.args(["-depth", "8", "rgb:-"])).0.stdout)
 }
 
-/// Runs `work` on several servers, given by their arguments. The test program starts itself with another `DISPLAY`: changing the
-/// environment of a running program is unsafe.
+/// Runs `work` on several servers, given by their arguments. The test program starts itself with
+/// another `DISPLAY`: changing the environment of a running program is unsafe.
 pub fn on_displays(servers: &[&[&str]], work: fn()) {
     const INSIDE: &str = "EIGHTFOLD_TEST_INSIDE";
     if env::var_os(INSIDE).is_some() {

@@ -1,12 +1,13 @@
-//! System tools that some tests need. A test without its tools prints a line and passes, or fails if `EIGHTFOLD_TOOLS` is
-//! `required`, as in `tests/run`.
+//! System tools that some tests need. A test without its tools prints a line and passes, or fails
+//! if `EIGHTFOLD_TOOLS` is `required`, as in `tests/run`.
 
 use std::io::{Write, stderr};
 use std::path::PathBuf;
 use std::process::Command;
 use std::{env, thread};
 
-/// Tools and their Debian packages. A tool is a command, or a shared library if its name contains `.so`.
+/// Tools and their Debian packages. A tool is a command, or a shared library if its name contains
+/// `.so`.
 const PACKAGES: &str = include_str!("tools.txt");
 
 pub const DISPLAY: &[&str] =

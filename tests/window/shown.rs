@@ -62,7 +62,8 @@ fn environment_variables_do_not_block_the_window() {
     }
 }
 
-/// Compares a small window with the frames since the first second. `tolerance` limits the mean difference, of 255.
+/// Compares a small window with the frames since the first second. `tolerance` limits the mean
+/// difference, of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) -> Process {
     let start = Instant::now();
     let intro = server.play("--size 200x150 --seconds 60");
@@ -81,7 +82,8 @@ fn default_window_fits_a_small_display() {
         for start in [Server::start, Server::start_managed] {
             let server = start(width as usize, height as usize);
             let intro = server.play("--fps 2 --seconds 60");
-            // openbox moves the window, and takes the borders of its frame off one as wide as the screen.
+            // openbox moves the window, and takes the borders of its frame off one as wide as the
+            // screen.
             let fits = |[x, y, w, h]: [i32; 4]| {
                 let is_inside = x >= 0 && y >= 0 && x + w <= width && y + h <= height;
                 let is_large = w == 1024 || w > width - 4 || h > height - 40;

@@ -1,4 +1,5 @@
-//! Opens a window with a scene, on all threads: `cargo run --release --manifest-path examples/window/Cargo.toml`
+//! Opens a window with a scene, on all threads:
+//! `cargo run --release --manifest-path examples/window/Cargo.toml`
 
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};

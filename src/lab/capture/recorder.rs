@@ -62,8 +62,8 @@ impl<'a> Recorder<'a> {
         let (arguments, n) = (self.arguments, self.supersample);
         let mut mean = Mean::default();
         for i in 0..n * n {
-            // A low-discrepancy sequence, independent of the pixel (Roberts, "The unreasonable effectiveness of quasirandom sequences",
-            // 2018).
+            // A low-discrepancy sequence, independent of the pixel (Roberts, "The unreasonable
+            // effectiveness of quasirandom sequences", 2018).
             let spread = |step: f32| (0.5 + i as f32 * step).fract();
             let delay = arguments.shutter * spread(0.618_034);
             let time = (frame as f64 + f64::from(delay)) / f64::from(arguments.fps);

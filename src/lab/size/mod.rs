@@ -12,10 +12,12 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 use std::path::Path;
 
-/// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown tables
+/// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown
+/// tables
 ///
-/// `bytes` is the linked size, `packed` the sum of the packer's costs. Instances of a generic function share a row, and count for the crate
-/// that instantiates them, if recorded. Inlined code counts for its caller.
+/// `bytes` is the linked size, `packed` the sum of the packer's costs. Instances of a generic
+/// function share a row, and count for the crate that instantiates them, if recorded. Inlined code
+/// counts for its caller.
 #[derive(Args)]
 pub struct Arguments {
     /// Measures the intro for Windows

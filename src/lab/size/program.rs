@@ -68,8 +68,8 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     symbols.into_values().collect()
 }
 
-/// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`, whose name precedes its private symbols; shared symbols
-/// may follow another name.
+/// Returns the crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`, whose name
+/// precedes its private symbols; shared symbols may follow another name.
 fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     (file.contains("-cgu.") && name != LAST).then_some(name)

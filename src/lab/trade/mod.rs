@@ -20,12 +20,13 @@ use std::path::{Path, PathBuf};
 
 /// Measures the gain in speed and the cost in accuracy of the fields of `Quality`
 ///
-/// Writes trade.json and SVG plots. Prints a Markdown table of the Pareto front in speed, FLIP and pops, of the settings that compare
-/// colours, objects and lights, relative to exhaustive frames on one thread. Also measures frames enlarged from 0.3 to 0.9 of the width,
-/// and a checkerboard of traced pixels. Ctrl-C writes the figures so far.
+/// Writes trade.json and SVG plots. Prints a Markdown table of the Pareto front in speed, FLIP and
+/// pops, of the settings that compare colours, objects and lights, relative to exhaustive frames on
+/// one thread. Also measures frames enlarged from 0.3 to 0.9 of the width, and a checkerboard of
+/// traced pixels. Ctrl-C writes the figures so far.
 ///
-/// `tolerance` is for the colours of squares and of midpoints of sides; `keys` are the depths of compared objects and lights' states;
-/// `contribution` is the smallest weight of a ray.
+/// `tolerance` is for the colours of squares and of midpoints of sides; `keys` are the depths of
+/// compared objects and lights' states; `contribution` is the smallest weight of a ray.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -104,7 +105,8 @@ fn measurement(arguments: &Arguments) -> Measurement {
     }
 }
 
-/// Marks the Pareto front of allowed rows in speed, FLIP and pops. After Ctrl-C, PSNR replaces FLIP and pops.
+/// Marks the Pareto front of allowed rows in speed, FLIP and pops. After Ctrl-C, PSNR replaces FLIP
+/// and pops.
 fn mark_front(rows: &mut [Row]) {
     let costs = |row: &Row| match (row.flip_mean, row.pops) {
         (Some(flip), Some(pops)) => [-row.speedup, flip, pops],

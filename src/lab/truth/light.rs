@@ -1,5 +1,5 @@
-//! Lights have no falloff: at any distance, colour c gives a facing surface the irradiance pi c. So a sphere of radius R at path length D,
-//! via mirrors and glass, has the radiance c (D / R)^2.
+//! Lights have no falloff: at any distance, colour c gives a facing surface the irradiance pi c. So
+//! a sphere of radius R at path length D, via mirrors and glass, has the radiance c (D / R)^2.
 
 use eightfold_oracle::geometry::{Ray, sphere};
 use eightfold_oracle::light::{cone, reach};
@@ -35,7 +35,8 @@ impl<'a> SphereLight<'a> {
         let to_light = self.position - here.o;
         let axis = to_light.normalize_or(DVec3::Y);
         let sine2 = (self.radius / to_light.length()).powi(2);
-        // `width`: 1 - cos(angular radius); `gain`: radiance times solid angle, relative to a point light.
+        // `width`: 1 - cos(angular radius); `gain`: radiance times solid angle, relative to a point
+        // light.
         let (width, gain) = if sine2 < 1.0 {
             let half = 1.0 / (1.0 + (1.0 - sine2).sqrt());
             (sine2 * half, 2.0 * half)
@@ -52,7 +53,8 @@ impl<'a> SphereLight<'a> {
         }
     }
 
-    /// Returns the radiance, 0 from `limit` on; `length` is the path from the lit surface to the ray's origin.
+    /// Returns the radiance, 0 from `limit` on; `length` is the path from the lit surface to the
+    /// ray's origin.
     pub fn radiance(&self, ray: Ray, length: f64, limit: f64) -> DVec3 {
         let met = sphere(ray, self.position, self.radius);
         if self.radius == 0.0 || met.is_none_or(|t| t >= limit) {

@@ -128,7 +128,8 @@ impl Comparison {
             let [_, r, g, b] = pixel.to_be_bytes().map(f64::from);
             let off = dvec3(r, g, b) - 255.0 * estimate.mean.min(DVec3::ONE);
             squares += off.length_squared();
-            // Cap the variance at 1. Clipping hides noise where the mean exceeds 1 by 5 standard errors.
+            // Cap the variance at 1. Clipping hides noise where the mean exceeds 1 by 5 standard
+            // errors.
             let lower = estimate.mean - 5.0 * estimate.variance.map(f64::sqrt);
             let noise = estimate.variance.min(DVec3::ONE);
             variance += DVec3::select(lower.cmplt(DVec3::ONE), noise, DVec3::ZERO).element_sum();

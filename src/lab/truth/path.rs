@@ -1,5 +1,5 @@
-//! A path tracer (Kajiya, 1986), unbiased except for missing caustics of point lights. Every hit samples all lights; only camera and
-//! specular rays add the lights that they hit.
+//! A path tracer (Kajiya, 1986), unbiased except for missing caustics of point lights. Every hit
+//! samples all lights; only camera and specular rays add the lights that they hit.
 
 use super::light::{SphereLight, around};
 use eightfold_harness::Size;

@@ -4,7 +4,8 @@ use eightfold_window::input::Press;
 /// The maximum frame rate; Left and Right step by one frame.
 pub const FPS: f64 = 60.0;
 
-/// The rays per point shown in white: about the maximum of the model scene, where glass and mirror meet.
+/// The rays per point shown in white: about the maximum of the model scene, where glass and mirror
+/// meet.
 pub const MAX_RAYS: u32 = 24;
 /// The error shown in white, in 255ths: four times the tables' threshold.
 pub const MAX_ERROR: u32 = 32;

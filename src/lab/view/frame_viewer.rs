@@ -41,8 +41,8 @@ impl FrameViewer {
         }
     }
 
-    /// Returns false if nothing changes. For a paused frame, the first call's PSNR is the probes' estimate; the next call compares all
-    /// pixels.
+    /// Returns false if nothing changes. For a paused frame, the first call's PSNR is the probes'
+    /// estimate; the next call compares all pixels.
     pub fn draw(&mut self, controls: &Controls, subject: &Subject, size: Size) -> bool {
         let wanted = Some((*controls, subject.version, size));
         let is_drawn = self.drawn == wanted;

@@ -1,8 +1,9 @@
 //! The intro's build script.
 //!
-//! It compiles the stub, and makes rustc's C compiler call a copy of the script in `OUT_DIR/linker` as the linker. Under this name, the
-//! script runs the real linker, and packs the output in place. A file `*.unpacked` next to it keeps the symbols for debuggers and
-//! [`costs`](crate::costs). A program that cannot be packed is left as linked, with a warning; for Windows this is an error.
+//! It compiles the stub, and makes rustc's C compiler call a copy of the script in `OUT_DIR/linker`
+//! as the linker. Under this name, the script runs the real linker, and packs the output in place.
+//! A file `*.unpacked` next to it keeps the symbols for debuggers and [`costs`](crate::costs). A
+//! program that cannot be packed is left as linked, with a warning; for Windows this is an error.
 
 mod linker;
 mod order;

@@ -1,5 +1,6 @@
-//! Orders functions by similarity: the packer's model adapts, so a random order costs 600 bytes more. Similarity is the cosine of tf-idf
-//! vectors of three-byte sequences, in correctly rounded arithmetic, for the same order on every machine.
+//! Orders functions by similarity: the packer's model adapts, so a random order costs 600 bytes
+//! more. Similarity is the cosine of tf-idf vectors of three-byte sequences, in correctly rounded
+//! arithmetic, for the same order on every machine.
 
 use std::{cmp::Reverse, collections::BTreeMap};
 
@@ -42,7 +43,8 @@ pub fn by_likeness(program: &[u8]) -> Result<Vec<Vec<String>>, Error> {
 /// The divisor of a function's weight per later function: 2 costs 40 bytes more, 1.02 costs 90.
 const DECAY: f64 = 1.4;
 
-/// Returns the order from `start` that continues with the function most similar to the previous ones.
+/// Returns the order from `start` that continues with the function most similar to the previous
+/// ones.
 fn chain(likeness: &[Vec<f64>], start: usize) -> Vec<usize> {
     let mut to_last = vec![0.0; likeness.len()];
     let mut left: Vec<_> = (0..likeness.len()).filter(|&i| i != start).collect();

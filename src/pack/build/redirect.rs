@@ -1,7 +1,7 @@
 //! Replaces the functions of std that explain a panic, which are most of a program's bytes.
 //!
-//! Linker options redefine them, by their names in the archives, as `src/window/abort.rs`; the linker drops unused code. Packed bytes
-//! that each measure saves, of 53,456:
+//! Linker options redefine them, by their names in the archives, as `src/window/abort.rs`; the
+//! linker drops unused code. Packed bytes that each measure saves, of 53,456:
 //!
 //! | measure | bytes |
 //! | --- | ---: |
@@ -68,7 +68,8 @@ fn symbols(words: &[OsString]) -> Result<BTreeSet<String>, Error> {
     Ok(names)
 }
 
-/// Mangles a path: `std::io::_print` becomes `3std2io7__print`. Names without a path are not mangled.
+/// Mangles a path: `std::io::_print` becomes `3std2io7__print`. Names without a path are not
+/// mangled.
 fn mangled(path: &str) -> String {
     if !path.contains("::") {
         return path.into();

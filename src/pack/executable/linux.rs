@@ -28,8 +28,8 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     }
     let parts = Parts::new(stripped, stub)?;
     let Parts { packed, first, memory, .. } = &parts;
-    // The file follows the program, so the heap, which follows both, is at its usual address. A zero byte follows the stage, as an empty
-    // name for its file in memory.
+    // The file follows the program, so the heap, which follows both, is at its usual address. A
+    // zero byte follows the stage, as an empty name for its file in memory.
     let memory_end = parts.stage_end() + 1;
     let address = memory_end.next_multiple_of(elf::PAGE);
     let first_at = address + HEAD as u64;

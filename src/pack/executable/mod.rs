@@ -1,4 +1,5 @@
-//! Packs executables: a stripped ELF file and the stub's loader, with the stub and the headers of [`linux`] or [`windows`].
+//! Packs executables: a stripped ELF file and the stub's loader, with the stub and the headers of
+//! [`linux`] or [`windows`].
 
 mod linux;
 mod strip;
@@ -46,8 +47,8 @@ impl Memory {
     }
 }
 
-/// In order: the offset and length of the packed bytes, their length once unpacked, the start and end of the bytes under the checksum, and
-/// the checksum. Offsets are in the file.
+/// In order: the offset and length of the packed bytes, their length once unpacked, the start and
+/// end of the bytes under the checksum, and the checksum. Offsets are in the file.
 type Record = [usize; 6];
 
 struct Parts<'a> {
@@ -87,7 +88,8 @@ impl<'a> Parts<'a> {
         self.stage + self.second.size() as u64
     }
 
-    /// Returns the stub's symbols, with `more`, and the addresses of `functions` of the first section.
+    /// Returns the stub's symbols, with `more`, and the addresses of `functions` of the first
+    /// section.
     fn names<'b>(
         &self,
         more: &[(&'b str, u64)],

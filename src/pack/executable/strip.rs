@@ -7,7 +7,8 @@ use crate::{Error, panics};
 const FLAGS: u64 = 30;
 const BIND_NOW: u64 = 8;
 
-/// Returns the headers and segments, without unwind tables, panic locations and lazy binding. A panic ends the process.
+/// Returns the headers and segments, without unwind tables, panic locations and lazy binding. A
+/// panic ends the process.
 ///
 /// # Errors
 /// If `program` is not an executable at fixed addresses.
@@ -85,8 +86,9 @@ fn blank(program: &[u8], blanked: &mut [u8]) -> Result<Vec<Range<usize>>, Error>
     Ok(unwinding)
 }
 
-/// Blanks the parts that only lazy binding needs. A function's entry of 16 bytes jumps to the address in its slot; until the function is
-/// bound, that is the rest of the entry, which calls the linker. A program bound at the start never runs it.
+/// Blanks the parts that only lazy binding needs. A function's entry of 16 bytes jumps to the
+/// address in its slot; until the function is bound, that is the rest of the entry, which calls the
+/// linker. A program bound at the start never runs it.
 fn blank_lookups(program: &mut [u8], calls: Range<usize>, slots: Range<usize>) {
     for (i, entry) in program[calls].chunks_exact_mut(16).enumerate() {
         match entry {

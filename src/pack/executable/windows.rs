@@ -1,4 +1,5 @@
-//! Packs Windows executables, which are linked for Linux but call no function of Linux. The packed file has
+//! Packs Windows executables, which are linked for Linux but call no function of Linux. The packed
+//! file has
 //!
 //! | bytes | content |
 //! | ---: | --- |
@@ -20,7 +21,8 @@ use crate::elf::{PAGE, number};
 use crate::pe::{BASE_ALIGNMENT, Executable, Imports, START};
 use crate::{Error, checksum, small};
 
-/// The stub's functions, in the order of `System` in `src/pack/stub/windows/system.rs`. The program receives the first two.
+/// The stub's functions, in the order of `System` in `src/pack/stub/windows/system.rs`. The program
+/// receives the first two.
 pub const FUNCTIONS: [&str; 9] = [
     "LoadLibraryA",
     "GetProcAddress",

@@ -1,14 +1,17 @@
-//! Parses x86-64 machine code byte by byte, only for the lengths and fields of instructions; data is parsed like code.
+//! Parses x86-64 machine code byte by byte, only for the lengths and fields of instructions; data
+//! is parsed like code.
 
 use super::operands::operands_by_runs;
 
-/// The number of features, a power of two; some are unused. Features 0 to 3 are the last bytes, newest first.
+/// The number of features, a power of two; some are unused. Features 0 to 3 are the last bytes,
+/// newest first.
 pub const FEATURES: usize = 32;
 const LAST: usize = 4;
 pub const KIND: usize = 4;
-/// The opcode as far as it is parsed, plus 0x100 times its map, plus 0x400 times its prefix. Prefixes have the numbers of VEX's `pp`, so an
-/// operation has the same value in SSE2 and AVX2. The features after this one have the opcodes of the three previous instructions, newest
-/// first, one every [`STEP`] features; between them are ModRM, prefixes and destination.
+/// The opcode as far as it is parsed, plus 0x100 times its map, plus 0x400 times its prefix.
+/// Prefixes have the numbers of VEX's `pp`, so an operation has the same value in SSE2 and AVX2.
+/// The features after this one have the opcodes of the three previous instructions, newest first,
+/// one every [`STEP`] features; between them are ModRM, prefixes and destination.
 pub const OPCODE: usize = 5;
 pub const MODRM: usize = 6;
 pub const PREFIXES: usize = 7;
@@ -26,9 +29,11 @@ pub const EXTENSION: usize = 21;
 /// The instruction's first byte, without the bits that may extend registers.
 pub const FIRST: usize = 22;
 pub const LENGTH: usize = 23;
-/// 0x100 times the number of newest bytes, at most [`LONGEST_MATCH`], that also precede the byte in [`AFTER_MATCH`].
+/// 0x100 times the number of newest bytes, at most [`LONGEST_MATCH`], that also precede the byte in
+/// [`AFTER_MATCH`].
 pub const MATCH: usize = 24;
-/// The two newest bytes of the next byte's kind in instructions with the same opcode. The newer is in the lower bits.
+/// The two newest bytes of the next byte's kind in instructions with the same opcode. The newer is
+/// in the lower bits.
 pub const SAME_OPCODE: usize = 25;
 /// The last two bytes after the same operand.
 pub const SAME_OPERAND: usize = 26;
@@ -55,8 +60,8 @@ pub const KINDS: usize = 32;
 
 /// Features that, with the kind, identify a field.
 const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
-/// The number of fields: one per kind and 12-bit value of a feature. [`OPCODE`] has 12 bits; of [`OPERAND`] the upper bits of SIB are
-/// dropped.
+/// The number of fields: one per kind and 12-bit value of a feature. [`OPCODE`] has 12 bits; of
+/// [`OPERAND`] the upper bits of SIB are dropped.
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
 const FAR: u32 = 7;
@@ -95,7 +100,8 @@ impl Reader {
         self.features[number % FEATURES]
     }
 
-    /// Returns the position of the four-byte relative offset in the instruction that has just ended. A second call returns `None`.
+    /// Returns the position of the four-byte relative offset in the instruction that has just
+    /// ended. A second call returns `None`.
     #[inline(always)]
     pub fn ended_offset(&mut self) -> Option<usize> {
         if self.feature(KIND) != START {

@@ -21,7 +21,8 @@ const RATE: i32 = 12;
 
 const STEPS: usize = 4096;
 
-/// The mixer's memory. Probabilities are in 65,536ths; logits, ln(p / (1 - p)), in 256ths, from -2048 to 2047.
+/// The mixer's memory. Probabilities are in 65,536ths; logits, ln(p / (1 - p)), in 256ths, from
+/// -2048 to 2047.
 #[repr(C)]
 pub struct Mixer {
     /// The inputs' logits; the last row is for pairs.
@@ -37,7 +38,8 @@ pub struct Mixer {
 impl Mixer {
     #[inline(always)]
     pub fn fill(&mut self) {
-        // Integrate the logistic function's p' = p (1 - p) from p(-8) on, in 2^-32nds, in steps of 1/256.
+        // Integrate the logistic function's p' = p (1 - p) from p(-8) on, in 2^-32nds, in steps of
+        // 1/256.
         let mut p = 1_440_000_u64;
         let mut next = 0;
         for (x, probability) in self.probabilities.iter_mut().enumerate() {

@@ -1,8 +1,9 @@
 //! A model of x86-64 programs that predicts the next bit, by context mixing as in PAQ.
 //!
-//! A context is a set of features: the last bytes, parts of the [instruction](machine_code). It has a [slot](slot) for every beginning of
-//! the next byte, with a probability and the last bits, from which pairs of contexts predict. A context may expect a byte, such as the one
-//! after the last match; its slots then predict differences from it. A [mixer] weighs all predictions.
+//! A context is a set of features: the last bytes, parts of the [instruction](machine_code). It has
+//! a [slot](slot) for every beginning of the next byte, with a probability and the last bits, from
+//! which pairs of contexts predict. A context may expect a byte, such as the one after the last
+//! match; its slots then predict differences from it. A [mixer] weighs all predictions.
 
 mod coder;
 mod lanes;
@@ -64,15 +65,18 @@ const fn context(mut features: &[usize]) -> u32 {
     set
 }
 
-/// Returns a context that learns differences from the byte in `feature`, to share experience between expected bytes.
+/// Returns a context that learns differences from the byte in `feature`, to share experience
+/// between expected bytes.
 const fn expecting(feature: usize, features: &[usize]) -> u32 {
     context(features) | ((feature - MATCH) as u32) << EXPECTED
 }
 
-/// Slots in a bucket, a cache line. Slot 0 is the owner's hash; the others are for the beginnings of four bits.
+/// Slots in a bucket, a cache line. Slot 0 is the owner's hash; the others are for the beginnings
+/// of four bits.
 const BUCKET: u32 = 16;
 
-/// The number of slots: 64 MB. Of two buckets the less visited one is replaced. Half the slots cost 220 bytes.
+/// The number of slots: 64 MB. Of two buckets the less visited one is replaced. Half the slots cost
+/// 220 bytes.
 const SLOTS: usize = 1 << 24;
 
 /// The first slots are for pairs, by the two histories and whether both expect the same bit.
@@ -239,8 +243,8 @@ pub fn decode(model: &mut Model, packed: &[u8], bytes: &mut [u8]) -> bool {
     decoder.is_at_end()
 }
 
-/// Converts the relative offset of an instruction that ends with `bytes` to an address from the program's first byte: references to one
-/// place are equal bytes.
+/// Converts the relative offset of an instruction that ends with `bytes` to an address from the
+/// program's first byte: references to one place are equal bytes.
 pub fn to_address(bytes: &mut [u8], offset: usize) {
     add(bytes, offset, bytes.len() as u32);
 }

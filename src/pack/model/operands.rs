@@ -1,4 +1,5 @@
-/// Returns the bytes after an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; plus 4 with ModRM.
+/// Returns the bytes after an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes;
+/// plus 4 with ModRM.
 #[expect(clippy::match_same_arms, reason = "each map has its own rows")]
 const fn operands(map: u32, opcode: u32) -> u32 {
     match (map, opcode) {
@@ -25,8 +26,8 @@ const fn operands(map: u32, opcode: u32) -> u32 {
 /// Below this opcode, map 0 repeats every eight opcodes.
 const REPEATING: u32 = 0x40;
 
-/// A run-length code of [`operands`] (length times 8, plus value) for opcodes 0 to 7 and from [`REPEATING`] on of map 0, and maps 1 to 3: a
-/// quarter of a table's size.
+/// A run-length code of [`operands`] (length times 8, plus value) for opcodes 0 to 7 and from
+/// [`REPEATING`] on of map 0, and maps 1 to 3: a quarter of a table's size.
 static RUNS: [u8; RUN_COUNT] = runs().0;
 const RUN_COUNT: usize = runs::<256>().1;
 

@@ -1,14 +1,15 @@
 use super::lanes::Lanes;
 
-/// From the lowest bits on: the probability of a 1 in 65,536ths, minus one half (16 bits); the last five bits after a 1,
-/// exclusive-or 1 (8); the number of bits seen, at most 127 (8). Zeroed memory is a new slot.
+/// From the lowest bits on: the probability of a 1 in 65,536ths, minus one half (16 bits); the last
+/// five bits after a 1, exclusive-or 1 (8); the number of bits seen, at most 127 (8). Zeroed memory
+/// is a new slot.
 #[derive(Clone, Copy)]
 pub struct Slot(u32);
 
 pub const HISTORIES: usize = 32;
 
-/// The mask that turns a slot into the opposite bit's after learning. Before, it is shifted right by one: the older bits of a history
-/// remain.
+/// The mask that turns a slot into the opposite bit's after learning. Before, it is shifted right
+/// by one: the older bits of a history remain.
 pub const OPPOSITE: u32 = 0x1_ffff;
 
 impl Slot {
@@ -46,7 +47,8 @@ impl Slot {
 /// The minimum rate, reached after 51 bits: older bits fade.
 const MIN_RATE: u32 = 2200;
 
-/// The adaptation rate in 65,536ths by the count n of bits seen: 16 / (9 n + 18), at least [`MIN_RATE`].
+/// The adaptation rate in 65,536ths by the count n of bits seen: 16 / (9 n + 18), at least
+/// [`MIN_RATE`].
 pub struct Rates([u32; 256]);
 
 impl Rates {
@@ -81,14 +83,16 @@ impl Slots {
 
     #[inline(always)]
     pub fn learn(&mut self, bit: u32) {
-        // Map a probability to its distance from the unseen value, 0 or 65,535, and restore the history's encoding.
+        // Map a probability to its distance from the unseen value, 0 or 65,535, and restore the
+        // history's encoding.
         let flip = 0x1_8000 - bit;
         // Revert this, and append the bit to the history.
         let flip_back = Lanes::splat_pair(flip ^ bit << 16);
         let flip = Lanes::splat_pair(flip);
         for (slots, rates) in self.slots.iter_mut().zip(&self.rates) {
             let old = Lanes::pairs(slots).xor(flip);
-            // The rate is the lower number of its pair; the upper one is 0, so histories and counts stay.
+            // The rate is the lower number of its pair; the upper one is 0, so histories and counts
+            // stay.
             let moved = old.subtract(old.multiply_high_unsigned(Lanes::pairs(rates)));
             // The sum saturates at a count of 127; the mask drops its effect on the history.
             let counted = moved.saturating_add(Lanes::splat_pair(0x100_0000));

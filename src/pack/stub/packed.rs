@@ -31,7 +31,8 @@ pub fn program_length() -> usize {
 #[inline(always)]
 pub unsafe fn unpack(memory: usize) -> *const u8 {
     let packed = &raw const PACKED;
-    // SAFETY: the packer has put the bytes there; the caller guarantees the memory, and zeros are a valid model.
+    // SAFETY: the packer has put the bytes there; the caller guarantees the memory, and zeros are a
+    // valid model.
     let (code, model, unpacked) = unsafe {
         (
             slice::from_raw_parts(packed, (&raw const PACKED_END).addr() - packed.addr()),

@@ -72,7 +72,8 @@ static BUBBLES: [(Vec3, f32); 8] = [
 fn add(now: Now, scene: &mut Scene) {
     // Dusk falls.
     scene.lights[0].colour *= 1.0 - 0.02 * now.beat;
-    // One near the camera, and specks that rise far behind. The guard has no bounds of specks seen in bubbles, so they are tiny.
+    // One near the camera, and specks that rise far behind. The guard has no bounds of specks seen
+    // in bubbles, so they are tiny.
     add_bubble(vec3(-2.0, -1.5, 3.2), 0.8, 3.0, now, scene);
     for number in 0..16 {
         let spread = (number * number) as f32 * 0.618_034;
@@ -88,7 +89,8 @@ fn add(now: Now, scene: &mut Scene) {
     }
     let pop = now.cue(Track::Pop);
     for (number, &(centre, radius)) in BUBBLES.iter().enumerate() {
-        // Bubble 1 divides from bubble 0 in bar 1, 2 and 3 from them in bar 2, and so on, on a note each.
+        // Bubble 1 divides from bubble 0 in bar 1, 2 and 3 from them in bar 2, and so on, on a note
+        // each.
         let bar = usize::BITS - number.leading_zeros();
         let count = 1 << bar;
         let parent = number.saturating_sub(count / 2);
@@ -104,7 +106,8 @@ fn add(now: Now, scene: &mut Scene) {
     }
 }
 
-/// Returns the offset of a floating bubble from its place at rest. Not inlined: saves 29 packed bytes.
+/// Returns the offset of a floating bubble from its place at rest. Not inlined: saves 29 packed
+/// bytes.
 #[inline(never)]
 fn float(number: f32, now: Now) -> Vec3 {
     Vec3::Y * (0.07 * sin(now.beat * 0.7 + 2.0 * number))

@@ -84,7 +84,8 @@ const HOP: f32 = 0.9;
 /// The depth to which a struck pipe sinks.
 const SINK: f32 = 0.25;
 
-/// Returns the middle of the upper end, at rest, of the pipe of a note of the theme. Lower notes have longer pipes.
+/// Returns the middle of the upper end, at rest, of the pipe of a note of the theme. Lower notes
+/// have longer pipes.
 fn top(note: usize) -> Vec3 {
     let pitch = f32::from(THEME[note % 8]);
     around(note as f32 * 0.125 + 0.95) * 2.7 + Vec3::Y * (22.1 - 0.2625 * pitch)

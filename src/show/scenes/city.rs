@@ -30,7 +30,8 @@ static ENVIRONMENT: Environment = Environment {
     ..Environment::EMPTY
 };
 
-/// No shot is in front of the slit left of the G's bar: the slit's image has no bounds, and flickered.
+/// No shot is in front of the slit left of the G's bar: the slit's image has no bounds, and
+/// flickered.
 static SHOTS: &[Shot] = &[
     shot(
         3,

@@ -1,4 +1,5 @@
-//! The kaleidoscope, folded into eight: rings of gems around the only light cast shadows of their colours.
+//! The kaleidoscope, folded into eight: rings of gems around the only light cast shadows of their
+//! colours.
 
 use crate::show::environment::{Environment, Now, point, softbox};
 use crate::show::path::view;
@@ -40,7 +41,8 @@ const LAMP: [f32; 3] = [0.0, 6.5, 0.0];
 
 static SHOTS: &[Shot] = &[shot(
     6,
-    // Straight down on the lamp, without a roll: gems rest on mirrors or halfway between, and are cut by none.
+    // Straight down on the lamp, without a roll: gems rest on mirrors or halfway between, and are
+    // cut by none.
     &[
         view([0.0, 20.7, 0.0], LAMP).tilted(0.0, -9.0),
         view([0.0, 18.0, 0.0], LAMP).tilted(0.0, -9.0),

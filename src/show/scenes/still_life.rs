@@ -67,7 +67,8 @@ static GLASS: Material = Material {
     ..Material::BLACK
 };
 
-/// Half the acceleration of the glass ball's fall in scene units per squared beat; its bounces start on the kick drum.
+/// Half the acceleration of the glass ball's fall in scene units per squared beat; its bounces
+/// start on the kick drum.
 const FALL: f32 = 0.6;
 /// The longest bounce in beats, after which the ball rests.
 const LONGEST: f32 = 2.0;

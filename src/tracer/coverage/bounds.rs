@@ -30,9 +30,10 @@ pub(crate) struct ObjectBounds {
     /// The index of its node in the tree, for solids and lights.
     pub node: u16,
     pub screen: ScreenBounds,
-    /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared, or infinity if the eye is inside. `None`
-    /// for blocks, and if rounding decides whether the eye is inside. The plane of equal powers separates the visible parts of two spheres:
-    /// the sphere of smaller power is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
+    /// Bounds of the eye's power with respect to a sphere: distance squared minus radius squared,
+    /// or infinity if the eye is inside. `None` for blocks, and if rounding decides whether the eye
+    /// is inside. The plane of equal powers separates the visible parts of two spheres: the sphere
+    /// of smaller power is in front (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
     pub power: Option<[f32; 2]>,
     /// Half of the least extent.
     pub thickness: f32,
@@ -112,8 +113,9 @@ impl Coverage {
         let mut region = Region::new(&self.axes, self.screen[number], sides, view.rounding);
         if let Some((plane, viewer)) = receiver {
             let [min, max] = self.heights(id, &world.planes()[plane], viewer);
-            // The outline includes the part of the object beyond the plane, which has no image or shadow. So no corner is certainly inside,
-            // except in a sphere's image: if its centre is on the eye's side, the sphere hides the points inside that show no image.
+            // The outline includes the part of the object beyond the plane, which has no image or
+            // shadow. So no corner is certainly inside, except in a sphere's image: if its centre
+            // is on the eye's side, the sphere hides the points inside that show no image.
             let is_image_of_sphere = view.side == 0.0 && self.objects[id.index()].power.is_some();
             let lowest = if is_image_of_sphere { min + max } else { min };
             if lowest < 0.0 {
@@ -123,8 +125,9 @@ impl Coverage {
         region
     }
 
-    /// The viewer is the light for a shadow, and the eye for an image. Returns the object's least and greatest height above the plane,
-    /// positive on the viewer's side, each plus a margin for rounding.
+    /// The viewer is the light for a shadow, and the eye for an image. Returns the object's least
+    /// and greatest height above the plane, positive on the viewer's side, each plus a margin for
+    /// rounding.
     pub(super) fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
         let (error, [min, max]) = (object.hit_error(), object.above(plane.centre.y));

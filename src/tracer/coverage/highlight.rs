@@ -1,7 +1,8 @@
 //! The highlights of lights on objects in direct view, as ellipses in the picture.
 //!
-//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the mirrored ray r minus the direction l to the light. Around
-//! the point where d = 0, d is nearly linear in the pixels x and y, so the lobe is `ks e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`.
+//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the mirrored ray r
+//! minus the direction l to the light. Around the point where d = 0, d is nearly linear in the
+//! pixels x and y, so the lobe is `ks e^-u` with the decay `u = a x^2 + 2 b x y + c y^2`.
 //! `Material::anisotropy`, which widens a lobe, is ignored.
 
 use super::bounds::{Coverage, Highlight};
@@ -13,8 +14,8 @@ use crate::rounding::DRAWN_OUT;
 use crate::zero::Zero;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The least visible difference in brightness, in 255ths: larger errors count as wrong pixels. Lights share it: their
-/// highlights may add up.
+/// The least visible difference in brightness, in 255ths: larger errors count as wrong pixels.
+/// Lights share it: their highlights may add up.
 pub(crate) const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
@@ -28,8 +29,8 @@ impl Highlight {
         self.bounds.cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)).all()
     }
 
-    /// Returns the least and greatest x between the rows `top` and `bottom` at which the highlight has not ended and the decay is at most
-    /// `reach`.
+    /// Returns the least and greatest x between the rows `top` and `bottom` at which the highlight
+    /// has not ended and the decay is at most `reach`.
     pub fn columns(&self, top: f32, bottom: f32, reach: f32) -> [f32; 2] {
         let [a, b, c] = self.decay;
         let [top, bottom] = [top, bottom].map(|y| y - self.middle.y);
@@ -40,7 +41,8 @@ impl Highlight {
         [(x.min(other) - half).max(self.bounds.x), (x.max(other) + half).min(-self.bounds.z)]
     }
 
-    /// Returns the highlight at a mirror point, or `None` if the object hides the point from the eye or the light.
+    /// Returns the highlight at a mirror point, or `None` if the object hides the point from the
+    /// eye or the light.
     fn at(
         mirror: &Mirror,
         axes: &Axes,
@@ -102,7 +104,8 @@ impl Coverage {
                 }
                 let [eye, light] = [world.eye, light.position].map(|point| point - centre);
                 Mirror::each(&object, eye, light, |mut place| {
-                    // If the mirror point is off the block, use the nearest point within its half extents.
+                    // If the mirror point is off the block, use the nearest point within its half
+                    // extents.
                     if let Object::Block(block) = object {
                         let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
                         // `clamp` may panic if a half is invalid.

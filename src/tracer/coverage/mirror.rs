@@ -1,11 +1,13 @@
-//! The surface points that mirror a light to the eye. Positions are relative to the object's centre.
+//! The surface points that mirror a light to the eye. Positions are relative to the object's
+//! centre.
 
 use crate::maths::unit;
 use crate::prepare::Object;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Newton steps towards the mirror point of a curved surface. Distant eyes and lights need two, near ones all.
+/// Newton steps towards the mirror point of a curved surface. Distant eyes and lights need two,
+/// near ones all.
 const NEWTON_STEPS: usize = 8;
 
 pub(super) struct Mirror {
@@ -39,7 +41,9 @@ impl Mirror {
         }
     }
 
-    /// Adds the mirror point of an endless cylinder if it is on the capsule's straight part. Otherwise adds two points, the nearest one on this part and the mirror point of the end's sphere, since a highlight may continue across the joint.
+    /// Adds the mirror point of an endless cylinder if it is on the capsule's straight part.
+    /// Otherwise adds two points, the nearest one on this part and the mirror point of the end's
+    /// sphere, since a highlight may continue across the joint.
     fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, light, axis, half.x);
@@ -58,8 +62,9 @@ impl Mirror {
 
     /// Returns the point on a sphere (`axis` is zero) or on a cylinder about a unit axis.
     ///
-    /// Seen along the axis, the normal bisects the directions to the eye and the light. The point's height along the axis divides the
-    /// interval from the eye's height to the light's in the ratio of their distances from the point, seen along the axis.
+    /// Seen along the axis, the normal bisects the directions to the eye and the light. The point's
+    /// height along the axis divides the interval from the eye's height to the light's in the ratio
+    /// of their distances from the point, seen along the axis.
     #[inline(never)]
     fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, light].map(|point| point.dot(axis));

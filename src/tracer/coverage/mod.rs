@@ -1,4 +1,5 @@
-//! Conservative bounds of features in the picture. `refine::guard` lists the guarantees that follow from them.
+//! Conservative bounds of features in the picture. `refine::guard` lists the guarantees that follow
+//! from them.
 //!
 //! | kind | bound |
 //! | --- | --- |
@@ -9,12 +10,14 @@
 //!
 //! # Best effort
 //!
-//! - An area light counts as a point light at its centre. A spotlight whose cone may meet a plane counts as shining on the whole plane.
-//! - A capsule's shadow has the bound of its bounding cylinder's shadow, and a cylinder's round end counts as the hexagon around it. At the
-//!   rim of a cylinder's end, a corner up to 0.087 radii outside the shadow may count as dark.
+//! - An area light counts as a point light at its centre. A spotlight whose cone may meet a plane
+//!   counts as shining on the whole plane.
+//! - A capsule's shadow has the bound of its bounding cylinder's shadow, and a cylinder's round end
+//!   counts as the hexagon around it. At the rim of a cylinder's end, a corner up to 0.087 radii
+//!   outside the shadow may count as dark.
 //! - Images of cylinders and capsules have the bounds of prisms, like their shadows.
-//! - A highlight's bound is a Gaussian, which is nearly Phong's lobe. The highlight may be missed if a corner is darker than the Gaussian
-//!   there: in shadow, or on another face.
+//! - A highlight's bound is a Gaussian, which is nearly Phong's lobe. The highlight may be missed
+//!   if a corner is darker than the Gaussian there: in shadow, or on another face.
 
 mod bounds;
 mod highlight;

@@ -25,8 +25,9 @@ impl ObjectBounds {
         [self.min.y - height, self.max.y - height]
     }
 
-    /// Returns whether a plane perpendicular to an axis separates the object from the eye and from points of the object `front`. `points`
-    /// returns their vectors from the eye, and their forward distances.
+    /// Returns whether a plane perpendicular to an axis separates the object from the eye and from
+    /// points of the object `front`. `points` returns their vectors from the eye, and their forward
+    /// distances.
     pub fn is_beyond(
         &self,
         front: &Self,
@@ -111,7 +112,8 @@ impl Coverage {
         }
         for (i, plane) in world.planes().iter().enumerate() {
             let id = ObjectId::new(world.first_plane() + i);
-            // The forward extent counts as unbounded, so that it never puts a plane behind another object.
+            // The forward extent counts as unbounded, so that it never puts a plane behind another
+            // object.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
             let [min, max] = ends(plane.centre.into(), extent);
             self.objects[id.index()] =
@@ -119,7 +121,8 @@ impl Coverage {
             let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
             let far = self.eye.reach(centre, half.length());
             let to = (centre - world.eye).abs();
-            // An eye above the rectangle may look straight down. From outside, the angle is least at the far end.
+            // An eye above the rectangle may look straight down. From outside, the angle is least
+            // at the far end.
             let is_beside = to.x > half.x || to.z > half.z;
             let steep = if is_beside { to.y / far } else { 1.0 };
             let width = 2.0 * half.x.min(half.z) * steep / far;
@@ -127,8 +130,9 @@ impl Coverage {
         }
     }
 
-    /// Returns whether the sphere `front` is before the sphere `back` on all rays that meet both, see [`ObjectBounds::power`]. If the eye
-    /// is inside `back`, this holds only where the eye sees `front`.
+    /// Returns whether the sphere `front` is before the sphere `back` on all rays that meet both,
+    /// see [`ObjectBounds::power`]. If the eye is inside `back`, this holds only where the eye sees
+    /// `front`.
     pub fn has_less_power(&self, front: ObjectId, back: ObjectId) -> bool {
         let power = |id: ObjectId| self.objects[id.index()].power;
         match (power(front), power(back)) {

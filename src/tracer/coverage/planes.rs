@@ -6,7 +6,8 @@ use super::view::View;
 use crate::prepare::{MAX_GROUPS, World};
 
 impl Coverage {
-    /// Computes the images' bounds, after the objects. An image's outline is its object's, as seen by the mirrored camera.
+    /// Computes the images' bounds, after the objects. An image's outline is its object's, as seen
+    /// by the mirrored camera.
     pub(super) fn set_images(&mut self, world: World<'_>) {
         let Some(plane) = world.scene.planes.first() else {
             return;
@@ -47,8 +48,8 @@ impl Coverage {
                 let view = View::light(light, rectangle, &self.eye);
                 self.shadows[plane][number] = view;
                 for (_, node) in world.tree.solids() {
-                    // No shadow is cast by a sphere around the light, a solid beyond the plane, or a clear solid if the light has a
-                    // diameter.
+                    // No shadow is cast by a sphere around the light, a solid beyond the plane, or
+                    // a clear solid if the light has a diameter.
                     let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
                     let casts = is_outside && !node.is_shadowless(light.diameter);

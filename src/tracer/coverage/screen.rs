@@ -1,4 +1,5 @@
-//! Conservative bounds in screen space. A ray is (u, v, 1) in the camera's axes: right, down and forward.
+//! Conservative bounds in screen space. A ray is (u, v, 1) in the camera's axes: right, down and
+//! forward.
 
 use crate::lanes::*;
 use crate::maths::to_f32;
@@ -11,7 +12,8 @@ pub(crate) struct Axes {
     /// Right, down, and forward.
     pub rows: [Vec3A; 3],
     pub pixel: f32,
-    /// The largest u or v of the picture, at least 1. A ray's length is at most `reach` times the root of 3.
+    /// The largest u or v of the picture, at least 1. A ray's length is at most `reach` times the
+    /// root of 3.
     pub reach: f32,
     /// The centre of the picture in pixels, x and y, twice.
     middle: Vec4,
@@ -66,7 +68,8 @@ impl Axes {
         (pixels - self.middle) * self.pixel
     }
 
-    /// Returns rectangles of `size` pixels, one below the other, one per lane. `left` and `top` are the first one's.
+    /// Returns rectangles of `size` pixels, one below the other, one per lane. `left` and `top` are
+    /// the first one's.
     #[inline(always)]
     pub fn rects<S: Isa>(&self, simd: S, [left, top]: [usize; 2], size: [usize; 2]) -> Rects<S> {
         let [width, height] = size.map(to_f32);
@@ -98,7 +101,8 @@ impl ScreenBounds {
 
     pub const ALL: Self = Self(Vec4::NEG_INFINITY);
 
-    /// Returns the bounds of two ranges. `u` is (a, b, c, d) for the range from `(b + a) / (d + c)` to `(b - a) / (d - c)`; `v` alike.
+    /// Returns the bounds of two ranges. `u` is (a, b, c, d) for the range from `(b + a) / (d + c)`
+    /// to `(b - a) / (d - c)`; `v` alike.
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
         // The upper ends are computed negated: all four lanes are lower ends then, with one margin.
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);

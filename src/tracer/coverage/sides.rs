@@ -1,14 +1,16 @@
 //! The rays that meet a sphere, a block or a plane, as a convex region of the picture.
 //!
-//! Each test is about a ray w from a viewpoint. In direct view, w is the eye's ray `d = (u, v, 1)`. For a shadow, w leads from the light to
-//! the point where d meets the plane. It is scaled to be linear in d, so the shadow of a sphere is a cone of rays d, too. `view` writes w
-//! as a sum: a vector, plus a number times the vector from the viewpoint to the object's centre. In direct view the number is 0, and the
-//! vector is d.
+//! Each test is about a ray w from a viewpoint. In direct view, w is the eye's ray `d = (u, v, 1)`.
+//! For a shadow, w leads from the light to the point where d meets the plane. It is scaled to be
+//! linear in d, so the shadow of a sphere is a cone of rays d, too. `view` writes w as a sum: a
+//! vector, plus a number times the vector from the viewpoint to the object's centre. In direct view
+//! the number is 0, and the vector is d.
 //!
-//! Let a be the axis of a sphere's bounding cone, and `sin` and `cos` the sine and cosine of half its opening angle. A ray w meets the
-//! sphere if `sin (a . w) >= cos |a x w|`. The left side minus the right side is a concave function of u and v. A plane tangent to its
-//! graph is nowhere below it, so rays miss the sphere where the tangent plane is negative. Blocks and planes are bounded by planes through
-//! the viewpoint.
+//! Let a be the axis of a sphere's bounding cone, and `sin` and `cos` the sine and cosine of half
+//! its opening angle. A ray w meets the sphere if `sin (a . w) >= cos |a x w|`. The left side minus
+//! the right side is a concave function of u and v. A plane tangent to its graph is nowhere below
+//! it, so rays miss the sphere where the tangent plane is negative. Blocks and planes are bounded
+//! by planes through the viewpoint.
 
 use super::screen::{Axes, Rect, Rects, ScreenBounds, corners};
 use crate::lanes::*;
@@ -22,10 +24,12 @@ use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4};
 
 const SHORTEST: f32 = 1e-20;
 
-/// The number of successive cuts at each end of a row's range. Each is by the tangent at the current end, initially the rectangle's end.
+/// The number of successive cuts at each end of a row's range. Each is by the tangent at the
+/// current end, initially the rectangle's end.
 const TANGENTS: usize = 3;
 
-/// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at (0, 0).
+/// Four linear functions of u and v, one per lane: the slope in u, the slope in v, and the value at
+/// (0, 0).
 pub(crate) type Terms = [Vec4; 3];
 
 #[derive(Clone, Copy)]
@@ -35,19 +39,22 @@ pub(crate) enum Sides {
     /// The rays in a cone: `cos (a x w)` in three lanes, `sin (a . w)` in the last.
     Round {
         terms: Terms,
-        /// The hit error widens the cone, so a ray inside it may miss the sphere. A ray certainly meets the sphere if the last lane minus
-        /// the length of the other three is at least this multiple of the last lane.
+        /// The hit error widens the cone, so a ray inside it may miss the sphere. A ray certainly
+        /// meets the sphere if the last lane minus the length of the other three is at least this
+        /// multiple of the last lane.
         unsure: f32,
     },
-    /// The rays inside up to eight planes around the object, and inside up to eight planes within it. `outer` is a full list: a loop over an
-    /// array would be unrolled, which takes 284 bytes of code.
+    /// The rays inside up to eight planes around the object, and inside up to eight planes within
+    /// it. `outer` is a full list: a loop over an array would be unrolled, which takes 284 bytes of
+    /// code.
     Flat { outer: List<Terms, 2>, inner: [Terms; 2] },
 }
 
 impl Sides {
-    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the viewpoint to the centre. The ray w is linear
-    /// in u and v, and `rays` has its coefficients of u, v and 1. A coefficient stands for a vector: its first three lanes, plus its last
-    /// lane times `to`.
+    /// Returns the rays in the bounding cone of a node's sphere. `to` is the vector from the
+    /// viewpoint to the centre. The ray w is linear in u and v, and `rays` has its coefficients of
+    /// u, v and 1. A coefficient stands for a vector: its first three lanes, plus its last lane
+    /// times `to`.
     #[inline(never)]
     pub fn of_sphere(rays: &[Vec4; 3], to: Vec3A, node: &BvhNode) -> Self {
         let radius = (node.radius + node.hit_error) * CONE_RADIUS_FACTOR;
@@ -67,15 +74,16 @@ impl Sides {
         }
     }
 
-    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward and inward by `slack`. For `rays` and
-    /// `to` see [`Sides::of_sphere`].
+    /// Returns the rays between a block's silhouette planes, at most two per axis, moved outward
+    /// and inward by `slack`. For `rays` and `to` see [`Sides::of_sphere`].
     #[inline(never)]
     pub fn of_block(rays: &[Vec4; 3], to: Vec3A, block: &Block, slack: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
         let half = Vec3A::from(block.half);
         let (shape, centre) = (block.shape, inward * to);
         let rays = rays.map(|ray| (across(shape, inward * Vec3A::from_vec4(ray)), ray.w));
-        // The inner prism is hexagonal in a cylinder or a capsule, and leaves out a capsule's round ends.
+        // The inner prism is hexagonal in a cylinder or a capsule, and leaves out a capsule's round
+        // ends.
         let ends = if shape == Shape::Capsule { half.x } else { 0.0 };
         let inside = half - slack - Vec3A::Y * ends;
         let inner = if inside.min_element() > 0.0 {
@@ -93,7 +101,8 @@ impl Sides {
         Self::Flat { outer: List::full(terms), inner: terms }
     }
 
-    /// Clips each rectangle to the range of u whose rays may be at least `margin` deep inside. A cone's tangent planes clip both ends.
+    /// Clips each rectangle to the range of u whose rays may be at least `margin` deep inside. A
+    /// cone's tangent planes clip both ends.
     #[inline(never)]
     fn clip<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
         let simd = rects.left.token();
@@ -109,8 +118,8 @@ impl Sides {
                     }
                     let tangents = [rects.left, rects.right].map(|u| {
                         let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
-                        // On the cone's axis, (x, y, z) is 0 and has no direction. Any unit vector instead of the direction gives a valid
-                        // upper bound, and so does 0.
+                        // On the cone's axis, (x, y, z) is 0 and has no direction. Any unit vector
+                        // instead of the direction gives a valid upper bound, and so does 0.
                         let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
                         let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
                         [side(right), side(down), side(origin) - length * margin]
@@ -157,12 +166,14 @@ impl Sides {
 }
 
 impl<S: Isa> Rects<S> {
-    /// Clips rectangles to the range of u where `right u + down v + origin >= 0` for some v of the rectangle.
+    /// Clips rectangles to the range of u where `right u + down v + origin >= 0` for some v of the
+    /// rectangle.
     #[inline(never)]
     fn cut(&mut self, right: F<S>, down: F<S>, origin: F<S>) {
         let zero = splat(right.token(), 0.0);
         let max = (down * self.top).max(down * self.bottom) + origin;
-        // NaN clips nothing. Adding zero turns -0 into 0, so that a `right` of 0 clips all or nothing.
+        // NaN clips nothing. Adding zero turns -0 into 0, so that a `right` of 0 clips all or
+        // nothing.
         let end = -max / (right + zero);
         let min = at_least::<S>(end, self.left);
         let greatest = at_most::<S>(end, self.right);
@@ -176,7 +187,8 @@ pub(crate) struct Region {
     pub sides: Sides,
     /// The bound on the rounding error of a side's inequality.
     pub rounding: f32,
-    /// The least depth at which a point of the plane counts as certainly in the shadow or image; infinity if none does.
+    /// The least depth at which a point of the plane counts as certainly in the shadow or image;
+    /// infinity if none does.
     pub margin: f32,
 }
 
@@ -187,8 +199,8 @@ impl Region {
         Self { bounds, sides, rounding, margin: rounding }
     }
 
-    /// Returns the least and greatest u of the region in each rectangle. If the region misses a rectangle, the least exceeds the
-    /// greatest.
+    /// Returns the least and greatest u of the region in each rectangle. If the region misses a
+    /// rectangle, the least exceeds the greatest.
     #[inline(always)]
     pub fn clip<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
         self.bounds.clip(&mut rects);
@@ -204,12 +216,12 @@ impl Region {
     }
 }
 
-/// Returns how deep rays are inside planes, each of which contains the viewpoint and an edge of the block's silhouette. Vectors are in the
-/// block's axes, and the viewpoint is the origin.
+/// Returns how deep rays are inside planes, each of which contains the viewpoint and an edge of the
+/// block's silhouette. Vectors are in the block's axes, and the viewpoint is the origin.
 ///
-/// Each lane projects the block along an axis to a rectangle, which has two corners on the silhouette. Seen along its own axis, a cylinder
-/// or capsule is a circle. The other lanes see it from the side, as a hexagonal prism whose inscribed circle has `hexagon` times the
-/// radius.
+/// Each lane projects the block along an axis to a rectangle, which has two corners on the
+/// silhouette. Seen along its own axis, a cylinder or capsule is a circle. The other lanes see it
+/// from the side, as a hexagonal prism whose inscribed circle has `hexagon` times the radius.
 #[inline(never)]
 fn silhouette_terms(
     shape: Shape,
@@ -227,7 +239,8 @@ fn silhouette_terms(
     // From inside the rectangle there is no silhouette.
     let has_none = !(is_beside | b.abs().cmpgt(half_b));
     [1.0, -1.0].map(|sign| {
-        // The vector from the rectangle's centre to its corner on the silhouette, on the side of `sign`.
+        // The vector from the rectangle's centre to its corner on the silhouette, on the side of
+        // `sign`.
         let is_below = Vec4::select(is_beside, a * sign, b).cmplt(Vec4::ZERO);
         let mut up = Vec4::select(is_below, half_b, -half_b);
         let is_left = ((b + up) * sign).cmplt(Vec4::ZERO);
@@ -250,8 +263,8 @@ fn silhouette_terms(
 /// The sine of 60 degrees.
 const SINE: f32 = 0.866_025_4;
 
-/// Returns, for the axis of each lane, the vector's two coordinates perpendicular to it. A box has three axes. A cylinder has its own and
-/// three across it, 60 degrees apart.
+/// Returns, for the axis of each lane, the vector's two coordinates perpendicular to it. A box has
+/// three axes. A cylinder has its own and three across it, 60 degrees apart.
 #[inline(never)]
 fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     match shape {
@@ -263,9 +276,11 @@ fn across(shape: Shape, v: Vec3A) -> [Vec4; 2] {
     }
 }
 
-/// Returns the vector from the centre (a, b) of a circle to the point where a line from the origin touches it, on the side of `sign`.
+/// Returns the vector from the centre (a, b) of a circle to the point where a line from the origin
+/// touches it, on the side of `sign`.
 fn tangent_point(a: f32, b: f32, radius: f32, sign: f32) -> [f32; 2] {
-    // The vector's parts along and across the line to the centre, relative to the centre's distance.
+    // The vector's parts along and across the line to the centre, relative to the centre's
+    // distance.
     let share = radius * radius / (a * a + b * b);
     let apart = sqrt((1.0 - share) * share) * sign;
     [b * apart - a * share, -a * apart - b * share]

@@ -38,8 +38,8 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// Random scenes of a sphere and a block between a floor and a light, seen from above the floor. The light is up to `10^light` times as far
-/// away as usual, the camera up to `10^telescope` times.
+/// Random scenes of a sphere and a block between a floor and a light, seen from above the floor.
+/// The light is up to `10^light` times as far away as usual, the camera up to `10^telescope` times.
 fn scene(light: f32, telescope: f32) -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
@@ -70,7 +70,8 @@ fn draw<T>(strategy: &impl Strategy<Value = T>, runner: &mut TestRunner) -> T {
     strategy.new_tree(runner).expect("it has no filter").current()
 }
 
-/// Returns the point at `at`, in half extents from a block's centre. Points with coordinates from -1 to 1 are inside.
+/// Returns the point at `at`, in half extents from a block's centre. Points with coordinates from
+/// -1 to 1 are inside.
 fn within(block: &Block, at: DVec3) -> DVec3 {
     let half = block.half.as_dvec3();
     let across = DVec3::new(at.x, 0.0, at.z).clamp_length_max(1.0);
@@ -116,7 +117,8 @@ fn is_shadow_of(solid: usize) -> impl Fn(Outline) -> bool {
     move |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid)
 }
 
-/// Returns the least distance of a segment from a block's centre, in units that put the block's surface at 1.
+/// Returns the least distance of a segment from a block's centre, in units that put the block's
+/// surface at 1.
 fn nearest(block: &Block, from: DVec3, to: DVec3) -> f64 {
     let inward = block.axes.as_dmat3().transpose();
     let half = block.half.as_dvec3();
@@ -186,8 +188,9 @@ proptest! {
     }
 }
 
-/// A point may wrongly count as certainly dark: its shadow ray may pass up to 1.087 radii from a cylinder's axis. This happens at the rim
-/// of an end, where the bound changes from the circle of the side to the hexagon inside the end.
+/// A point may wrongly count as certainly dark: its shadow ray may pass up to 1.087 radii from a
+/// cylinder's axis. This happens at the rim of an end, where the bound changes from the circle of
+/// the side to the hexagon inside the end.
 #[test]
 fn certain_points_are_in_shadow() {
     let mut runner = TestRunner::deterministic();
@@ -221,7 +224,8 @@ fn certain_points_are_in_shadow() {
     assert!(certain > 4000, "{certain}");
 }
 
-/// If a sphere's greater part is above a mirror, all visible points inside the outline of its image show the image.
+/// If a sphere's greater part is above a mirror, all visible points inside the outline of its image
+/// show the image.
 #[test]
 fn images_of_sunk_spheres_have_certain_points() {
     let mut runner = TestRunner::deterministic();
@@ -292,8 +296,8 @@ fn planes_have_outlines_but_no_images() {
     assert_eq!(outlines.len(), 2);
 }
 
-/// A shadow is unseen in three cases: the plane is black; the solid is clear and the light has a diameter; or the spotlight does not shine
-/// on the floor.
+/// A shadow is unseen in three cases: the plane is black; the solid is clear and the light has a
+/// diameter; or the spotlight does not shine on the floor.
 #[test]
 fn unseen_shadows_are_not_listed() {
     let plain = draw(&scene(0.0, 0.0), &mut TestRunner::deterministic());

@@ -12,20 +12,25 @@ use crate::scene::Plane;
 use crate::zero::Zero;
 use glam::{Vec3A, Vec4};
 
-/// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a plane.
+/// A viewpoint: the eye, its image in the first plane, or a light whose shadows the eye sees on a
+/// plane.
 ///
-/// For a shadow, the eye's ray d meets the plane in a point x, and the tests need `m (x - light)` with `m = -d.y`. This vector is the sum
-/// of `m (x - c)` and `m (c - light)`, where c is the object's centre. The first term is `H d + (c - eye) d.y`, where H is the eye's
-/// height. It lacks the light's position, so distant lights add no error. The eye's own view sets H to 1 and m to 0, which leaves d.
+/// For a shadow, the eye's ray d meets the plane in a point x, and the tests need `m (x - light)`
+/// with `m = -d.y`. This vector is the sum of `m (x - c)` and `m (c - light)`, where c is the
+/// object's centre. The first term is `H d + (c - eye) d.y`, where H is the eye's height. It lacks
+/// the light's position, so distant lights add no error. The eye's own view sets H to 1 and m to 0,
+/// which leaves d.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub from: Vec3A,
     pub eye: Vec3A,
     pub axes: [Vec3A; 3],
-    /// The vector from the eye to the light, and the light's height above the plane, divided by a common length; for the eye 0 and 1.
+    /// The vector from the eye to the light, and the light's height above the plane, divided by a
+    /// common length; for the eye 0 and 1.
     pub to_light: Vec3A,
     pub above: f32,
-    /// The plane's height, the eye's distance from it, and the sign of the eye's side. For the eye's own view 0, 1 and 0.
+    /// The plane's height, the eye's distance from it, and the sign of the eye's side. For the
+    /// eye's own view 0, 1 and 0.
     pub ground: f32,
     pub height: f32,
     pub side: f32,
@@ -45,7 +50,8 @@ impl View {
     /// Returns the view from a light whose shadows on `plane` the eye sees.
     pub fn light(light: &PreparedLight, plane: &Plane, eye: &Self) -> Self {
         let (height, to_light) = (eye.eye.y - plane.centre.y, light.position - eye.eye);
-        // Negative if the eye is below the plane, so that `above` is positive if the light is on the eye's side.
+        // Negative if the eye is below the plane, so that `above` is positive if the light is on
+        // the eye's side.
         let scale = (1.0 / to_light.extend(height).length()).copysign(height);
         Self {
             from: light.position,
@@ -66,12 +72,16 @@ impl View {
 
     /// Returns the bounds of a node's sphere or of its shadow.
     ///
-    /// A bound `u = k` is a plane through the viewpoint that touches the sphere: its distance from the sphere's centre is the radius (Mara
-    /// and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013; their axes are orthogonal, those of
-    /// shadows are not). Its normal is `right - k forward`, and `down - k forward` for a bound of v.
+    /// A bound `u = k` is a plane through the viewpoint that touches the sphere: its distance from
+    /// the sphere's centre is the radius (Mara and McGuire: 2D Polyhedral Bounds of a Clipped,
+    /// Perspective-Projected 3D Sphere, JCGT 2013; their axes are orthogonal, those of shadows are
+    /// not). Its normal is `right - k forward`, and `down - k forward` for a bound of v.
     ///
-    /// A light at the height L above the plane casts the shadow of a point p, at the height h, on a point x of the plane: `(L - h) n . (x -
-    /// eye) = L n . (p - eye) - h n . (light - eye)`. The factor `L - h` is the same for all axes n, so it cancels in u and v. So a shadow has a sphere's tests with this equation's right side for `n . (p - eye)`: its gradient in p for the axis n, its value at the sphere's centre for `n . (centre - eye)`.
+    /// A light at the height L above the plane casts the shadow of a point p, at the height h, on a
+    /// point x of the plane: `(L - h) n . (x - eye) = L n . (p - eye) - h n . (light - eye)`. The
+    /// factor `L - h` is the same for all axes n, so it cancels in u and v. So a shadow has a
+    /// sphere's tests with this equation's right side for `n . (p - eye)`: its gradient in p for
+    /// the axis n, its value at the sphere's centre for `n . (centre - eye)`.
     #[inline(never)]
     pub fn screen(&self, node: &BvhNode, pixel: f32) -> ScreenBounds {
         let &Self { to_light, above, .. } = self;
@@ -96,7 +106,8 @@ impl View {
         ScreenBounds::around(u, v, pixel)
     }
 
-    /// Returns the rays that meet an object, or for a light the rays to the object's shadow on the plane.
+    /// Returns the rays that meet an object, or for a light the rays to the object's shadow on the
+    /// plane.
     pub fn sides(&self, node: &BvhNode, object: &Object<'_>) -> Sides {
         let (to, by_eye) = (node.centre - self.from, node.centre - self.eye);
         let aside = by_eye * self.side;

@@ -70,8 +70,8 @@ impl Bits {
         bits
     }
 
-    /// Calls `call` with the index of each word from bit `first` to `last` (included), and the mask of these bits. The range may be
-    /// empty.
+    /// Calls `call` with the index of each word from bit `first` to `last` (included), and the mask
+    /// of these bits. The range may be empty.
     #[inline(always)]
     pub fn masks(first: i32, last: i32, mut call: impl FnMut(usize, u64)) {
         if first > last {

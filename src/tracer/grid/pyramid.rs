@@ -9,7 +9,8 @@ pub(crate) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
 
 /// The grids of all levels except level 0, whose pixels are drawn immediately.
 ///
-/// A grid is row-major. The square (x, y) has the corners (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1).
+/// A grid is row-major. The square (x, y) has the corners (x, y), (x + 1, y), (x, y + 1) and (x +
+/// 1, y + 1).
 pub(crate) struct Pyramid {
     /// [`Sample`]s as words.
     samples: [u64; POINTS],
@@ -60,7 +61,8 @@ impl Pyramid {
         self.keys[index] = key;
     }
 
-    /// Returns the pixels' changes by antialiasing, in the samples' memory: no tile is drawn meanwhile.
+    /// Returns the pixels' changes by antialiasing, in the samples' memory: no tile is drawn
+    /// meanwhile.
     pub fn changes(&mut self) -> &mut [u64; CHANGES] {
         self.samples.first_chunk_mut().expect("enough points")
     }

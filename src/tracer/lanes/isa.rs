@@ -8,7 +8,8 @@ pub(crate) trait Isa: Simd {
     const FUSES_MUL_ADD: bool;
     /// Whether 32-bit integers are multiplied by one instruction.
     const MULTIPLIES_INTEGERS: bool = true;
-    /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand if the first is NaN.
+    /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand if the first
+    /// is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
     fn of(level: Level) -> Option<Self>;
@@ -137,7 +138,8 @@ mod x86_64 {
     }
 
     kernel!(
-        /// Returns the indices of a mask's lanes, in order, without a table. (Slow microcode on AMD before Zen 3.)
+        /// Returns the indices of a mask's lanes, in order, without a table. (Slow microcode on AMD
+        /// before Zen 3.)
         #[inline(always)]
         fn order(simd: Avx2, mask: u64) -> __m256i {
             let bytes = _pdep_u64(mask, 0x0101_0101_0101_0101) * 0xff;

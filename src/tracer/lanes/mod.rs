@@ -1,7 +1,8 @@
 //! Vectors with a ray per lane. A lane's result never depends on its neighbours.
 //!
-//! A kernel is generic over the instruction set `S` and inlined into one function per set. Functions and closures that kernels call need
-//! `#[inline(always)]`: otherwise they lose the instruction set.
+//! A kernel is generic over the instruction set `S` and inlined into one function per set.
+//! Functions and closures that kernels call need `#[inline(always)]`: otherwise they lose the
+//! instruction set.
 
 mod isa;
 mod pow;

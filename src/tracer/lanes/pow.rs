@@ -2,8 +2,8 @@ use super::types::*;
 
 /// Returns `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
 ///
-/// Computes `exp2(h log2 x)` with the polynomials of Moshier's Cephes (`logf`, `exp2f`). The relative error is below
-/// `1e-6 + 1.2e-7 h |log2 x|`; results below 2^-126 become 2^-126.
+/// Computes `exp2(h log2 x)` with the polynomials of Moshier's Cephes (`logf`, `exp2f`). The
+/// relative error is below `1e-6 + 1.2e-7 h |log2 x|`; results below 2^-126 become 2^-126.
 #[inline(always)]
 pub(crate) fn pow<S: Simd>(simd: S, x: F<S>, h: F<S>) -> F<S> {
     exp2(simd, h * log2(simd, x))

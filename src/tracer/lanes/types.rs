@@ -27,8 +27,8 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
-/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, in the low bits of the sum; subtracting it
-/// again gives a float.
+/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds to the nearest integer, in the
+/// low bits of the sum; subtracting it again gives a float.
 pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// For numbers between -2^22 and 2^22.

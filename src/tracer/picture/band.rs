@@ -18,7 +18,8 @@ pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 
 pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
-/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. Neighbouring pixels of smooth cells never form an edge.
+/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough. Neighbouring pixels
+/// of smooth cells never form an edge.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
@@ -41,7 +42,8 @@ impl Band<'_> {
         self.top..self.top + self.height()
     }
 
-    /// Marks the band as drawn by the caller, with edges anywhere. Draw it next to the renderer's bands before these are antialiased.
+    /// Marks the band as drawn by the caller, with edges anywhere. Draw it next to the renderer's
+    /// bands before these are antialiased.
     #[doc(hidden)]
     pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);

@@ -39,10 +39,12 @@ pub struct Probing {
 }
 
 impl<'a> Frame<'a> {
-    /// The number of probes that take less than 1 % of a default frame of 1024x768 (0.8 % of the model scene's instructions, AVX2).
+    /// The number of probes that take less than 1 % of a default frame of 1024x768 (0.8 % of the
+    /// model scene's instructions, AVX2).
     pub const PROBES: u16 = 80;
 
-    /// Returns a frame without gaps between rows. [`Renderer::render`](crate::Renderer::render) checks the sizes.
+    /// Returns a frame without gaps between rows. [`Renderer::render`](crate::Renderer::render)
+    /// checks the sizes.
     #[must_use]
     pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
         Self {
@@ -62,21 +64,24 @@ impl<'a> Frame<'a> {
         Self { stride, ..self }
     }
 
-    /// Moves samples `x` pixels right and `y` down, -0.5 to 0.5 each. For supersampling, average frames whose offsets cover a pixel
-    /// evenly.
+    /// Moves samples `x` pixels right and `y` down, -0.5 to 0.5 each. For supersampling, average
+    /// frames whose offsets cover a pixel evenly.
     #[must_use]
     pub const fn with_offset(self, x: f32, y: f32) -> Self {
         Self { offset: vec2(x, y), ..self }
     }
 
-    /// Traces `count` pixels as [`Quality::reference`](crate::Quality::reference) does, and compares them with the frame, which stays
-    /// unchanged. The results are in [`Counts::probes`](crate::Counts::probes).
+    /// Traces `count` pixels as [`Quality::reference`](crate::Quality::reference) does, and
+    /// compares them with the frame, which stays unchanged. The results are in
+    /// [`Counts::probes`](crate::Counts::probes).
     ///
-    /// Pass the frame's number as the seed: consecutive seeds probe different pixels until each was probed once. Probes ignore captions,
-    /// and pixels with a [`Method`](crate::presentation::Method) overlay or coarse squares.
+    /// Pass the frame's number as the seed: consecutive seeds probe different pixels until each was
+    /// probed once. Probes ignore captions, and pixels with a
+    /// [`Method`](crate::presentation::Method) overlay or coarse squares.
     ///
-    /// The estimated mean squared error is unbiased. A few pixels have most of it, so add the probes of many frames: at 60 frames a
-    /// second it is accurate to 2 dB after a second, and to some tenths of a dB after a minute.
+    /// The estimated mean squared error is unbiased. A few pixels have most of it, so add the
+    /// probes of many frames: at 60 frames a second it is accurate to 2 dB after a second, and to
+    /// some tenths of a dB after a minute.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self { probing: Probing { count, seed }, ..self }

@@ -34,7 +34,8 @@ pub(crate) struct Neighbour {
     pub taps: [Tap; TAPS.len()],
     /// The reflected ambient light.
     pub ambient: Vec3A,
-    /// The direction to each light, along a block's own axes, and the reflected light of a side that faces it.
+    /// The direction to each light, along a block's own axes, and the reflected light of a side
+    /// that faces it.
     pub lights: [[Vec3A; 2]; MAX_LIGHTS],
 }
 
@@ -46,8 +47,8 @@ pub(crate) struct Tap {
     pub weight: f32,
 }
 
-/// The taps' heights as shares of the reach, and their weights, fitted to three taps. The first is the highest: a block farther from it
-/// than this height is out of range of all taps.
+/// The taps' heights as shares of the reach, and their weights, fitted to three taps. The first is
+/// the highest: a block farther from it than this height is out of range of all taps.
 const TAPS: [[f32; 2]; 2] = [[0.9, 0.584], [0.22, 0.522]];
 
 /// Slightly below 1, so that a convex block is out of range of its own points.

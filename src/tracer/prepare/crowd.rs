@@ -1,11 +1,12 @@
-//! Crowds of mirrors and glass, see [`Quality::crowds`]: their images are too small and narrow to interpolate.
+//! Crowds of mirrors and glass, see [`Quality::crowds`]: their images are too small and narrow to
+//! interpolate.
 
 use super::object::{self, Object, ObjectId};
 use crate::quality::Quality;
 use crate::scene::{Material, Scene};
 
-/// The number of strong mirrors and glass solids that makes a crowd. With fewer, one in fifty random scenes of 16 blocks is below 42 dB at
-/// the default quality.
+/// The number of strong mirrors and glass solids that makes a crowd. With fewer, one in fifty
+/// random scenes of 16 blocks is below 42 dB at the default quality.
 const CROWD: usize = 12;
 
 /// The least `kr + kt` of strong mirrors and glass: their images are in the presets' keys.
@@ -18,7 +19,8 @@ const SQUARE: usize = 4;
 const LARGE: f32 = 0.2;
 
 impl Quality {
-    /// Returns the quality for a scene. If it has a crowd, squares are smaller; otherwise [`Quality::crowds`] is false.
+    /// Returns the quality for a scene. If it has a crowd, squares are smaller; otherwise
+    /// [`Quality::crowds`] is false.
     pub(crate) fn in_scene(self, scene: &Scene) -> Self {
         let crowds = self.crowds && is_crowd(scene);
         let square = if crowds { self.square.min(SQUARE) } else { self.square };

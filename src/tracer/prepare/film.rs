@@ -8,7 +8,8 @@ use glam::{Vec2, vec2};
 pub(crate) struct Film {
     pub is_plain: bool,
     is_filmic: bool,
-    /// The factor on light in fixed-point sums: filmic pictures sum four times the light, in steps four times larger.
+    /// The factor on light in fixed-point sums: filmic pictures sum four times the light, in steps
+    /// four times larger.
     pub sum_unit: f32,
     vignette: f32,
     middle: Vec2,
@@ -19,8 +20,9 @@ pub(crate) struct Film {
 /// Four points' light or colours: blue, green, red, and an unused vector.
 pub(crate) type Colours = [f32x4<Baseline>; 4];
 
-/// Thresholds that are added to a pixel's colour before truncation, in 256ths of a step. The word of the pixel (x, y), at `[y %
-/// 4][x % 4]` and again four further on, has one number for all channels.
+/// Thresholds that are added to a pixel's colour before truncation, in 256ths of a step. The word
+/// of the pixel (x, y), at `[y % 4][x % 4]` and again four further on, has one number for all
+/// channels.
 pub(crate) type Dither = [[u64; 8]; 4];
 
 #[cfg(test)]

@@ -18,7 +18,8 @@ pub(crate) struct PreparedLight {
     pub core: f32,
     pub max_penumbra: f32,
     pub is_point: bool,
-    /// The first object that shadow rays list as an occluder. Spheres before it cast hard shadows: a faster test.
+    /// The first object that shadow rays list as an occluder. Spheres before it cast hard shadows:
+    /// a faster test.
     pub listed_from: ObjectId,
     /// In the order of the tree's solid nodes.
     pub shadow_cones: [ShadowCone; MAX_NODES],
@@ -26,7 +27,8 @@ pub(crate) struct PreparedLight {
 
 pub(crate) struct SpotCone {
     pub aim: Vec3,
-    /// The squared chords of the angles on the unit sphere: their difference is exact for narrow cones, too.
+    /// The squared chords of the angles on the unit sphere: their difference is exact for narrow
+    /// cones, too.
     pub inner2: f32,
     pub outer2: f32,
 }
@@ -44,10 +46,12 @@ impl SpotCone {
         }
     }
 
-    /// Returns whether a horizontal plane gets no light. `height` is the light's height above the plane, negative below it.
+    /// Returns whether a horizontal plane gets no light. `height` is the light's height above the
+    /// plane, negative below it.
     pub fn misses_plane(&self, height: f32) -> bool {
         let rise2 = self.aim.y * self.aim.y;
-        // The squared chord from `aim` to the nearest horizontal direction; 2 - 2 sqrt(1 - rise2) would cancel.
+        // The squared chord from `aim` to the nearest horizontal direction; 2 - 2 sqrt(1 - rise2)
+        // would cancel.
         let off2 = 2.0 * rise2 / (1.0 + sqrt(1.0 - rise2));
         self.aim.y * height > 0.0 && off2 >= self.outer2
     }
@@ -59,13 +63,14 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere: a cone from the light, from the sphere's near side on. Unaligned vectors make it fit a cache line of 64
-/// bytes; a frame has up to 2,316 cones.
+/// The shadow of a node's sphere: a cone from the light, from the sphere's near side on. Unaligned
+/// vectors make it fit a cache line of 64 bytes; a frame has up to 2,316 cones.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
     /// The direction from the centre to the light, of length 1.
     pub axis: Vec3,
-    /// The squared chord between the axis and the side of the cone, on the unit sphere; -1 without a shadow.
+    /// The squared chord between the axis and the side of the cone, on the unit sphere; -1 without
+    /// a shadow.
     pub chord2: f32,
     /// The least distance of the shadow from the light.
     pub from: f32,
@@ -75,11 +80,11 @@ pub(crate) struct ShadowCone {
     /// Whether the light is inside: the sphere shadows its outside.
     pub around_light: bool,
     pub to_light: Vec3,
-    /// The squared radius minus the discriminant's rounding error (plus it if the light is inside): a ray that leaves the sphere is not in
-    /// its shadow.
+    /// The squared radius minus the discriminant's rounding error (plus it if the light is inside):
+    /// a ray that leaves the sphere is not in its shadow.
     pub r2: f32,
-    /// A normal, of any length, of the plane through the light and the block's longer axis. The block's shadow is between two planes
-    /// through the light, at equal angles to this plane.
+    /// A normal, of any length, of the plane through the light and the block's longer axis. The
+    /// block's shadow is between two planes through the light, at equal angles to this plane.
     pub side: Vec3,
     /// The squared sine of these angles, times the squared length of `side`.
     pub sine2: f32,

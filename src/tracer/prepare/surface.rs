@@ -18,7 +18,8 @@ pub(crate) enum Parameter {
     InverseRadius = 3,
     /// 0 for visible lights and the background, otherwise 1 and [`Material::film_thickness`].
     IsLit = 4,
-    /// A colour: the reflected ambient light (with ambience the reflected share), or the colour of a visible light or the background.
+    /// A colour: the reflected ambient light (with ambience the reflected share), or the colour of
+    /// a visible light or the background.
     Emitted = 5,
     Diffuse = 8,
     /// A colour: the factor on a light's colour in its highlight.
@@ -45,7 +46,8 @@ pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 /// Above any valid parameter; products of a few such numbers are finite.
 const LARGEST: f32 = 2e9;
 
-/// Replaces NaN and magnitudes above [`LARGEST`] with 0: NaN, or an overflow to infinity, spoils a point's sum even with the weight 0.
+/// Replaces NaN and magnitudes above [`LARGEST`] with 0: NaN, or an overflow to infinity, spoils a
+/// point's sum even with the weight 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
@@ -93,10 +95,11 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
     surface.map(bounded)
 }
 
-/// Returns 0.8 to 1 times the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1.
+/// Returns 0.8 to 1 times the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to
+/// 1.
 ///
-/// A float's bits approximate its logarithm: `e + m` for `2^e (1 + m)` is up to 0.09 too small, and the inverse up to a factor of 1.07
-/// too large.
+/// A float's bits approximate its logarithm: `e + m` for `2^e (1 + m)` is up to 0.09 too small, and
+/// the inverse up to a factor of 1.07 too large.
 fn root_below(x: f32, h: f32) -> f32 {
     const ONE: f32 = (1 << 23) as f32;
     const BIAS: f32 = 127.0;

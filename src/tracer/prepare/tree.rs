@@ -1,5 +1,5 @@
-//! The bounding volume hierarchy of solids (spheres and blocks): bounding spheres in depth-first order. A ray skips the descendants of
-//! missed nodes.
+//! The bounding volume hierarchy of solids (spheres and blocks): bounding spheres in depth-first
+//! order. A ray skips the descendants of missed nodes.
 
 use super::object::{self, Object, ObjectId};
 use crate::rounding::{BOUND, hit_error};
@@ -25,8 +25,9 @@ pub(crate) struct VisibleGroups {
 
 /// The largest number of solids in a leaf.
 ///
-/// Shadow rays test all solids of a leaf without a branch: a mispredicted branch takes as long as four tests. With 4 solids a scene of
-/// letters on water takes 8 % longer, with 16 a field of 64 spheres 7 %.
+/// Shadow rays test all solids of a leaf without a branch: a mispredicted branch takes as long as
+/// four tests. With 4 solids a scene of letters on water takes 8 % longer, with 16 a field of 64
+/// spheres 7 %.
 const LEAF: usize = 10;
 
 const UNSORTED: usize = 4;
@@ -98,7 +99,8 @@ impl Tree {
         &self.nodes[..self.len]
     }
 
-    /// Returns the first node for rays that only meet `groups`, without the root, which they probably meet.
+    /// Returns the first node for rays that only meet `groups`, without the root, which they
+    /// probably meet.
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 { 1 } else { self.solid_node_end }
     }
@@ -233,7 +235,8 @@ fn sort(balls: &mut [Ball]) {
     sort(rest);
 }
 
-/// Partitions balls at `middle` along an axis (Hoare: Algorithm 65, Find, Communications of the ACM, 1961).
+/// Partitions balls at `middle` along an axis (Hoare: Algorithm 65, Find, Communications of the
+/// ACM, 1961).
 fn partition(balls: &mut [Ball], middle: usize, axis: usize) {
     let coordinate = |ball: &Ball| ball.centre.as_ref()[axis];
     let (mut first, mut end) = (0, balls.len());

@@ -12,7 +12,8 @@ pub const MAX_LETTERS: usize = 32;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Caption {
-    /// ASCII capitals, digits, full stops, and `/` for ±. Other bytes are spaces. These signs are digits of a number:
+    /// ASCII capitals, digits, full stops, and `/` for ±. Other bytes are spaces. These signs are
+    /// digits of a number:
     ///
     /// | sign | in a scene | in [`Frame::write`](crate::Frame::write) |
     /// | --- | --- | --- |
@@ -26,8 +27,8 @@ pub struct Caption {
     pub letters: List<u8, MAX_LETTERS>,
     /// The middle of the line, relative to the picture's height from the top, 0 to 1.
     pub middle: f32,
-    /// The height of a letter relative to the picture's height, 0 to 1. Pictures narrower than 16:9 count as 16:9 pictures of the same
-    /// width, so that lines fit.
+    /// The height of a letter relative to the picture's height, 0 to 1. Pictures narrower than 16:9
+    /// count as 16:9 pictures of the same width, so that lines fit.
     pub size: f32,
     /// The opacity of the white letters, 0 to 1.
     pub brightness: f32,

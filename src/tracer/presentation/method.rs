@@ -12,11 +12,11 @@ pub struct Method {
     pub squares: f32,
     /// The brightness of the picture itself, 0 to 1.
     pub picture: f32,
-    /// The side in pixels up to which squares are filled with one colour, whatever their corners show, 0 to 32; off below 2. A coarse
-    /// picture is not antialiased.
+    /// The side in pixels up to which squares are filled with one colour, whatever their corners
+    /// show, 0 to 32; off below 2. A coarse picture is not antialiased.
     pub coarse: f32,
-    /// The position of a bright line as a share of the picture's width from the left, 0 to 1. Left of it the picture is finished: at full
-    /// brightness, antialiased, without marks.
+    /// The position of a bright line as a share of the picture's width from the left, 0 to 1. Left
+    /// of it the picture is finished: at full brightness, antialiased, without marks.
     pub front: f32,
 }
 

@@ -14,16 +14,18 @@ use crate::zero::Zero;
 /// The maximum number of captions. The show uses one at a time.
 pub const MAX_CAPTIONS: usize = 10;
 
-/// The presentation of a scene in a [`Frame`](crate::Frame): mirrored sectors, marks of the rendering method, and text.
+/// The presentation of a scene in a [`Frame`](crate::Frame): mirrored sectors, marks of the
+/// rendering method, and text.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Presentation {
-    /// The number of sectors of a kaleidoscope, 1 to 8, rounded down to a power of two: 1 for none; 2 mirrors the picture left and right;
-    /// 4 also up and down; 8 also along diagonals.
+    /// The number of sectors of a kaleidoscope, 1 to 8, rounded down to a power of two: 1 for none;
+    /// 2 mirrors the picture left and right; 4 also up and down; 8 also along diagonals.
     ///
-    /// The centre is in the middle, at 46 % of the height, closer to the middle where [`Camera::min_aspect`](crate::scene::Camera::min_aspect)
-    /// widens the view. The picture moves by up to 8 pixels: the centre is the corner of a square. Only one sector is traced (of 8 the
+    /// The centre is in the middle, at 46 % of the height, closer to the middle where
+    /// [`Camera::min_aspect`](crate::scene::Camera::min_aspect) widens the view. The picture moves
+    /// by up to 8 pixels: the centre is the corner of a square. Only one sector is traced (of 8 the
     /// one to the lower right). Captions are not mirrored.
     pub sectors: f32,
     /// The overlay that explains the rendering method.

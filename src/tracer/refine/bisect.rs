@@ -8,11 +8,12 @@ use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 
-/// The bisection starts if pixel and midpoint differ by this times [`Quality::edge`] or more, in a sample's units.
+/// The bisection starts if pixel and midpoint differ by this times [`Quality::edge`] or more, in a
+/// sample's units.
 const HALF: u64 = 2 * STEP as u64;
 
-/// The second step needs a difference of 6.4 times [`Quality::edge`], the third of 12.8 times, in output steps. With an edge of 20 or
-/// more there is no third step.
+/// The second step needs a difference of 6.4 times [`Quality::edge`], the third of 12.8 times, in
+/// output steps. With an edge of 20 or more there is no third step.
 const QUARTER: u64 = 64 * STEP as u64;
 
 /// The bits of a channel in a change.
@@ -20,11 +21,13 @@ const CHANNEL_BITS: usize = 21;
 
 const SIGN: u64 = 1 << (CHANNEL_BITS - 1);
 
-/// The number of a change's units in a sample's unit: all weights are whole. `Pyramid::changes` has a word per pixel and axis: blue, green
-/// and red from the low bits up, signed numbers of [`CHANNEL_BITS`] bits. A negative one borrows from the next.
+/// The number of a change's units in a sample's unit: all weights are whole. `Pyramid::changes` has
+/// a word per pixel and axis: blue, green and red from the low bits up, signed numbers of
+/// [`CHANNEL_BITS`] bits. A negative one borrows from the next.
 const WEIGHTS: u64 = 2 * PARTS as u64;
 
-/// Adds a midpoint on one side of a pixel to the pixel's changes, and queues the interval if it has an edge.
+/// Adds a midpoint on one side of a pixel to the pixel's changes, and queues the interval if it has
+/// an edge.
 #[inline(never)]
 pub(super) fn add_middle(
     plan: &FramePlan,
@@ -72,7 +75,8 @@ pub(super) fn bisect<O>(
     }
 }
 
-/// Adds the traced middle of interval `i` to the pixel's change, and queues the half with more contrast if it has an edge.
+/// Adds the traced middle of interval `i` to the pixel's change, and queues the half with more
+/// contrast if it has an edge.
 fn halve(worker: &mut Worker, i: usize, edge: u8) {
     let mut interval = worker.intervals[i % BATCH];
     let [start, end] = interval.ends;

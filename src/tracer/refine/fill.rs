@@ -106,10 +106,11 @@ fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], halvings: u32) -> [u64; 4
 
 const MAX_PIXELS: usize = 64;
 
-/// Interpolates the corners' colours over a square of `1 << LOG` pixels, and rounds them with thresholds of period 4.
+/// Interpolates the corners' colours over a square of `1 << LOG` pixels, and rounds them with
+/// thresholds of period 4.
 ///
-/// The sums never carry out of 16 bits. A step is off by at most half a 256th of an output step, so the last pixel of a square of 8 is off
-/// by 7 of them; thresholds of 8 to 248 leave room for this.
+/// The sums never carry out of 16 bits. A step is off by at most half a 256th of an output step, so
+/// the last pixel of a square of 8 is off by 7 of them; thresholds of 8 to 248 leave room for this.
 #[inline(always)]
 fn fill_square<S: Simd, const LOG: u32>(
     simd: S,

@@ -11,7 +11,8 @@ use fearless_simd::Level;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Avx2, Avx512};
 
-/// The functions that are compiled for each instruction set. Programs that only use AVX2 kernels link only these.
+/// The functions that are compiled for each instruction set. Programs that only use AVX2 kernels
+/// link only these.
 #[derive(Clone, Copy)]
 pub(crate) struct Kernels {
     pub level: Level,

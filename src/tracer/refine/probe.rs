@@ -1,7 +1,7 @@
 //! Probes compare pixels of a finished band with the same pixels of an exhaustive frame.
 //!
-//! An antialiased probe also traces its neighbours and the points at edges to them, with the arithmetic of `antialias`: probes of an
-//! exhaustive frame find no error.
+//! An antialiased probe also traces its neighbours and the points at edges to them, with the
+//! arithmetic of `antialias`: probes of an exhaustive frame find no error.
 
 use super::antialias::is_edge;
 use super::bisect::{add_middle, bisect, mix_pixel};
@@ -26,7 +26,8 @@ const POINTS: usize = 1 + 2 * SIDES.len();
 /// The most probes of a batch; a power of two bounds an index.
 const MAX_PROBES: usize = (BATCH / POINTS).next_power_of_two();
 
-/// Returns the probed pixels. Successive seeds visit all pixels in one random order, `count` per seed, then start again.
+/// Returns the probed pixels. Successive seeds visit all pixels in one random order, `count` per
+/// seed, then start again.
 fn places(probing: Probing, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
     let pixels = (columns * rows) as u32;
     let count = u32::from(probing.count);
@@ -62,7 +63,8 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
     // Probes are far apart: culling groups would not pay.
     let all = VisibleGroups { directly: GroupSet::MAX, mirrored: GroupSet::MAX };
     let sides = if plan.quality.antialias { &SIDES[..] } else { &[] };
-    // The index of a pixel in the band. It is beyond the end for pixels of other rows; above, it wraps around.
+    // The index of a pixel in the band. It is beyond the end for pixels of other rows; above, it
+    // wraps around.
     let (top, stride) = (band.top, band.stride);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();

@@ -1,4 +1,5 @@
-//! Compares filled squares with interpolation in real numbers, on every instruction set of the machine.
+//! Compares filled squares with interpolation in real numbers, on every instruction set of the
+//! machine.
 
 extern crate std;
 

@@ -5,8 +5,8 @@ use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
 
-/// The largest allowed difference of channels at a square's corners, in 128ths of an output step: 16 bits per channel, like a [`Sample`],
-/// and ones in the bits that are ignored.
+/// The largest allowed difference of channels at a square's corners, in 128ths of an output step:
+/// 16 bits per channel, like a [`Sample`], and ones in the bits that are ignored.
 #[derive(Clone, Copy)]
 pub(super) struct Limit(u64);
 
@@ -18,7 +18,8 @@ impl Limit {
         Self((limit * 0x0001_0001_0001) | (0xffff << 48))
     }
 
-    /// Returns whether two samples are within the limit, to 1/128 of a step. Halved channels leave a word's highest bit for the result.
+    /// Returns whether two samples are within the limit, to 1/128 of a step. Halved channels leave
+    /// a word's highest bit for the result.
     pub fn has(self, a: Sample, b: Sample) -> bool {
         const HALF: u64 = 0x3fff_3fff_3fff;
         const GREATER: u64 = 0x8000_8000_8000;
@@ -29,8 +30,8 @@ impl Limit {
     }
 }
 
-/// Returns the factor on tolerances for squares of `side` pixels, see [`Quality`]. In crowded tiles (`crowding`, 0 to 1) errors in small
-/// squares add up.
+/// Returns the factor on tolerances for squares of `side` pixels, see [`Quality`]. In crowded tiles
+/// (`crowding`, 0 to 1) errors in small squares add up.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     let growth = 8.0 / side as f32;
     growth + crowding * (1.0 - growth)
@@ -142,8 +143,8 @@ fn within<S: Simd>(simd: S, max: S::i16s, min: S::i16s, limit: Limit) -> u64 {
     excess.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
 }
 
-/// Returns the squares whose corners have one rounded colour, and those whose corners show one object. Rounding is monotonic, so comparing
-/// the extremes suffices.
+/// Returns the squares whose corners have one rounded colour, and those whose corners show one
+/// object. Rounding is monotonic, so comparing the extremes suffices.
 #[inline(always)]
 fn same_pixels_and_objects<S: Simd>(simd: S, max: S::i16s, min: S::i16s) -> [u64; 2] {
     let half = S::i16s::splat(simd, STEP as i16 / 2);

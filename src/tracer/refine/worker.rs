@@ -5,7 +5,8 @@ use crate::picture::TILE_HEIGHT;
 use crate::trace::{BATCH, Batch};
 use crate::zero::Zero;
 
-/// The working memory of one thread. A single worker renders on the caller's thread: see [`Threads`](crate::Threads).
+/// The working memory of one thread. A single worker renders on the caller's thread: see
+/// [`Threads`](crate::Threads).
 pub struct Worker {
     pub(super) batch: Batch,
     pub(super) pyramid: Pyramid,
@@ -60,7 +61,8 @@ pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 pub(super) struct Marks {
     /// The squares to judge: all of the top level, then the parts of split squares.
     pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// The squares that may show a feature between their corners; before the guard runs, parts of such squares.
+    /// The squares that may show a feature between their corners; before the guard runs, parts of
+    /// such squares.
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Filled squares. Single pixels are never filled, so half the rows suffice.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],

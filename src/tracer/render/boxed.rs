@@ -3,7 +3,8 @@ use core::borrow::{Borrow, BorrowMut};
 use std::boxed::Box;
 use std::vec;
 
-/// A [`Memory`] on the heap, initialised in place: no part of it is ever on the stack, even in unoptimised programs.
+/// A [`Memory`] on the heap, initialised in place: no part of it is ever on the stack, even in
+/// unoptimised programs.
 #[derive(Debug)]
 pub struct BoxedMemory(Box<[Memory]>);
 

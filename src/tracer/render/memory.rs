@@ -16,7 +16,8 @@ use crate::zero::Zero;
 /// The memory that threads share while they render a frame, of [`Memory::BYTES`] bytes.
 ///
 /// It is too large for a thread's stack. Without the feature `std`, pass a `static` to
-/// [`Renderer::with_memory`](crate::Renderer::with_memory): it takes no space in the executable file.
+/// [`Renderer::with_memory`](crate::Renderer::with_memory): it takes no space in the executable
+/// file.
 pub struct Memory {
     prepared: Prepared,
     coverage: Coverage,

@@ -84,15 +84,16 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Self { kernels: Kernels::widest(level), memory }
     }
 
-    /// Returns a renderer that uses at most AVX2. If a program makes no other renderer, the linker leaves out the AVX-512 kernel of 16
-    /// kB.
+    /// Returns a renderer that uses at most AVX2. If a program makes no other renderer, the linker
+    /// leaves out the AVX-512 kernel of 16 kB.
     #[doc(hidden)]
     #[must_use]
     pub fn narrow(level: Level, memory: M) -> Self {
         Self { kernels: Kernels::narrow(level), memory }
     }
 
-    /// Returns a renderer that uses AVX2. If a program makes no other renderer, the linker leaves out all other kernels.
+    /// Returns a renderer that uses AVX2. If a program makes no other renderer, the linker leaves
+    /// out all other kernels.
     #[cfg(target_arch = "x86_64")]
     #[doc(hidden)]
     #[must_use]
@@ -103,8 +104,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// Renders a frame, and returns its work.
     ///
     /// # Errors
-    /// If the frame's size, stride or number of pixels, or a number of the quality, the scene or its presentation is out of range. Pixels
-    /// stay unchanged.
+    /// If the frame's size, stride or number of pixels, or a number of the quality, the scene or
+    /// its presentation is out of range. Pixels stay unchanged.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -116,7 +117,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(self.render_valid(scene, quality, frame, threads))
     }
 
-    /// Renders a frame like [`Renderer::render`], and reports its points and squares, except points of antialiasing, to an observer.
+    /// Renders a frame like [`Renderer::render`], and reports its points and squares, except points
+    /// of antialiasing, to an observer.
     ///
     /// # Errors
     /// Like [`Renderer::render`].
@@ -134,11 +136,12 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(memory.render_observed(self.kernels, &plan, scene, frame, threads, observer))
     }
 
-    /// Renders a frame without checking the scene. An invalid scene gives some picture, in bounded time, see [`limits`](crate::limits).
+    /// Renders a frame without checking the scene. An invalid scene gives some picture, in bounded
+    /// time, see [`limits`](crate::limits).
     ///
     /// # Panics
-    /// If the frame's size, stride or number of pixels, or the quality's [`square`](Quality::square) or [`depth`](Quality::depth), is out
-    /// of range.
+    /// If the frame's size, stride or number of pixels, or the quality's
+    /// [`square`](Quality::square) or [`depth`](Quality::depth), is out of range.
     pub fn render_valid(
         &mut self,
         scene: &Scene,

@@ -2,8 +2,9 @@ use super::threads::{Job, Threads};
 use crate::counts::Counts;
 use crate::picture::{Band, MAX_BANDS, TILE_HEIGHT};
 
-/// Sorts bands by their rays in the previous frame, most first: threads finish at about the same time.
-/// Without a previous frame bands are drawn from the bottom up: the sky needs the fewest rays.
+/// Sorts bands by their rays in the previous frame, most first: threads finish at about the same
+/// time. Without a previous frame bands are drawn from the bottom up: the sky needs the fewest
+/// rays.
 pub(super) struct Schedule {
     rays: [u64; MAX_BANDS],
 }

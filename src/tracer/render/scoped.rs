@@ -6,10 +6,11 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::vec::Vec;
 
-/// The caller's thread, and threads that [`std::thread::scope`] starts up to three times per frame, each with its own [`Worker`].
+/// The caller's thread, and threads that [`std::thread::scope`] starts up to three times per frame,
+/// each with its own [`Worker`].
 ///
-/// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code; pass a closure that uses
-/// one as [`Threads`].
+/// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs
+/// unsafe code; pass a closure that uses one as [`Threads`].
 #[derive(Debug)]
 pub struct ScopedThreads {
     workers: Vec<Worker>,

@@ -6,14 +6,17 @@ use glam::Vec3;
 
 /// Ambient light from a sky above and a ground below, which near solids occlude and reflect.
 ///
-/// A surface with the normal n receives `open (sky (1 + n.y) / 2 + ground (1 - n.y) / 2) + bounced`. Here `sky` is
-/// [`Scene::ambient`](super::Scene::ambient), and `open` is the product of the shares of the hemisphere, weighted by the cosine, that
-/// each solid leaves uncovered. A covering solid reflects the light on its side that faces the point.
+/// A surface with the normal n receives
+/// `open (sky (1 + n.y) / 2 + ground (1 - n.y) / 2) + bounced`. Here `sky` is
+/// [`Scene::ambient`](super::Scene::ambient), and `open` is the product of the shares of the
+/// hemisphere, weighted by the cosine, that each solid leaves uncovered. A covering solid reflects
+/// the light on its side that faces the point.
 ///
-/// A sphere's share is exact above the horizon (Quilez, "sphere ambient occlusion") and fades to 0 at `reach` from the sphere. A block's
-/// share is estimated from its distances from two points on the normal. Glass covers `1 - kt` of its share. Near the first plane the
-/// light from below fades. Not covered are points inside solids, and rays with a weight up to [`Ambience::FAINT`] or a depth of 2 or
-/// more.
+/// A sphere's share is exact above the horizon (Quilez, "sphere ambient occlusion") and fades to 0
+/// at `reach` from the sphere. A block's share is estimated from its distances from two points on
+/// the normal. Glass covers `1 - kt` of its share. Near the first plane the light from below fades.
+/// Not covered are points inside solids, and rays with a weight up to [`Ambience::FAINT`] or a
+/// depth of 2 or more.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]

@@ -13,19 +13,20 @@ pub struct Camera {
     pub eye: Vec3,
     /// The point in the middle of the picture, in the same range, other than `eye`.
     pub look_at: Vec3,
-    /// The upward direction of the picture, of any length, more than 0.001 radians off the line of sight.
+    /// The upward direction of the picture, of any length, more than 0.001 radians off the line of
+    /// sight.
     pub up: Vec3,
     /// The vertical field of view in radians, above 0 and below pi.
     pub field_of_view: f32,
-    /// The least aspect (width divided by height) with this field of view, 0 to 4. Narrower pictures show the width of a picture of this
-    /// aspect; with 0 they are cut off at the sides.
+    /// The least aspect (width divided by height) with this field of view, 0 to 4. Narrower
+    /// pictures show the width of a picture of this aspect; with 0 they are cut off at the sides.
     pub min_aspect: f32,
 }
 
 default!(Camera = Self::STANDARD);
 
-/// The picture plane at distance 1 from the eye: the ray through the pixel (x, y) has the direction `corner + x dx + y dy`, not
-/// normalised.
+/// The picture plane at distance 1 from the eye: the ray through the pixel (x, y) has the direction
+/// `corner + x dx + y dy`, not normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
     /// The direction of the upper left pixel's centre.
@@ -64,7 +65,8 @@ impl Camera {
         of.field("min_aspect", self.min_aspect, Range(0.0, 4.0, "0 to 4"))
     }
 
-    /// Returns the side of a pixel at distance 1 from the eye, in a picture of `width` by `height` pixels.
+    /// Returns the side of a pixel at distance 1 from the eye, in a picture of `width` by `height`
+    /// pixels.
     #[inline]
     #[must_use]
     pub fn pixel(&self, width: usize, height: usize) -> f32 {

@@ -13,19 +13,22 @@ pub struct Light {
     pub position: Vec3,
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
-    /// The radius of the visible light, 1e-9 to 1e9; 0 makes it invisible. Lights cast no shadows, and haze does not dim them.
+    /// The radius of the visible light, 1e-9 to 1e9; 0 makes it invisible. Lights cast no shadows,
+    /// and haze does not dim them.
     pub drawn_radius: f32,
-    /// Whether the rays are nearly parallel: `position`, `diameter`, `glow` and `core` are multiplied by [`Light::FAR`], and the light is
-    /// invisible.
+    /// Whether the rays are nearly parallel: `position`, `diameter`, `glow` and `core` are
+    /// multiplied by [`Light::FAR`], and the light is invisible.
     pub parallel: bool,
-    /// The diameter for shadows, 0 to 1e9. Above 0, solids cast penumbrae coloured by their `tint`; at 0 shadows are hard and black.
+    /// The diameter for shadows, 0 to 1e9. Above 0, solids cast penumbrae coloured by their `tint`;
+    /// at 0 shadows are hard and black.
     pub diameter: f32,
-    /// The radius of the glow, 0 to 1e9. A ray through the position sees the light's colour, a ray at this distance half of it; far away
-    /// the glow falls off with the squared distance. An object hides the glow behind it. The glow of a parallel light is the sun's disc.
+    /// The radius of the glow, 0 to 1e9. A ray through the position sees the light's colour, a ray
+    /// at this distance half of it; far away the glow falls off with the squared distance. An
+    /// object hides the glow behind it. The glow of a parallel light is the sun's disc.
     pub glow: f32,
-    /// The radius of a sphere from which the glow's distances count, 0 to 1e9, for the rim of air around a planet, or a corona. The glow
-    /// is as bright as the light where the ray is nearest to the position. The cone of a spotlight that aims at the sun restricts it to
-    /// the sun's side.
+    /// The radius of a sphere from which the glow's distances count, 0 to 1e9, for the rim of air
+    /// around a planet, or a corona. The glow is as bright as the light where the ray is nearest to
+    /// the position. The cone of a spotlight that aims at the sun restricts it to the sun's side.
     pub core: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
@@ -39,8 +42,8 @@ default!(
 zero! { Light { position, colour, drawn_radius, parallel, diameter, glow, core, spot } }
 
 impl Light {
-    /// The factor on lengths of parallel lights: across a scene as wide as the distance to `position`, rays differ by at most 0.001
-    /// radians.
+    /// The factor on lengths of parallel lights: across a scene as wide as the distance to
+    /// `position`, rays differ by at most 0.001 radians.
     pub const FAR: f32 = 1000.0;
 
     /// Black and invisible.
@@ -68,8 +71,8 @@ impl Light {
         if self.parallel { Self::FAR } else { 1.0 }
     }
 
-    /// Returns the upper limit of a penumbra's width at its occluder: for parallel rays the width at four times the distance of
-    /// `position`.
+    /// Returns the upper limit of a penumbra's width at its occluder: for parallel rays the width
+    /// at four times the distance of `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel { 4.0 * self.diameter } else { self.diameter }
     }
@@ -93,14 +96,16 @@ impl Light {
 
 /// The cone of a spotlight, with a soft edge.
 ///
-/// Between the angles the brightness is `s^2 (3 - 2 s)`, where s rises linearly with the cosine of the angle.
+/// Between the angles the brightness is `s^2 (3 - 2 s)`, where s rises linearly with the cosine of
+/// the angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Spot {
     /// The direction of the light, of any length above 0.
     pub aim: Vec3,
-    /// The angle from `aim` in radians up to which the brightness is 1, at least 0 and below `outer_angle`.
+    /// The angle from `aim` in radians up to which the brightness is 1, at least 0 and below
+    /// `outer_angle`.
     pub inner_angle: f32,
     /// The angle from `aim` in radians from which the brightness is 0, up to pi.
     pub outer_angle: f32,

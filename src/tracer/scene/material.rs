@@ -17,29 +17,35 @@ pub struct Material {
     pub ks: f32,
     /// The exponent of highlights, 1 to 1000.
     pub exponent: f32,
-    /// The tint of highlights by the surface's colour, from 0 for plastic to 1 for metal. Mirror images keep their colours.
+    /// The tint of highlights by the surface's colour, from 0 for plastic to 1 for metal. Mirror
+    /// images keep their colours.
     pub metallic: f32,
-    /// The spread of highlights by grooves in circles around the object's y axis (vertical for spheres and planes), 0 to 1. The cosine of
-    /// Phong's model is `1 - d.d / 2`, where d is the difference between the directions of the light and of the mirrored ray;
-    /// `1 - anisotropy` multiplies the square of d's part across the grooves. 1 is close to the thread model (Kajiya and Kay, 1989).
+    /// The spread of highlights by grooves in circles around the object's y axis (vertical for
+    /// spheres and planes), 0 to 1. The cosine of Phong's model is `1 - d.d / 2`, where d is the
+    /// difference between the directions of the light and of the mirrored ray; `1 - anisotropy`
+    /// multiplies the square of d's part across the grooves. 1 is close to the thread model (Kajiya
+    /// and Kay, 1989).
     pub anisotropy: f32,
     /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
-    /// The increase of reflection at grazing angles, from 0 to 1 (a polished surface), by Schlick's approximation: at the cosine c,
-    /// `f = fresnel (1 - c)^5` changes the reflected weight to `kr + f (1 - kr)`, and the transmitted one to `kt (1 - f)`.
+    /// The increase of reflection at grazing angles, from 0 to 1 (a polished surface), by Schlick's
+    /// approximation: at the cosine c, `f = fresnel (1 - c)^5` changes the reflected weight to
+    /// `kr + f (1 - kr)`, and the transmitted one to `kt (1 - f)`.
     pub fresnel: f32,
     /// The weight of the transmitted ray, 0 to 1. Above 0 the surface is transparent.
     pub kt: f32,
-    /// The mean thickness of a thin film, such as a soap bubble's, in nm, 0 to 10,000; 0 for none. A film reflects only softboxes, and
-    /// the brighter of background and ambient light.
+    /// The mean thickness of a thin film, such as a soap bubble's, in nm, 0 to 10,000; 0 for none.
+    /// A film reflects only softboxes, and the brighter of background and ambient light.
     ///
-    /// At the cosine c, the factor on red, green and blue light of the wavelengths w = 610, 540 and 455 nm is `sin^2(2 pi n D t / w)`
-    /// with n = 1.33 and `t = sqrt(1 - (1 - c^2) / n^2)`; parabolas replace the sine. On a sphere, at the height h above the centre in
-    /// radii, the thickness D is `(1 - 0.8 h) film_thickness`; on other shapes it is `film_thickness`.
+    /// At the cosine c, the factor on red, green and blue light of the wavelengths w = 610, 540 and
+    /// 455 nm is `sin^2(2 pi n D t / w)` with n = 1.33 and `t = sqrt(1 - (1 - c^2) / n^2)`;
+    /// parabolas replace the sine. On a sphere, at the height h above the centre in radii, the
+    /// thickness D is `(1 - 0.8 h) film_thickness`; on other shapes it is `film_thickness`.
     pub film_thickness: f32,
     /// The refractive index of the inside relative to the outside, 0.1 to 10.
     pub index: f32,
-    /// The colour of the object's shadow from lights with a diameter, 0 to 1 in each channel; black for a full shadow.
+    /// The colour of the object's shadow from lights with a diameter, 0 to 1 in each channel; black
+    /// for a full shadow.
     pub tint: Vec3,
     /// The texture.
     pub pattern: Pattern,
@@ -99,7 +105,8 @@ impl Material {
         Self { pattern, ..self }
     }
 
-    /// Returns whether the material may reflect or transmit rays; true for invalid weights. Glass totally reflects even if `kr` is 0.
+    /// Returns whether the material may reflect or transmit rays; true for invalid weights. Glass
+    /// totally reflects even if `kr` is 0.
     #[must_use]
     pub fn is_specular(&self) -> bool {
         [self.kr, self.fresnel, self.kt] != [0.0; 3]

@@ -44,7 +44,8 @@ pub const MAX_LIGHTS: usize = 4;
 /// The maximum number of softboxes.
 pub const MAX_SOFTBOXES: usize = 3;
 
-/// The content of a frame. A [`Presentation`](crate::presentation::Presentation) adds marks, mirrors and text.
+/// The content of a frame. A [`Presentation`](crate::presentation::Presentation) adds marks,
+/// mirrors and text.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -53,28 +54,30 @@ pub struct Scene {
     pub camera: Camera,
     /// The colour of the background at the horizon and below, 0 to 1e9 in each channel.
     pub background: Vec3,
-    /// The zenith's colour minus `background`; the zenith's is 0 to 1e9 in each channel. A ray whose direction, of length 1, rises by y
-    /// has the share `y (2 - y)` of it.
+    /// The zenith's colour minus `background`; the zenith's is 0 to 1e9 in each channel. A ray
+    /// whose direction, of length 1, rises by y has the share `y (2 - y)` of it.
     pub sky: Vec3,
-    /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the weight `1 / (1 + (haze t)^2)`; the
-    /// background has the rest.
+    /// The density of the haze in 1 / scene units, 0 to 1000. A surface at the distance t has the
+    /// weight `1 / (1 + (haze t)^2)`; the background has the rest.
     pub haze: f32,
-    /// The fall of the haze with height in 1 / scene units, 0 to 1000: at the height y above 0, its density is
-    /// `haze / (1 + haze_fall y)^2`.
+    /// The fall of the haze with height in 1 / scene units, 0 to 1000: at the height y above 0, its
+    /// density is `haze / (1 + haze_fall y)^2`.
     pub haze_fall: f32,
-    /// The share of the first light's colour that sky and haze scatter, 0 to 1. At an angle with the cosine c to the light's position,
-    /// its weight is `c^8`, or 0 from 90 degrees on.
+    /// The share of the first light's colour that sky and haze scatter, 0 to 1. At an angle with
+    /// the cosine c to the light's position, its weight is `c^8`, or 0 from 90 degrees on.
     pub scatter: f32,
     /// The factor on all light of the picture, 0 to 11.
     pub exposure: f32,
     /// The conversion of light to the picture's colours.
     pub film: Film,
-    /// The ambient light on all surfaces, or from above, see [`Ambience`]; 0 to 1e9 in each channel.
+    /// The ambient light on all surfaces, or from above, see [`Ambience`]; 0 to 1e9 in each
+    /// channel.
     pub ambient: Vec3,
     /// The occlusion of ambient light, and the ambient light from below.
     pub ambience: Ambience,
-    /// Whether untraced rays, see [`Quality::depth`](crate::Quality::depth), are black, as in the 2008 thesis; thin films then reflect
-    /// nothing. This is a scene's look, not an error: exhaustive frames have such rays, too.
+    /// Whether untraced rays, see [`Quality::depth`](crate::Quality::depth), are black, as in the
+    /// 2008 thesis; thin films then reflect nothing. This is a scene's look, not an error:
+    /// exhaustive frames have such rays, too.
     pub black_beyond: bool,
     /// The spheres, in any order.
     pub spheres: List<Sphere, MAX_SPHERES>,

@@ -5,8 +5,8 @@ use super::ranges::{EXTENT, POINT, is_unit};
 use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
-/// A sphere. Shadow rays treat it as hollow: a light wholly inside illuminates its inside, and the outside only through
-/// [`Material::tint`].
+/// A sphere. Shadow rays treat it as hollow: a light wholly inside illuminates its inside, and the
+/// outside only through [`Material::tint`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -73,8 +73,9 @@ pub struct Block {
     pub shape: Shape,
     /// The centre in scene units, coordinates -1e9 to 1e9.
     pub centre: Vec3,
-    /// Half the extent along each of the block's own axes, 1e-9 to 1e9. Cylinders and capsules are along y; their radius is `half.x`,
-    /// equal to `half.z`. A capsule's `half.y` includes an end, so it is at least the radius.
+    /// Half the extent along each of the block's own axes, 1e-9 to 1e9. Cylinders and capsules are
+    /// along y; their radius is `half.x`, equal to `half.z`. A capsule's `half.y` includes an end,
+    /// so it is at least the radius.
     pub half: Vec3,
     /// The block's own axes in scene coordinates: three perpendicular vectors of length 1.
     #[cfg_attr(feature = "serde", serde(default))]

@@ -2,11 +2,12 @@ use super::ranges::{LENGTH, POINT};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 
-/// A rectangle of light at infinity. Reflected and transmitted rays that leave the scene see it; camera rays do not, and it lights no
-/// surface.
+/// A rectangle of light at infinity. Reflected and transmitted rays that leave the scene see it;
+/// camera rays do not, and it lights no surface.
 ///
-/// Its sides are level and upright. A direction `d` with the components x and y along the sides and z towards the middle has the share
-/// `s^2 (3 - 2 s)` of the colour, with `s = min(half_width - |x / z|, half_height - |y / z|) / softness`, 0 to 1.
+/// Its sides are level and upright. A direction `d` with the components x and y along the sides and
+/// z towards the middle has the share `s^2 (3 - 2 s)` of the colour, with
+/// `s = min(half_width - |x / z|, half_height - |y / z|) / softness`, 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -17,7 +18,8 @@ pub struct Softbox {
     pub half_width: f32,
     /// Half the height at distance 1, 0.001 to 1000.
     pub half_height: f32,
-    /// The width of the soft edge inside the sides, at distance 1, 0.001 to 1000. Squares may lose edges of a few pixels.
+    /// The width of the soft edge inside the sides, at distance 1, 0.001 to 1000. Squares may lose
+    /// edges of a few pixels.
     pub softness: f32,
     /// The colour, 0 to 1e9 in each channel.
     pub colour: Vec3,

@@ -3,13 +3,16 @@
 use super::ranges::EXTENT;
 use crate::range_error::{Checked, Range, RangeError};
 
-/// Waves on the first plane of a scene, which turn a mirror into water. They tilt normals; the plane stays flat.
+/// Waves on the first plane of a scene, which turn a mirror into water. They tilt normals; the
+/// plane stays flat.
 ///
-/// Each of six waves of equal slope is [`Waves::SHORTER`] times as long as the previous one. The first travels along z, each next one is
-/// turned by [`Waves::TURN`] from z towards x. At u wavelengths from a level point, -1/2 to 1/2, the slope is `8 u (1 - 2 |u|)` times the
-/// steepest one, nearly a sine.
+/// Each of six waves of equal slope is [`Waves::SHORTER`] times as long as the previous one. The
+/// first travels along z, each next one is turned by [`Waves::TURN`] from z towards x. At u
+/// wavelengths from a level point, -1/2 to 1/2, the slope is `8 u (1 - 2 |u|)` times the steepest
+/// one, nearly a sine.
 ///
-/// Where a pixel covers w scene units, the slope of a wave of the length l is multiplied by `1 - w x / l`, at least 0, where x is
+/// Where a pixel covers w scene units, the slope of a wave of the length l is multiplied by
+/// `1 - w x / l`, at least 0, where x is
 /// [`Waves::PIXELS`]: distant water is calm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -19,8 +22,8 @@ pub struct Waves {
     pub slope: f32,
     /// The length of the longest wave in scene units, 1e-9 to 1e9, or 0 if `slope` is 0.
     pub length: f32,
-    /// The distance travelled by the longest wave in its lengths, -1e6 to 1e6. Each next wave travels [`Waves::FASTER`] times as far in
-    /// its own lengths, as on deep water.
+    /// The distance travelled by the longest wave in its lengths, -1e6 to 1e6. Each next wave
+    /// travels [`Waves::FASTER`] times as far in its own lengths, as on deep water.
     pub phase: f32,
 }
 
@@ -33,11 +36,12 @@ impl Waves {
     pub const FASTER: f32 = 4.0 / 3.0;
     /// The golden angle in radians, so that all directions differ.
     pub const TURN: f32 = 2.4;
-    /// The length in pixels below which waves vanish: the corners of 8-pixel squares would sample them at random.
+    /// The length in pixels below which waves vanish: the corners of 8-pixel squares would sample
+    /// them at random.
     pub const PIXELS: f32 = 10.0;
 
-    /// The limit of the total slope, relative to a ray's descent per unit of length: the water never faces away from the ray, nor
-    /// reflects it below the surface.
+    /// The limit of the total slope, relative to a ray's descent per unit of length: the water
+    /// never faces away from the ray, nor reflects it below the surface.
     pub const STEEPEST: f32 = 0.375;
 
     /// A flat mirror.

@@ -19,7 +19,8 @@ pub(crate) fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
 
 /// Returns the distances of hits, infinite for misses, and the mask of rays that start inside.
 ///
-/// Rays of the mask `inward` start on the surface and hit the far side, whatever the rounding of their origin.
+/// Rays of the mask `inward` start on the surface and hit the far side, whatever the rounding of
+/// their origin.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,
@@ -45,8 +46,8 @@ pub(crate) fn distance<S: Isa>(
     (t, is_inside)
 }
 
-/// Returns the components of `own` along the axes of each point's face, and the point's distance relative to the face's. `out` has the
-/// relative distance along each axis.
+/// Returns the components of `own` along the axes of each point's face, and the point's distance
+/// relative to the face's. `out` has the relative distance along each axis.
 #[inline(always)]
 fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>) {
     let farthest = out.max_element();
@@ -85,7 +86,8 @@ impl<S: Isa> BlockHit<S> {
     }
 }
 
-/// See [`rounding::BLOCK_HIT`]. Lights and objects that an eye sees near a huge block must not be below its points.
+/// See [`rounding::BLOCK_HIT`]. Lights and objects that an eye sees near a huge block must not be
+/// below its points.
 pub(crate) fn hit_error(block: &Block, eye: Vec3A) -> f32 {
     let reach = Vec3A::from(block.centre).abs() + Vec3A::from(block.half);
     let error = rounding::BLOCK_HIT * reach.element_sum();
@@ -129,8 +131,8 @@ pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     }
 }
 
-/// Returns the rays along `d` that certainly miss a block's [`bounding_cylinder`], or hit beyond `limit`. `radius` and `chord` belong to
-/// the bounding sphere.
+/// Returns the rays along `d` that certainly miss a block's [`bounding_cylinder`], or hit beyond
+/// `limit`. `radius` and `chord` belong to the bounding sphere.
 #[inline(always)]
 pub(crate) fn is_off<S: Isa>(
     chord: &Chord<S>,

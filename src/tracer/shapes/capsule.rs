@@ -1,14 +1,16 @@
-//! The capsule along y: all points within the radius of its core, the axis between the centres of both ends.
+//! The capsule along y: all points within the radius of its core, the axis between the centres of
+//! both ends.
 
 use super::cuboid::Span;
 use super::cylinder;
 use crate::lanes::*;
 use glam::Vec3;
 
-/// Returns the intervals of rays inside the capsule, for rays from inside or in the mask `inward`, from 0 to the exit. The intervals of
-/// other rays end at the entry.
+/// Returns the intervals of rays inside the capsule, for rays from inside or in the mask `inward`,
+/// from 0 to the exit. The intervals of other rays end at the entry.
 ///
-/// The hit is on the sphere around the point of the core that is nearest to the ray's crossing of the infinite cylinder.
+/// The hit is on the sphere around the point of the core that is nearest to the ray's crossing of
+/// the infinite cylinder.
 #[inline(always)]
 pub(super) fn span<S: Isa>(
     simd: S,

@@ -9,7 +9,8 @@ pub(super) struct Span<S: Isa> {
 }
 
 impl<S: Isa> Span<S> {
-    /// Returns the intervals within `half` of the centre along one axis. `o` and `d` are the rays' components along it.
+    /// Returns the intervals within `half` of the centre along one axis. `o` and `d` are the rays'
+    /// components along it.
     #[inline(always)]
     pub fn slab(simd: S, o: F<S>, d: F<S>, half: f32) -> Self {
         let middle = -o / d;

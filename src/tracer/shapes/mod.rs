@@ -1,4 +1,5 @@
-//! Intersections, normals and texture coordinates. `block` intersects boxes (`cuboid`), cylinders and capsules along their own axes.
+//! Intersections, normals and texture coordinates. `block` intersects boxes (`cuboid`), cylinders
+//! and capsules along their own axes.
 
 pub(crate) mod block;
 mod capsule;

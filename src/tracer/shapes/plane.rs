@@ -5,8 +5,9 @@ use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// Returns the distance of a direction inside each of the four planes through the eye and an edge.
 ///
-/// From the height h, a ray d meets the plane at `eye + d h / q`, where q is its rate of approach, -d.y or d.y. It is inside an
-/// edge at the distance `reach` along x if `reach q - h d.x >= 0`. Results are below 1, so that one rounding margin fits all.
+/// From the height h, a ray d meets the plane at `eye + d h / q`, where q is its rate of approach,
+/// -d.y or d.y. It is inside an edge at the distance `reach` along x if `reach q - h d.x >= 0`.
+/// Results are below 1, so that one rounding margin fits all.
 pub(crate) fn sides(plane: &Plane, eye: Vec3A, d: Vec3A) -> Vec4 {
     let from = eye - Vec3A::from(plane.centre);
     let reach = Vec4::new(plane.half_x, plane.half_x, plane.half_z, plane.half_z)
@@ -39,7 +40,8 @@ pub(crate) fn hit<S: Isa>(
     (hit, t)
 }
 
-/// Returns the distances at which lines from `from`, relative to the centre, meet the height of a plane.
+/// Returns the distances at which lines from `from`, relative to the centre, meet the height of a
+/// plane.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(from: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
     -from.y / d.y

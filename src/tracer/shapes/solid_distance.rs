@@ -6,10 +6,11 @@ use crate::lanes::*;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Returns the distances along rays, 0 to `limit`, where they come nearest to a block, and their depths there, negative outside.
+/// Returns the distances along rays, 0 to `limit`, where they come nearest to a block, and their
+/// depths there, negative outside.
 ///
-/// The result is approximate: the middle of the ray's interval between the block's faces, moved once towards the block. If a ray misses
-/// the block along a face, the interval may be far away.
+/// The result is approximate: the middle of the ray's interval between the block's faces, moved
+/// once towards the block. If a ray misses the block along a face, the interval may be far away.
 #[inline(always)]
 pub(crate) fn approach<S: Isa>(
     simd: S,

@@ -14,8 +14,8 @@ pub(crate) struct Chord<S: Isa> {
 }
 
 impl<S: Isa> Chord<S> {
-    /// The perpendicular loses no digits when the sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements
-    /// for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
+    /// The perpendicular loses no digits when the sphere is small and far away (Haines, Günther,
+    /// Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
     pub fn new(simd: S, centre: Vec3A, o: Vec3x<S>, d: Vec3x<S>) -> Self {
         let f = Vec3x::splat(simd, centre) - o;
@@ -27,8 +27,9 @@ impl<S: Isa> Chord<S> {
 
     /// Recomputes the perpendicular as accurately as with FMA.
     ///
-    /// Without FMA, rounding `d t_mid` is magnified by cancellation. Halves of 12 bits have exact products (Dekker: A Floating-Point
-    /// Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last, smaller by 2^12, is rounded.
+    /// Without FMA, rounding `d t_mid` is magnified by cancellation. Halves of 12 bits have exact
+    /// products (Dekker: A Floating-Point Technique for Extending the Available Precision,
+    /// Numerische Mathematik 18, 1971); only the last, smaller by 2^12, is rounded.
     #[inline(always)]
     pub fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -56,15 +57,16 @@ impl<S: Isa> Chord<S> {
         } else {
             self.t_mid * splat(simd, -rounding::UNREFINED)
         };
-        // The far end is ahead if the middle is, or if half the chord is longer than the distance back to the middle.
+        // The far end is ahead if the middle is, or if half the chord is longer than the distance
+        // back to the middle.
         let back2 = at_most::<S>(self.t_mid, unsure) * self.t_mid;
         (splat(simd, cull2) - self.l2).simd_ge(back2)
     }
 
     /// Returns the nearest end of the chord ahead and within `limit`.
     ///
-    /// An origin within `hit_error` of the sphere counts as on it: outward the ray misses, inward it hits the far side. `r2` is the
-    /// squared radius, `r2_error` its change by `hit_error`.
+    /// An origin within `hit_error` of the sphere counts as on it: outward the ray misses, inward
+    /// it hits the far side. `r2` is the squared radius, `r2_error` its change by `hit_error`.
     #[inline(always)]
     pub fn entry(
         &self,
@@ -88,10 +90,11 @@ impl<S: Isa> Chord<S> {
         (mask & is_ahead & t.simd_lt(limit), t)
     }
 
-    /// Returns the result of [`Chord::entry`] for origins whose powers (squared distance from the centre minus squared radius) are exact:
-    /// 0 on the sphere, below 0 inside.
+    /// Returns the result of [`Chord::entry`] for origins whose powers (squared distance from the
+    /// centre minus squared radius) are exact: 0 on the sphere, below 0 inside.
     ///
-    /// The ends of the chord are roots of `t^2 - 2 t_mid t + power`. The nearer one needs no difference of large numbers.
+    /// The ends of the chord are roots of `t^2 - 2 t_mid t + power`. The nearer one needs no
+    /// difference of large numbers.
     #[inline(always)]
     pub fn exact_entry(&self, mask: M<S>, power: F<S>, limit: F<S>) -> (M<S>, F<S>) {
         let zero = splat(self.t_mid.token(), 0.0);
@@ -111,8 +114,8 @@ fn upper_half<S: Isa>(c: F<S>) -> F<S> {
     (c.bitcast::<U<S>>() & 0xffff_f000).bitcast()
 }
 
-/// Returns the distances at which rays hit a sphere, or leave it from inside, in lengths of `d`. `length2` is the squared length of `d`;
-/// `from` is relative to the centre.
+/// Returns the distances at which rays hit a sphere, or leave it from inside, in lengths of `d`.
+/// `length2` is the squared length of `d`; `from` is relative to the centre.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,
@@ -130,7 +133,8 @@ pub(crate) fn distance<S: Isa>(
     near.simd_gt(zero).select(near, far)
 }
 
-/// Returns the distance, at most `length`, at which a ray is nearest to the centre, and its depth there, negative outside.
+/// Returns the distance, at most `length`, at which a ray is nearest to the centre, and its depth
+/// there, negative outside.
 #[inline(always)]
 pub(crate) fn deepest<S: Isa>(
     simd: S,

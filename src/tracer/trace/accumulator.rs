@@ -9,14 +9,15 @@ use glam::Vec3A;
 
 const KEY: usize = 3;
 
-/// The brightest untextured light whose pattern is interpolated: the sum of its channels, in steps of 1/255. The filmic curve turns 1 step
-/// into at most 8.
+/// The brightest untextured light whose pattern is interpolated: the sum of its channels, in steps
+/// of 1/255. The filmic curve turns 1 step into at most 8.
 const DARK: f32 = 1.0;
 
-/// The light of a point on a patterned surface, `rest + reflectance * untextured`. These layers vary slowly across the surface.
+/// The light of a point on a patterned surface, `rest + reflectance * untextured`. These layers
+/// vary slowly across the surface.
 ///
-/// The first four numbers are `rest`: highlights, reflection, transmission and haze. The last four are `untextured`: ambient and diffuse
-/// light. Each is blue, green, red and 0, in steps of 1/255.
+/// The first four numbers are `rest`: highlights, reflection, transmission and haze. The last four
+/// are `untextured`: ambient and diffuse light. Each is blue, green, red and 0, in steps of 1/255.
 pub(crate) type Layers = [f32; 8];
 
 /// The results of the points in the `Queue`, with the same indices.
@@ -24,7 +25,8 @@ pub(crate) struct Accumulator {
     sums: [Sum; BATCH],
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
-    /// The untextured blue, green and red in output steps, and the reflectance, negative where the pattern is fine.
+    /// The untextured blue, green and red in output steps, and the reflectance, negative where the
+    /// pattern is fine.
     patterned: [[f32; 4]; BATCH],
     objects: [u32; BATCH],
 }
@@ -86,7 +88,8 @@ impl Accumulator {
         }
     }
 
-    /// Adds a packet's contribution to its points. Primary rays belong to the points from `first` on.
+    /// Adds a packet's contribution to its points. Primary rays belong to the points from `first`
+    /// on.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,
@@ -154,8 +157,8 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The upper limit of a ray's contribution times [`Film::sum_unit`]: twice full brightness. So the sum over the 255 nodes of the deepest
-/// ray tree does not overflow.
+/// The upper limit of a ray's contribution times [`Film::sum_unit`]: twice full brightness. So the
+/// sum over the 255 nodes of the deepest ray tree does not overflow.
 const BRIGHTEST: f32 = 2.0;
 
 pub(super) struct Contribution<S: Isa> {

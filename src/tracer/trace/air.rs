@@ -7,8 +7,8 @@ use crate::lanes::*;
 use crate::prepare::{SpotCone, World};
 use glam::Vec3A;
 
-/// The density of haze added everywhere, in 1 / scene units: invisible within a scene, but it leaves only the sky at the distance of a
-/// miss, 1e30.
+/// The density of haze added everywhere, in 1 / scene units: invisible within a scene, but it
+/// leaves only the sky at the distance of a miss, 1e30.
 const BACKGROUND_HAZE: f32 = 1e-20;
 
 pub(super) struct AirLanes<S: Isa> {
@@ -20,7 +20,8 @@ pub(super) struct AirLanes<S: Isa> {
 impl<S: Isa> AirLanes<S> {
     /// Returns the haze in front of surfaces at the distance `t`; `None` if the air is clear.
     ///
-    /// Between the heights x and y, the mean of `1 / (1 + b h)^2` is `1 / ((1 + b x) (1 + b y))`, without cancellation on level rays.
+    /// Between the heights x and y, the mean of `1 / (1 + b h)^2` is `1 / ((1 + b x) (1 + b y))`,
+    /// without cancellation on level rays.
     #[inline(always)]
     pub fn along(
         simd: S,
@@ -91,9 +92,11 @@ const FARTHEST: f32 = 1e15;
 
 /// Returns the glow in front of surfaces at the distance `t`.
 ///
-/// At the distance r from a light, the air of a glow with the radius a emits `a^2 / 2 (r^2 + a^2)^(-3/2)`. The integral along a ray that
-/// passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))` with
-/// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray. With a core, h is the least height of the visible part of the ray above the core.
+/// At the distance r from a light, the air of a glow with the radius a emits
+/// `a^2 / 2 (r^2 + a^2)^(-3/2)`. The integral along a ray that passes the light at the distance h,
+/// between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))` with
+/// `q = h^2 + a^2`, and `a^2 / q` for an infinite ray. With a core, h is the least height of the
+/// visible part of the ray above the core.
 #[inline(always)]
 pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
     let t = at_most::<S>(t, splat(simd, FARTHEST));

@@ -13,7 +13,8 @@ use glam::Vec3A;
 /// Paths below this have a depth of at most 1.
 const DEEP_PATH: u32 = 4;
 
-/// Returns the ambient light that surfaces reflect; `unoccluded` without [`crate::scene::Ambience`].
+/// Returns the ambient light that surfaces reflect; `unoccluded` without
+/// [`crate::scene::Ambience`].
 #[inline(always)]
 pub(super) fn light<S: Isa>(
     tracer: Tracer<'_, S>,

@@ -2,7 +2,8 @@ use crate::lanes::*;
 use crate::prepare::ObjectId;
 use crate::scene::{List, MAX_SOLIDS};
 
-/// A solid that needs an exact test in some lanes after the traversal. Other lanes ignore it: a hit must not depend on its packet.
+/// A solid that needs an exact test in some lanes after the traversal. Other lanes ignore it: a hit
+/// must not depend on its packet.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Candidate {
     pub object: ObjectId,

@@ -24,7 +24,8 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// Returns the nearest hits among planes and the spheres of `groups`, and lists the blocks that may be hit.
+/// Returns the nearest hits among planes and the spheres of `groups`, and lists the blocks that may
+/// be hit.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
@@ -75,8 +76,8 @@ pub(crate) fn nearest<S: Isa>(
     hit
 }
 
-/// Returns the powers of rays' origins with respect to a sphere: 0 for rays that leave the sphere outward, negative for rays that leave it
-/// inward.
+/// Returns the powers of rays' origins with respect to a sphere: 0 for rays that leave the sphere
+/// outward, negative for rays that leave it inward.
 #[inline(always)]
 fn power<S: Isa>(rays: &Rays<S>, node: &BvhNode) -> F<S> {
     let simd = rays.weight.token();

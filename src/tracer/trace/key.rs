@@ -1,8 +1,8 @@
 //! Keys: hashes of the objects that a point's ray tree hit.
 //!
-//! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the lights' states, or, below
-//! `state_depth`, the hash of the object's pattern. Different trees collide with a probability of 2^-32: one frame in 40,000 fills a
-//! square wrongly.
+//! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the
+//! lights' states, or, below `state_depth`, the hash of the object's pattern. Different trees
+//! collide with a probability of 2^-32: one frame in 40,000 fills a square wrongly.
 
 use super::rays::{PATH_BITS, Rays};
 use crate::lanes::*;
@@ -11,7 +11,8 @@ use crate::quality::Quality;
 const OBJECT_BITS: u32 = 12;
 const STATE_BITS: u32 = 2;
 
-/// The nodes of a packet, and the lights' states there: 0 dark (in shadow or facing away), 1 lit, 2 lit with a highlight.
+/// The nodes of a packet, and the lights' states there: 0 dark (in shadow or facing away), 1 lit, 2
+/// lit with a highlight.
 #[derive(Clone, Copy)]
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
@@ -60,7 +61,8 @@ impl<S: Isa> Keys<S> {
         let with_states = to_depth(simd, self.paths, quality.state_depth);
         let states = with_states.select(self.states, pattern_hash) << (PATH_BITS + OBJECT_BITS);
         let mut h = self.paths | (objects << PATH_BITS) | states;
-        // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.
+        // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every
+        // bit.
         h ^= h >> 16;
         h *= U::<S>::splat(simd, 0x7feb_352d);
         h ^= h >> 15;

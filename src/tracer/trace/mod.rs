@@ -1,7 +1,8 @@
 //! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! Packets have a ray per lane, of different points. Secondary rays go to a stack, which a packet leaves as soon as it fills the lanes.
-//! Colours are integer sums: a point's bits depend neither on the order of rays nor on other points.
+//! Packets have a ray per lane, of different points. Secondary rays go to a stack, which a packet
+//! leaves as soon as it fills the lanes. Colours are integer sums: a point's bits depend neither on
+//! the order of rays nor on other points.
 //!
 //! | step of a packet | module |
 //! | --- | --- |
@@ -45,7 +46,8 @@ use crate::lanes::*;
 use crate::prepare::{GroupSet, VisibleGroups};
 use rays::Rays;
 
-/// Traces a batch's points. Primary rays and their reflections in the first plane only meet the groups `visible`.
+/// Traces a batch's points. Primary rays and their reflections in the first plane only meet the
+/// groups `visible`.
 #[inline(always)]
 pub(crate) fn trace<S: Isa>(tracer: Tracer<'_, S>, visible: VisibleGroups, batch: &mut Batch) {
     let (simd, world) = (tracer.isa, tracer.world);

@@ -25,8 +25,9 @@ pub(super) struct ShadingPoint<S: Isa> {
     /// See `Pattern::tint`.
     pub tint: Vec3x<S>,
     pub pattern_hash: U<S>,
-    /// The least cosine between normal and light, divided by the light's distance. Inside a sphere it is above 0: the far side blocks
-    /// lights beyond the chord, which is twice the cosine times the radius long.
+    /// The least cosine between normal and light, divided by the light's distance. Inside a sphere
+    /// it is above 0: the far side blocks lights beyond the chord, which is twice the cosine times
+    /// the radius long.
     pub horizon: F<S>,
     pub inside: M<S>,
     pub shaded: M<S>,

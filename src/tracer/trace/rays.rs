@@ -10,9 +10,9 @@ pub(crate) struct Rays<S: Isa> {
     pub d: Vec3x<S>,
     /// See [`Quality::key_weight`].
     pub weight: F<S>,
-    /// The point's index in the batch, and the node in its ray tree: `slot << PATH_BITS | path`. A primary ray has the path 1; the ray
-    /// with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the [`departure`] and the mark of
-    /// mirrored rays.
+    /// The point's index in the batch, and the node in its ray tree: `slot << PATH_BITS | path`. A
+    /// primary ray has the path 1; the ray with the path p has the reflected ray 2 p and the
+    /// transmitted ray 2 p + 1. The upper bits are the [`departure`] and the mark of mirrored rays.
     pub slot_path: U<S>,
 }
 
@@ -26,7 +26,8 @@ pub(super) const INWARD: u32 = 1 << 30;
 
 const _: () = assert!(MAX_OBJECTS < 1 << (30 - DEPARTURE));
 
-/// Returns the departures of rays that leave `objects` outward. Add [`INWARD`] for rays that go inside.
+/// Returns the departures of rays that leave `objects` outward. Add [`INWARD`] for rays that go
+/// inside.
 #[inline(always)]
 pub(super) fn departure<S: Isa>(objects: U<S>) -> U<S> {
     (objects + 1) << DEPARTURE

@@ -2,8 +2,8 @@ use crate::lanes::*;
 use crate::prepare::ObjectId;
 use fearless_simd::{i16x8, i32x4, u32x4, u64x2};
 
-/// The fractional bits of a sum of output steps: half a step is exact, and a ray tree's rounding errors add up to less than 1/100 of a
-/// step.
+/// The fractional bits of a sum of output steps: half a step is exact, and a ray tree's rounding
+/// errors add up to less than 1/100 of a step.
 pub(super) const STEP_BITS: i32 = 14;
 
 pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
@@ -11,8 +11,9 @@ pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 /// Blue, green, red, and the key.
 pub(super) type Sum = [i32; 4];
 
-/// A traced point. From the low bits up: blue, green and red with 16 bits each, in 128ths of an output step; the object's number plus one
-/// with 14 bits, 0 if unknown; bit 62, set if the object's pattern is finer than squares; bit 63, set if the point shows
+/// A traced point. From the low bits up: blue, green and red with 16 bits each, in 128ths of an
+/// output step; the object's number plus one with 14 bits, 0 if unknown; bit 62, set if the
+/// object's pattern is finer than squares; bit 63, set if the point shows
 /// [unguarded](Sample::UNGUARDED) light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
@@ -54,7 +55,8 @@ impl Sample {
         label.checked_sub(1).map(|i| ObjectId::new(i as usize))
     }
 
-    /// Returns the object's number plus one at each corner of a square. `samples` are from the upper left corner to the lower right one.
+    /// Returns the object's number plus one at each corner of a square. `samples` are from the
+    /// upper left corner to the lower right one.
     #[inline(always)]
     pub fn labels(samples: &[u64]) -> u32x4<Baseline> {
         let [upper, lower] = [&samples[..2], &samples[samples.len() - 2..]]
@@ -71,7 +73,8 @@ impl Sample {
         Self(colour | object)
     }
 
-    /// Returns the colour as `0x00RRGGBB`. The 16-bit words of `threshold`, 0 to 127 in 128ths of a step, are added before truncation.
+    /// Returns the colour as `0x00RRGGBB`. The 16-bit words of `threshold`, 0 to 127 in 128ths of a
+    /// step, are added before truncation.
     pub fn pixel(self, threshold: u64) -> u32 {
         let steps = (self.0 + threshold) >> SAMPLE_BITS;
         (steps & 0xff | (steps >> 8) & 0xff00 | (steps >> 16) & 0x00ff_0000) as u32

@@ -82,7 +82,8 @@ fn textured<S: Isa>(
     (plain.add_scaled(untextured, point.reflectance.abs()), untextured)
 }
 
-/// Returns the light of untraced rays, with the softboxes that they and rays to the background meet.
+/// Returns the light of untraced rays, with the softboxes that they and rays to the background
+/// meet.
 #[inline(always)]
 fn untraced_light<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -119,7 +120,8 @@ impl<S: Isa> Scattered<S> {
     }
 }
 
-/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze; `marks` are [`Rays::mirror_marks`].
+/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze;
+/// `marks` are [`Rays::mirror_marks`].
 #[inline(always)]
 fn scatter<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -235,8 +237,9 @@ fn refract<S: Isa>(
     Refraction { rays, refracted, through, kr }
 }
 
-/// Returns the light of untraced rays: the brighter of background and ambient light in each channel. In crowds of glass at the fastest
-/// preset's limits it has 30 dB against deeper rays, the background 29, the ambient light 23, and black 20 dB.
+/// Returns the light of untraced rays: the brighter of background and ambient light in each
+/// channel. In crowds of glass at the fastest preset's limits it has 30 dB against deeper rays, the
+/// background 29, the ambient light 23, and black 20 dB.
 #[inline(always)]
 fn untraced<S: Isa>(tracer: Tracer<'_, S>, d: &Vec3x<S>, lost: M<S>, weight: Vec3x<S>) -> Vec3x<S> {
     let (simd, world) = (tracer.isa, tracer.world);
@@ -249,7 +252,8 @@ fn untraced<S: Isa>(tracer: Tracer<'_, S>, d: &Vec3x<S>, lost: M<S>, weight: Vec
     Vec3x::select(lost, light * weight, none)
 }
 
-/// Returns the reflectances of thin films relative to mirrors, see [`crate::scene::Material::film_thickness`].
+/// Returns the reflectances of thin films relative to mirrors, see
+/// [`crate::scene::Material::film_thickness`].
 #[inline(always)]
 fn film_colour<S: Isa>(
     thickness: F<S>,

@@ -14,9 +14,11 @@ pub(super) struct ShadowRays<S: Isa> {
 }
 
 impl Occluders {
-    /// Returns the rays that planes block, or spheres if the light is a point. Lists other occluders.
+    /// Returns the rays that planes block, or spheres if the light is a point. Lists other
+    /// occluders.
     ///
-    /// A bound's shadow cone contains the cones of its solids. All solids of a leaf are tested without a branch.
+    /// A bound's shadow cone contains the cones of its solids. All solids of a leaf are tested
+    /// without a branch.
     #[inline(always)]
     pub fn find<S: Isa>(
         &mut self,
@@ -66,7 +68,8 @@ impl<S: Isa> ShadowRays<S> {
         is_near & self.distance.simd_gt(splat(simd, cone.from))
     }
 
-    /// Returns the rays that certainly miss a solid and its penumbra, or are wholly inside the sphere, as in [`ShadowRays::meet_sphere`].
+    /// Returns the rays that certainly miss a solid and its penumbra, or are wholly inside the
+    /// sphere, as in [`ShadowRays::meet_sphere`].
     #[inline(always)]
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
@@ -74,7 +77,8 @@ impl<S: Isa> ShadowRays<S> {
         let f = Vec3x::splat(simd, cone.to_light);
         let along = f.dot(d);
         let across = f.add_scaled(d, -along);
-        // Half of the penumbra is outside the sphere. Multiplying by the distance avoids a division.
+        // Half of the penumbra is outside the sphere. Multiplying by the distance avoids a
+        // division.
         let share = at_least::<S>(distance - along, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
         let across2 = across.dot(across);
@@ -85,7 +89,8 @@ impl<S: Isa> ShadowRays<S> {
         (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
     }
 
-    /// Returns the rays that a sphere blocks. A ray that starts on the sphere and leaves it passes, see [`ShadowCone::r2`].
+    /// Returns the rays that a sphere blocks. A ray that starts on the sphere and leaves it passes,
+    /// see [`ShadowCone::r2`].
     #[inline(always)]
     fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let zero = splat(simd, 0.0);
@@ -95,7 +100,8 @@ impl<S: Isa> ShadowRays<S> {
         let across = f.add_scaled(self.d, -along);
         let half2 = splat(simd, cone.r2) - across.dot(across);
         if cone.around_light {
-            // The chord extends by sqrt(half2) to both sides of that point, and ends between the light and the origin.
+            // The chord extends by sqrt(half2) to both sides of that point, and ends between the
+            // light and the origin.
             let left = at_least::<S>(self.distance - along, zero);
             return half2.simd_lt(left * left);
         }

@@ -1,7 +1,8 @@
 use super::rays::Rays;
 use crate::lanes::*;
 
-/// A packet of depth d is replaced by at most two of depth d + 1, so at most two of each depth, 1 to 7, wait at once.
+/// A packet of depth d is replaced by at most two of depth d + 1, so at most two of each depth, 1
+/// to 7, wait at once.
 const CAPACITY: usize = 256;
 
 /// Secondary rays, in columns longer than the capacity: a whole packet can be written at the top.
@@ -42,7 +43,8 @@ impl RayStack {
             |column| F::<S>::from_slice(simd, &column[start..start + lanes::<S>()]),
         );
         let d = Vec3x::<S> { x: dx, y: dy, z: dz };
-        // One Newton step normalises the direction, whose error would exceed the hit error after four reflections.
+        // One Newton step normalises the direction, whose error would exceed the hit error after
+        // four reflections.
         let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {
             o: Vec3x { x, y, z },

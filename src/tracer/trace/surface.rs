@@ -1,7 +1,8 @@
 use crate::lanes::*;
 use crate::prepare::{ObjectId, Parameter, PerLane, SurfaceNumbers, SurfaceTable, World};
 
-/// The number of cached surfaces, more than most tiles show. One takes 3 % more instructions in the model scene.
+/// The number of cached surfaces, more than most tiles show. One takes 3 % more instructions in the
+/// model scene.
 const CACHED: usize = 16;
 
 /// A thread's cache of surfaces spread over lanes, at the object's number modulo [`CACHED`].
@@ -27,8 +28,8 @@ pub(super) struct SurfaceLanes<'a, S: Isa> {
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
-    /// Looks up the objects of the active lanes. Most packets hit one, usually cached; otherwise surfaces are mixed lane by lane. The
-    /// cache must belong to this frame.
+    /// Looks up the objects of the active lanes. Most packets hit one, usually cached; otherwise
+    /// surfaces are mixed lane by lane. The cache must belong to this frame.
     #[inline(always)]
     pub fn look_up(
         simd: S,
@@ -106,7 +107,8 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 }
 
-/// Returns the object of the first lane in `rest` and all lanes that hit it. Removes these from `rest`.
+/// Returns the object of the first lane in `rest` and all lanes that hit it. Removes these from
+/// `rest`.
 #[inline(always)]
 pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (ObjectId, M<S>) {
     let lane = rest.trailing_zeros() as usize % lanes::<S>();

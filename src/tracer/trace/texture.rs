@@ -32,8 +32,9 @@ impl<S: Isa> TexturePoint<S> {
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// Returns the pattern's factor on the colour, and a hash of the half-wave between the pattern's edges, seen along `d` from the
-    /// distance `t`, in lengths of `d`. The factor is 0 to 1, negated where the pattern is fine.
+    /// Returns the pattern's factor on the colour, and a hash of the half-wave between the
+    /// pattern's edges, seen along `d` from the distance `t`, in lengths of `d`. The factor is 0 to
+    /// 1, negated where the pattern is fine.
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -70,8 +71,8 @@ impl<'a> PatternOnScreen<'a> {
         Self { world, object, pattern: &material.pattern }
     }
 
-    /// Sets the factors on the colour, 0 to 1, of the pixels of a square from (x, y) on, row by row; undefined at pixels that show
-    /// other objects. The side is a power of two up to 8.
+    /// Sets the factors on the colour, 0 to 1, of the pixels of a square from (x, y) on, row by
+    /// row; undefined at pixels that show other objects. The side is a power of two up to 8.
     #[inline(always)]
     pub fn set_shares<S: Isa>(
         &self,
@@ -114,8 +115,8 @@ pub(crate) fn surface_points(
     hits(baseline(), world, object, at)
 }
 
-/// Returns the rays to points (x, y) of the picture, in pixels, and the distances of their hits on the object, in lengths of the
-/// rays.
+/// Returns the rays to points (x, y) of the picture, in pixels, and the distances of their hits on
+/// the object, in lengths of the rays.
 #[inline(always)]
 fn hits<S: Isa>(
     simd: S,
@@ -141,20 +142,23 @@ fn hits<S: Isa>(
 /// The largest distance of a pixel from the nearest corner of a square of 8 pixels.
 const REACH: f32 = 5.7;
 
-/// The largest change of a pattern within [`REACH`] that may be interpolated, in halves of the pattern's range. 0.2 costs 1 % of a
-/// colonnade's time for 2 dB in the worst of 2,000 random patterns.
+/// The largest change of a pattern within [`REACH`] that may be interpolated, in halves of the
+/// pattern's range. 0.2 costs 1 % of a colonnade's time for 2 dB in the worst of 2,000 random
+/// patterns.
 const SMOOTH: f32 = 0.5;
 
-/// The slope of an octave of noise, divided by `warp * grain`. It is at most 3.8 where all octaves agree, but mostly below 1. In
-/// 2,000 random patterns, 1.2 loses no spot of 9 pixels, and 0.7 loses two.
+/// The slope of an octave of noise, divided by `warp * grain`. It is at most 3.8 where all octaves
+/// agree, but mostly below 1. In 2,000 random patterns, 1.2 loses no spot of 9 pixels, and 0.7
+/// loses two.
 const NOISE_SLOPE: f32 = 1.2;
 
-/// Returns a pattern's factor on the colour, 0 to 1, at the swirled points `own`, where a scene unit is `pixels` pixels long, and a
-/// hash of the half-wave. The factor is negative where the pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`],
-/// unless clamping keeps it constant.
+/// Returns a pattern's factor on the colour, 0 to 1, at the swirled points `own`, where a scene
+/// unit is `pixels` pixels long, and a hash of the half-wave. The factor is negative where the
+/// pattern is fine: it may change within [`REACH`] by more than [`SMOOTH`], unless clamping keeps
+/// it constant.
 ///
-/// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
-/// w)` of the waves w along the axes.
+/// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is
+/// `min(abs(w)) * sign(product of w)` of the waves w along the axes.
 ///
 /// Inlining would add 630 packed bytes.
 #[inline(never)]
@@ -198,8 +202,8 @@ fn reflectance_by<S: Isa>(
     (flipped::<S>(share, sign & (1 << 31)), hash)
 }
 
-/// Swirls the points of two packets, each with the pixels per scene unit. Every step waits for the previous one, so two packets at once
-/// take little longer than one.
+/// Swirls the points of two packets, each with the pixels per scene unit. Every step waits for the
+/// previous one, so two packets at once take little longer than one.
 #[inline(never)]
 fn swirl<S: Isa>(simd: S, pattern: &Pattern, points: &mut [(Vec3x<S>, F<S>); 2]) {
     by_isa!(simd: swirl_by(simd, pattern, points));
@@ -239,10 +243,12 @@ fn steepness(pattern: &Pattern) -> f32 {
 /// Octaves of swirls.
 const SWIRLS: usize = 7;
 
-/// The ratio of the lengths of an octave's waves and the next one's: irrational, so that the pattern does not repeat.
+/// The ratio of the lengths of an octave's waves and the next one's: irrational, so that the
+/// pattern does not repeat.
 const FINER: f32 = 1.618_034;
 
-/// The growth of a swirling pattern's slope per octave, for a `swirl` of 1. With 1, thin bands of planets lose spots.
+/// The growth of a swirling pattern's slope per octave, for a `swirl` of 1. With 1, thin bands of
+/// planets lose spots.
 const SWIRL_SLOPE: f32 = 2.0;
 
 /// Adds nearly a sine of `u`, with a period of 1 and the amplitude `strength / -16`.
@@ -252,7 +258,8 @@ fn shifted<S: Isa>(p: F<S>, u: F<S>, strength: F<S>) -> F<S> {
     (f * strength).mul_add(f.abs() - 0.5, p)
 }
 
-/// Returns the noise along x, in periods, and its slope in periods per scene unit. The noise is constant along one oblique direction.
+/// Returns the noise along x, in periods, and its slope in periods per scene unit. The noise is
+/// constant along one oblique direction.
 #[inline(always)]
 fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> (F<S>, f32) {
     let mut u: F<S> = (p.z * 0.6 + p.x) * pattern.grain;

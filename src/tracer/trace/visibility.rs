@@ -113,11 +113,11 @@ fn transmittance<S: Isa>(
     passing
 }
 
-/// Returns the share of a light that an occluder covers, 0 to 1, if rays pass at the depth `depth` (after Parker, Shirley and Smits:
-/// Single Sample Soft Shadows, 1998).
+/// Returns the share of a light that an occluder covers, 0 to 1, if rays pass at the depth `depth`
+/// (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
 ///
-/// The cone from the point to the light has the width `b = a diameter / distance` at the distance `a` of the occluder. While the
-/// occluder's edge crosses it, the share rises from 0 to 1.
+/// The cone from the point to the light has the width `b = a diameter / distance` at the distance
+/// `a` of the occluder. While the occluder's edge crosses it, the share rises from 0 to 1.
 #[inline(always)]
 fn penumbra<S: Isa>(
     simd: S,

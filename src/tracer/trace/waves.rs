@@ -28,8 +28,8 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// Replaces the first three rows with normals. Before, the rows are x and z of `count` points, y of the rays' directions, and the rays'
-/// lengths.
+/// Replaces the first three rows with normals. Before, the rows are x and z of `count` points, y of
+/// the rays' directions, and the rays' lengths.
 #[inline(never)]
 fn tilt(world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
     type S = Baseline;

@@ -39,7 +39,8 @@ static WAITING: (Mutex<()>, Condvar) = (Mutex::new(()), Condvar::new());
 pub fn wait(word: &AtomicU32, value: u32) {
     let (lock, changed) = &WAITING;
     let guard = lock.lock().unwrap_or_else(PoisonError::into_inner);
-    // The word changes before `wake`, which takes the same lock, so no change is missed between the load and the wait.
+    // The word changes before `wake`, which takes the same lock, so no change is missed between the
+    // load and the wait.
     if word.load(SeqCst) == value {
         drop(changed.wait(guard));
     }

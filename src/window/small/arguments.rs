@@ -2,7 +2,8 @@ use core::ffi::{CStr, c_char, c_int};
 
 use crate::system;
 
-/// The entry point's parameters: `argc` and `argv`; for Windows, `LoadLibraryA` and `GetProcAddress`.
+/// The entry point's parameters: `argc` and `argv`; for Windows, `LoadLibraryA` and
+/// `GetProcAddress`.
 pub type First = c_int;
 pub type Second = *const *const c_char;
 

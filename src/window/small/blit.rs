@@ -1,6 +1,6 @@
-//! Copying a frame pixel by pixel (`minifb`) and through a socket (Xlib) takes a third of a frame's time at 1024x768. So the tracer
-//! draws into memory shared with the server (MIT-SHM), which copies one frame while the next is drawn. Displays without MIT-SHM get
-//! frames through the socket.
+//! Copying a frame pixel by pixel (`minifb`) and through a socket (Xlib) takes a third of a frame's
+//! time at 1024x768. So the tracer draws into memory shared with the server (MIT-SHM), which copies
+//! one frame while the next is drawn. Displays without MIT-SHM get frames through the socket.
 
 use core::ffi::{c_int, c_uint, c_ulong};
 use core::mem::{size_of, zeroed};
@@ -73,7 +73,8 @@ impl Frames {
         }
     }
 
-    /// Stretches `rows` of the frame to a window's size, with the channel `masks`, in the other frame's memory.
+    /// Stretches `rows` of the frame to a window's size, with the channel `masks`, in the other
+    /// frame's memory.
     fn stretch(
         &mut self,
         (width, height): (usize, usize),
@@ -119,12 +120,13 @@ impl Frames {
     fn share(&mut self, top: &Toplevel) -> Option<&'static mut [u32]> {
         let shared = XEXT.open()?;
         let size = 2 * MAX_PIXELS * size_of::<u32>();
-        // SAFETY: the display is open and the image valid. The zeroed segment has this size, exists as long as the process, and is
-        // read-only for the server. A zeroed `shmid_ds` is valid.
+        // SAFETY: the display is open and the image valid. The zeroed segment has this size, exists
+        // as long as the process, and is read-only for the server. A zeroed `shmid_ds` is valid.
         unsafe {
             let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
             let memory = libc::shmat(id, null(), 0);
-            // Delete the segment after the last detach. Until then, Linux lets other processes attach.
+            // Delete the segment after the last detach. Until then, Linux lets other processes
+            // attach.
             libc::shmctl(id, libc::IPC_RMID, null_mut());
             if memory.addr() == usize::MAX {
                 return None;

@@ -11,7 +11,8 @@ pub const EVENTS: c_long =
 /// The events of windows that do not listen.
 pub const BASIC: c_long = xlib::StructureNotifyMask | xlib::KeyPressMask | xlib::KeyReleaseMask;
 
-/// A pointer to [`note`], which [`Window::listen`](super::window::Window::listen) stores: programs that never call it do not link `note`.
+/// A pointer to [`note`], which [`Window::listen`](super::window::Window::listen) stores: programs
+/// that never call it do not link `note`.
 pub type Note = fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool);
 
 /// Records an event of a window; auto-repeat sets `is_repeated`.

@@ -10,7 +10,8 @@ pub fn small() -> &'static mut [u32] {
     allocate(MAX_SMALL)
 }
 
-/// Returns zeroed pixels, committed when they are written. Ends the process if no address space is left.
+/// Returns zeroed pixels, committed when they are written. Ends the process if no address space is
+/// left.
 #[inline(never)]
 pub fn allocate(count: usize) -> &'static mut [u32] {
     // SAFETY: the mapping is new, and is never unmapped.

@@ -25,7 +25,8 @@ pub struct Window {
     listener: Option<(Note, &'static mut Vec<Input>)>,
 }
 
-/// Frames between two looks at the monitor: a quarter of a second. Each look waits for the server four times.
+/// Frames between two looks at the monitor: a quarter of a second. Each look waits for the server
+/// four times.
 const LOOK: u8 = 16;
 
 /// The height of a window's title bar in common window managers, rounded up.

@@ -54,8 +54,8 @@ impl Device {
     /// ALSA's plug-in `plug` converts for devices with another format, rate or number of channels.
     pub fn open(rate: u32, latency: u32) -> Result<Device, &'static str> {
         let alsa = ALSA.open().ok_or_else(why_not_loaded)?;
-        // SAFETY: the function has the signature of ALSA's headers, except that the handler has fewer parameters than ALSA passes; on
-        // every supported system the caller cleans up.
+        // SAFETY: the function has the signature of ALSA's headers, except that the handler has
+        // fewer parameters than ALSA passes; on every supported system the caller cleans up.
         unsafe { (alsa.snd_lib_error_set_handler)(silent) };
         let pcm = open(alsa, c"plug:default").or_else(|| open(alsa, c"default"));
         let pcm = pcm.ok_or("sound device is missing")?;
@@ -73,7 +73,8 @@ impl Device {
         }
     }
 
-    /// Writes samples, and waits while the buffer is full. Returns false if the device is lost. Underruns drop samples.
+    /// Writes samples, and waits while the buffer is full. Returns false if the device is lost.
+    /// Underruns drop samples.
     pub fn write(&mut self, samples: &[[f32; 2]]) -> bool {
         if !self.is_short {
             return self.put(samples.as_ptr().cast(), samples.len());
@@ -90,7 +91,8 @@ impl Device {
     }
 
     fn put(&mut self, samples: *const c_void, count: usize) -> bool {
-        // SAFETY: the callers pass this number of samples in the device's format, and the device is open. 1 suppresses messages.
+        // SAFETY: the callers pass this number of samples in the device's format, and the device is
+        // open. 1 suppresses messages.
         unsafe {
             let written = (self.alsa.snd_pcm_writei)(self.pcm, samples, count as c_ulong);
             written >= 0 || (self.alsa.snd_pcm_recover)(self.pcm, written as c_int, 1) >= 0

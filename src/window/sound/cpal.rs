@@ -1,4 +1,5 @@
-//! Sound through `cpal`, on macOS, whose thread requests samples from the queue that [`Device::write`] fills.
+//! Sound through `cpal`, on macOS, whose thread requests samples from the queue that
+//! [`Device::write`] fills.
 
 use std::collections::VecDeque;
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -1,7 +1,7 @@
 //! Sound and its clock.
 //!
-//! A thread writes samples to the device up to 400 ms before they are heard, so slow frames do not interrupt the sound. Pictures
-//! follow the [time](Player::time) that is heard.
+//! A thread writes samples to the device up to 400 ms before they are heard, so slow frames do not
+//! interrupt the sound. Pictures follow the [time](Player::time) that is heard.
 
 #[cfg_attr(feature = "windows", path = "waveout.rs")]
 #[cfg_attr(all(target_os = "linux", not(feature = "windows")), path = "alsa.rs")]
@@ -46,7 +46,8 @@ static AHEAD: AtomicI64 = AtomicI64::new(0);
 /// The end of the written sound in nanoseconds; the maximum without sound.
 static WRITTEN: AtomicI64 = AtomicI64::new(i64::MAX);
 
-/// The time when the device was opened, in [`Clock::start`]'s system time, or one of the constants below.
+/// The time when the device was opened, in [`Clock::start`]'s system time, or one of the constants
+/// below.
 static OPENED: AtomicU64 = AtomicU64::new(OPENING);
 const OPENING: u64 = u64::MAX;
 const SILENT: u64 = u64::MAX - 1;
@@ -62,8 +63,8 @@ impl Player {
         Player { clock, heard: Heard::default(), last: 0, stops: system::stops(), stopped: 0 }
     }
 
-    /// Plays a source until the process ends, on the default device. If the device does not open within three seconds, the clock sets the
-    /// time, and standard error has the reason.
+    /// Plays a source until the process ends, on the default device. If the device does not open
+    /// within three seconds, the clock sets the time, and standard error has the reason.
     pub fn start(source: &'static mut dyn Source) -> Player {
         let source = Box::leak(Box::new(source));
         // SAFETY: the box is never freed, and only this thread uses it.

@@ -56,7 +56,8 @@ mod tests {
     /// `^` is Esc, and `|` separates reads.
     const ENDINGS: &str =
         "q fwq ^OAq ^| ^^| ^|x ab\x03 ^[A^| x^[A^[27uy x^[A^[99;5uy x^[A^[27;5;99~y";
-    /// Alt and a letter, the keypad's 1, other keys with modifiers, letters, an arrow and a function key, an arrow in two parts.
+    /// Alt and a letter, the keypad's 1, other keys with modifiers, letters, an arrow and a
+    /// function key, an arrow in two parts.
     const OTHERS: &str = "^x| ^q| ^Oq| ^|Oq| ^[99u^[27;5;98~^[27~| |fw| ^[A^OP| ^|[A|";
 
     #[test]

@@ -54,7 +54,8 @@ extern "C" fn note(signal: c_int) {
         return;
     }
     restore();
-    // SAFETY: signal handlers may call both. The signal is delivered again when this handler has returned.
+    // SAFETY: signal handlers may call both. The signal is delivered again when this handler has
+    // returned.
     unsafe {
         on_signal(signal, libc::SIG_DFL);
         libc::raise(signal);

@@ -53,7 +53,8 @@ fn variable(name: &CStr) -> &'static [u8] {
 }
 
 impl Terminal {
-    /// Returns whether standard output is a terminal with colours or cursor positions, unlike `TERM=dumb`.
+    /// Returns whether standard output is a terminal with colours or cursor positions, unlike
+    /// `TERM=dumb`.
     #[must_use]
     #[inline(never)]
     pub fn is_there() -> bool {
@@ -83,10 +84,12 @@ impl Terminal {
         let [screen, tmux] = [c"STY", c"TMUX"].map(|name| !variable(name).is_empty());
         let [vt, vte, mux, gnu] =
             ["vt", "vte", "tmux", "screen"].map(|start| name.starts_with(start.as_bytes()));
-        // Monochrome are DEC's terminals such as `vt100`, unlike `vte`, and variants such as `xterm-mono` and `linux-m`.
+        // Monochrome are DEC's terminals such as `vt100`, unlike `vte`, and variants such as
+        // `xterm-mono` and `linux-m`.
         let has_colours = !(vt && !vte || name.ends_with(b"-m") || name.ends_with(b"-mono"));
-        // GNU screen misreads the parts of a 24-bit colour as commands; tmux, which may have the same TERM, converts colours.
-        // Programs in GNU screen inherit COLORTERM from the outer terminal.
+        // GNU screen misreads the parts of a 24-bit colour as commands; tmux, which may have the
+        // same TERM, converts colours. Programs in GNU screen inherit COLORTERM from the outer
+        // terminal.
         let is_screen = screen || gnu && !tmux;
         let terminal = Terminal {
             keys: KeyParser::default(),

@@ -8,10 +8,12 @@ use crate::{line, terminal};
 pub const OUTPUT: c_int = libc::STDOUT_FILENO;
 pub const ERROR: c_int = libc::STDERR_FILENO;
 
-/// The minimum stack in bytes. Drawing takes 56 kB of each thread's stack; the rest is for libraries.
+/// The minimum stack in bytes. Drawing takes 56 kB of each thread's stack; the rest is for
+/// libraries.
 const STACK: libc::rlim_t = 96 << 10;
 
-/// Prepares signals and standard streams. Ends the process with a message if the stack is too small.
+/// Prepares signals and standard streams. Ends the process with a message if the stack is too
+/// small.
 ///
 /// # Safety
 /// No other thread may be running.
@@ -75,8 +77,8 @@ pub fn is_terminal(file: c_int) -> bool {
     terminal::mode(file).is_some()
 }
 
-/// Writes all bytes. Waits while the file is full, with a [`Terminal`](crate::terminal::Terminal) for at most a second. Returns false on
-/// an error or a signal.
+/// Writes all bytes. Waits while the file is full, with a [`Terminal`](crate::terminal::Terminal)
+/// for at most a second. Returns false on an error or a signal.
 pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         // SAFETY: pointer and length are from a slice.
@@ -108,14 +110,16 @@ pub fn error() -> c_int {
     std::io::Error::last_os_error().raw_os_error().unwrap_or(0)
 }
 
-/// Waits for one of `events` for at most `milliseconds`, or indefinitely if negative. Returns whether one occurred.
+/// Waits for one of `events` for at most `milliseconds`, or indefinitely if negative. Returns
+/// whether one occurred.
 pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
     let mut ready = libc::pollfd { fd: file, events, revents: 0 };
     // SAFETY: there is one entry.
     unsafe { libc::poll(&mut ready, 1, milliseconds) != 0 }
 }
 
-/// Makes writes to a terminal non-blocking, for this process only, if the path of the descriptor can be opened.
+/// Makes writes to a terminal non-blocking, for this process only, if the path of the descriptor
+/// can be opened.
 pub fn never_wait(file: c_int, path: &CStr) {
     let flags = libc::O_WRONLY | libc::O_NONBLOCK | libc::O_NOCTTY | libc::O_CLOEXEC;
     // SAFETY: the path outlives the call.

@@ -16,7 +16,8 @@ const FPS: u64 = 60;
 
 const SCENE: &str = "EIGHTFOLD_SOUND_SCENE";
 
-/// Sound whose left samples count from 0, and whose right ones are negative. All are exact: there are fewer than 2^24.
+/// Sound whose left samples count from 0, and whose right ones are negative. All are exact: there
+/// are fewer than 2^24.
 struct Numbers {
     next: u32,
     chunk: [[f32; 2]; CHUNK],
@@ -32,7 +33,8 @@ impl Source for Numbers {
     }
 }
 
-/// Prints the number of allocations while it plays, then the clock's and the player's time for each frame.
+/// Prints the number of allocations while it plays, then the clock's and the player's time for each
+/// frame.
 fn play(seconds: u64) {
     let numbers = Box::leak(Box::new(Numbers { next: 0, chunk: [[0.0; 2]; CHUNK] }));
     let frames = seconds * FPS;

@@ -9,7 +9,8 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Loads the functions of Windows and prepares the process, or ends it if a function is missing.
+    /// Loads the functions of Windows and prepares the process, or ends it if a function is
+    /// missing.
     ///
     /// # Safety
     /// This has to be the first call, with these functions of Windows.
@@ -17,8 +18,8 @@ impl Arguments {
     #[must_use]
     pub unsafe fn start(load_library: First, get_function: Second) -> Arguments {
         let mut count = 0;
-        // SAFETY: the caller guarantees the functions, and there is no other thread. Windows' arguments have this length and stay
-        // valid.
+        // SAFETY: the caller guarantees the functions, and there is no other thread. Windows'
+        // arguments have this length and stay valid.
         unsafe {
             let loaded = functions::load(load_library, get_function);
             // The functions for the start and the message come first in the table.
@@ -48,7 +49,8 @@ impl Iterator for Arguments {
         let (&first, rest) = self.rest.split_first()?;
         self.rest = rest;
         let (mut length, bytes) = (0, first.cast::<u8>());
-        // SAFETY: the argument ends with a NUL, is writable, and is returned once. Bytes overwrite only units that have been read.
+        // SAFETY: the argument ends with a NUL, is writable, and is returned once. Bytes overwrite
+        // only units that have been read.
         unsafe {
             while first.add(length).read() != 0 {
                 let unit = first.add(length).read();

@@ -14,7 +14,8 @@ pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> HANDLE;
 
 pub type GetProcAddress = unsafe extern "win64" fn(HANDLE, *const u8) -> *const c_void;
 
-/// Defines functions by library: a wrapper for each, a table of pointers, and the names. Names with a dot are libraries.
+/// Defines functions by library: a wrapper for each, a table of pointers, and the names. Names with
+/// a dot are libraries.
 macro_rules! functions {
     ($($library:literal: $( $(#[$attribute:meta])* fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)?; )*)*) => {
         #[repr(C)]
@@ -31,7 +32,8 @@ macro_rules! functions {
             #[inline(always)]
             #[allow(clippy::too_many_arguments, reason = "as Windows has them")]
             pub unsafe fn $name($($argument: $type),*) $(-> $result)? {
-                // SAFETY: `load` has filled the table before anything else runs; the rest is required of the caller.
+                // SAFETY: `load` has filled the table before anything else runs; the rest is
+                // required of the caller.
                 unsafe { (table().$name)($($argument),*) }
             }
         )*)*

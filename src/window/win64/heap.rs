@@ -7,7 +7,8 @@ use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use crate::pool::Pool;
 
-/// The heap's size in bytes: an object for each thread of the largest pool, their shared state, and a few others.
+/// The heap's size in bytes: an object for each thread of the largest pool, their shared state, and
+/// a few others.
 const SIZE: usize = 8192;
 
 const _: () = assert!(SIZE >= (Pool::MAX_THREADS + 64) * ALIGNMENT);

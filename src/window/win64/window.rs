@@ -38,7 +38,8 @@ const SCREEN_ON: u32 = ES_CONTINUOUS | ES_SYSTEM_REQUIRED | ES_DISPLAY_REQUIRED;
 
 pub const KEYS: &str = "F fullscreen, W window, H hud, Esc or Q quit";
 
-/// A window, whose thread handles messages, size and keys, so that it responds while a frame is drawn. A closed window has no size.
+/// A window, whose thread handles messages, size and keys, so that it responds while a frame is
+/// drawn. A closed window has no size.
 pub struct Window {
     window: HANDLE,
     context: HANDLE,
@@ -109,7 +110,8 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     none
 }
 
-/// The fullscreen state. Only the window's thread may change it: after another thread's change, Wine may keep the old size.
+/// The fullscreen state. Only the window's thread may change it: after another thread's change,
+/// Wine may keep the old size.
 struct Cover {
     window: HANDLE,
     before: Option<WINDOWPLACEMENT>,
@@ -200,7 +202,8 @@ impl Window {
             window: AtomicPtr::new(null_mut()),
             is_done: AtomicU32::new(0),
         }));
-        // SAFETY: it is never freed, and only its atomic fields change; the title outlives the wait.
+        // SAFETY: it is never freed, and only its atomic fields change; the title outlives the
+        // wait.
         unsafe { spawn(window_main, (&raw mut *opening).cast()) }.ok_or(NONE)?;
         while opening.is_done.load(Acquire) == 0 {
             wait(&opening.is_done, 0);

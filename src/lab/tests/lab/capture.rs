@@ -80,7 +80,8 @@ fn supersampled_pixel_is_mean_of_parts() {
     assert!(far.count() <= 2);
 }
 
-/// White spheres: the one 10 units away moves right by 4 units per second; those 5 and 20 units away do not move.
+/// White spheres: the one 10 units away moves right by 4 units per second; those 5 and 20 units
+/// away do not move.
 const SCENE: &str = "Scene(
     length: 2.0,
     camera: (eye: (0.0, 0.0, 10.0), look_at: (0.0, 0.0, 0.0), field_of_view: 0.4),
@@ -160,7 +161,8 @@ fn sheet_shows_frames_at_even_intervals() {
 fn sound_matches_frames() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("part.wav");
-    // The chimes begin at 56 s. A frame's sound begins at the first sample at or after the frame's time.
+    // The chimes begin at 56 s. A frame's sound begins at the first sample at or after the frame's
+    // time.
     for (more, from, to) in [
         ("show:chimes --fps 2 --from 1 --to 3", 2_712_000, 2_760_000),
         ("show --fps 7 --from 1 --to 2", 6858, 13_715),

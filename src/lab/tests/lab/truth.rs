@@ -109,7 +109,8 @@ fn ball_hides_share_of_light() {
 
 #[test]
 fn mirrors_add_images_of_light() {
-    // Walls at x = -2 and 2 show images at x = 4 i + 0.5 for even i, and 4 i - 0.5 for odd i, by |i| bounces.
+    // Walls at x = -2 and 2 show images at x = 4 i + 0.5 for even i, and 4 i - 0.5 for odd i, by
+    // |i| bounces.
     let mut scene = floor(light(vec3(0.5, 2.0, 0.0), 2.8));
     let wall = |x: f32| {
         let half = vec3(0.01, 40.0, 40.0);

@@ -1,4 +1,5 @@
-//! Loads the program and its dynamic linker as `execve` does, and passes the program's addresses to the linker.
+//! Loads the program and its dynamic linker as `execve` does, and passes the program's addresses to
+//! the linker.
 
 use crate::elf::{FileHeader, LOAD, PAGE, ProgramHeader};
 use crate::system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error};
@@ -25,8 +26,8 @@ fn protection(header: &ProgramHeader) -> usize {
 
 pub type Load = unsafe extern "C" fn(&FileHeader, usize, *mut usize) -> usize;
 
-/// Loads a program. `memory` is a temporary page, `stack` the process' initial stack. Returns the dynamic linker's entry point, or 0 after
-/// an error.
+/// Loads a program. `memory` is a temporary page, `stack` the process' initial stack. Returns the
+/// dynamic linker's entry point, or 0 after an error.
 ///
 /// # Safety
 /// `file` has to be an executable whose addresses are zeroed, writable memory.
@@ -117,7 +118,8 @@ impl Loaded {
 
     #[inline(always)]
     unsafe fn correct_auxiliary(&self, stack: *mut usize, base: usize) {
-        // SAFETY: the caller guarantees the stack: argument count, arguments, 0, environment, 0, pairs.
+        // SAFETY: the caller guarantees the stack: argument count, arguments, 0, environment, 0,
+        // pairs.
         unsafe {
             let mut pair = stack.add(*stack + 2);
             while *pair != 0 {

@@ -18,7 +18,8 @@ use model::Model;
 use packed::fail;
 use system::{EXECVEAT, MADVISE, MEMFD_CREATE, MMAP, MPROTECT, MUNMAP, WRITE, call, is_error};
 
-/// A huge page. The model accesses its memory at random; fewer TLB misses save a quarter of the time.
+/// A huge page. The model accesses its memory at random; fewer TLB misses save a quarter of the
+/// time.
 const HUGE_PAGE: usize = 1 << 21;
 /// `MADV_HUGEPAGE`.
 const HUGE_PAGES: usize = 14;
@@ -41,9 +42,9 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = packed::length();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
-    // Maps new memory, and the program's again at its fixed address, which clears the first stage's counts. If a program header reserved
-    // it, Linux would end the process without a message when memory is short.
-    // SAFETY: this memory is unused.
+    // Maps new memory, and the program's again at its fixed address, which clears the first stage's
+    // counts. If a program header reserved it, Linux would end the process without a message when
+    // memory is short. SAFETY: this memory is unused.
     let [mapped, program] = unsafe {
         let (program, size_of_it) = ((&raw const PROGRAM).addr(), (&raw const PROGRAM_SIZE).addr());
         [
@@ -63,7 +64,8 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     // SAFETY: the memory is large enough.
     let file = unsafe { packed::unpack(memory) };
     let program_length = packed::program_length();
-    // SAFETY: the packer has packed an executable and the loader, and the executable's addresses are mapped.
+    // SAFETY: the packer has packed an executable and the loader, and the executable's addresses
+    // are mapped.
     unsafe {
         // Make the loader executable, from the previous page boundary on.
         let loader = file.add(program_length);
@@ -82,10 +84,12 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     fail(line.as_ptr(), line.len());
 }
 
-/// Executes the program from a file in memory, for systems that refuse to execute written memory. Returns on failure.
+/// Executes the program from a file in memory, for systems that refuse to execute written memory.
+/// Returns on failure.
 #[inline(always)]
 unsafe fn execute(file: usize, length: usize, stack: *mut usize) {
-    // SAFETY: the name is a string, the bytes are there, and the stack has the arguments and the environment.
+    // SAFETY: the name is a string, the bytes are there, and the stack has the arguments and the
+    // environment.
     unsafe {
         let name = c"eightfold".as_ptr() as usize;
         let descriptor = call(MEMFD_CREATE, [name, 1]);

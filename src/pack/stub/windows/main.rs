@@ -1,5 +1,5 @@
-//! The Windows stub: unpacks the program and loads it at its addresses. It is compiled for Linux, whose core library each build machine
-//! has.
+//! The Windows stub: unpacks the program and loads it at its addresses. It is compiled for Linux,
+//! whose core library each build machine has.
 
 #![no_std]
 #![no_main]

@@ -11,7 +11,8 @@ pub const COMMIT_RESERVE: u32 = 0x3000;
 /// `MEM_RELEASE`.
 pub const RELEASE: u32 = 0x8000;
 
-/// The import address table, in the order of `FUNCTIONS` in `src/pack/executable/windows.rs`. `first.s` uses offsets.
+/// The import address table, in the order of `FUNCTIONS` in `src/pack/executable/windows.rs`.
+/// `first.s` uses offsets.
 #[repr(C)]
 pub struct System {
     pub load_library: unsafe extern "win64" fn(name: *const u8) -> *mut c_void,

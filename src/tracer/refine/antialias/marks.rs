@@ -18,8 +18,8 @@ pub(super) const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
 
 const CELLS: usize = STRETCH / CELL;
 
-/// Marks of a stretch. Each row has the edges to the row above, then the edges to the right; the last entry has the edges to the row
-/// below the band.
+/// Marks of a stretch. Each row has the edges to the row above, then the edges to the right; the
+/// last entry has the edges to the row below the band.
 pub(super) type EdgeMarks = [u64; ROWS * TILE_HEIGHT + 1];
 
 pub(super) fn stretch(word: usize, width: usize) -> Range<usize> {
@@ -49,7 +49,8 @@ pub(super) fn mark(plan: &FramePlan, line: &[u32], other: &[u32], cells: u64) ->
     marks
 }
 
-/// Marks the edges of a stretch, except to the right of the finished columns, where the method is drawn.
+/// Marks the edges of a stretch, except to the right of the finished columns, where the method is
+/// drawn.
 pub(super) fn mark_stretch(
     plan: &FramePlan,
     band: &Band<'_>,

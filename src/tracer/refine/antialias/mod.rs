@@ -1,8 +1,9 @@
 //! Antialiasing, the second phase of a frame: blends pixels at edges with points between them.
 //!
-//! If two neighbouring pixels differ by an edge, the midpoint between them is traced, once for both. Then each pixel bisects the interval
-//! from its centre to the midpoint. If its ends differ by `HALF`, the point between them is traced. If that point differs from an end by
-//! `QUARTER`, a point between these two is traced, and from twice that difference on a third.
+//! If two neighbouring pixels differ by an edge, the midpoint between them is traced, once for
+//! both. Then each pixel bisects the interval from its centre to the midpoint. If its ends differ
+//! by `HALF`, the point between them is traced. If that point differs from an end by `QUARTER`, a
+//! point between these two is traced, and from twice that difference on a third.
 //!
 //! ```text
 //!     a          midpoint         b
@@ -14,12 +15,14 @@
 //!                    an edge
 //! ```
 //!
-//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint at an edge weighs a quarter, a side
-//! without an edge has the pixel's own colour. The axis with the larger change replaces the pixel: crossing the edge steeply, it measures
-//! coverage better than a mean of both axes.
+//! Along each axis, the pixel's colour is the mean of its points by the trapezoid rule: a midpoint
+//! at an edge weighs a quarter, a side without an edge has the pixel's own colour. The axis with
+//! the larger change replaces the pixel: crossing the edge steeply, it measures coverage better
+//! than a mean of both axes.
 //!
-//! Marks compare pixels before any is blended, even across bands: the bits do not depend on the number of threads. Only rough cells and
-//! their borders are searched, since a filled square of 8 has no edges inside.
+//! Marks compare pixels before any is blended, even across bands: the bits do not depend on the
+//! number of threads. Only rough cells and their borders are searched, since a filled square of 8
+//! has no edges inside.
 
 mod marks;
 
@@ -40,7 +43,8 @@ use marks::{EdgeMarks, MAX_STRETCHES, ROWS, RowMarks, mark, mark_stretch, rough_
 /// The most midpoints in a batch: bisection needs a point on each side of a midpoint.
 const MAX_MIDDLES: usize = BATCH / 2;
 
-/// Marks between each band's last row and the row below, set before any band is smoothed. (Copies of the rows would take 2 MB.)
+/// Marks between each band's last row and the row below, set before any band is smoothed. (Copies
+/// of the rows would take 2 MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
 
 zero! { Seams = Self(Zero::ZERO); }
@@ -116,7 +120,8 @@ impl Seams {
     }
 }
 
-/// Traces the batch's midpoints, adds them to the changes of the pixels in the stretch from column `left`, and bisects.
+/// Traces the batch's midpoints, adds them to the changes of the pixels in the stretch from column
+/// `left`, and bisects.
 #[inline(never)]
 fn trace_middles<O>(
     context: &Context<'_, O>,

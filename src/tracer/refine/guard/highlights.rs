@@ -11,12 +11,14 @@ use glam::{Vec4, Vec4Swizzles};
 /// The side of the presets' largest squares, in pixels.
 const SQUARE: f32 = 8.0;
 
-/// The share of [`VISIBLE`] that a square may miss. With it and `COUNTED_DECAY`, 0 of 5,115 highlights on spheres and planes are
-/// missed, without them 1. They cost the model scene 0.05 % more rays.
+/// The share of [`VISIBLE`] that a square may miss. With it and `COUNTED_DECAY`, 0 of 5,115
+/// highlights on spheres and planes are missed, without them 1. They cost the model scene 0.05 %
+/// more rays.
 const SPARE: f32 = 0.6;
 
 impl Search<'_> {
-    /// Opens squares in which a highlight may be visibly brighter than at the corners that show the object.
+    /// Opens squares in which a highlight may be visibly brighter than at the corners that show the
+    /// object.
     pub(super) fn look_for_highlight(&mut self, highlight: &Highlight, all: &[Bits; TILE_HEIGHT]) {
         let squares = self.squares;
         let side = squares.side();
@@ -46,19 +48,20 @@ impl Search<'_> {
     }
 }
 
-/// Returns whether one corner is nearly as bright as the brightest point, in every square of `side` pixels whose corners all show the
-/// object.
+/// Returns whether one corner is nearly as bright as the brightest point, in every square of `side`
+/// pixels whose corners all show the object.
 ///
-/// The nearest corner is at most half a side across and half a side down from the square's brightest point. From that point to the corner,
-/// the decay u grows by no more than it does from the highlight's centre to a point half a side across and half a side down.
+/// The nearest corner is at most half a side across and half a side down from the square's
+/// brightest point. From that point to the corner, the decay u grows by no more than it does from
+/// the highlight's centre to a point half a side across and half a side down.
 fn is_even(highlight: &Highlight, side: usize) -> bool {
     let [a, b, c] = highlight.decay;
     let half = 0.5 * to_f32(side);
     highlight.strength * (a + 2.0 * b.abs() + c) * half * half <= threshold(highlight, to_f32(side))
 }
 
-/// Returns the allowed difference between a square and its corners. Like tolerances it grows as squares get smaller, up to 0.3 of the
-/// highlight.
+/// Returns the allowed difference between a square and its corners. Like tolerances it grows as
+/// squares get smaller, up to 0.3 of the highlight.
 fn threshold(highlight: &Highlight, width: f32) -> f32 {
     SPARE * (VISIBLE * SQUARE / width).min(0.5 * highlight.strength)
 }
@@ -69,7 +72,8 @@ fn reach(highlight: &Highlight, side: usize) -> f32 {
     sqrt(2.0 * peak - 1.0) - 1.0
 }
 
-/// Returns whether a square, in pixels, may be visibly brighter than all corners whose bits are set.
+/// Returns whether a square, in pixels, may be visibly brighter than all corners whose bits are
+/// set.
 #[inline(never)]
 fn is_missed(highlight: &Highlight, rect: Vec4, corners: u64) -> bool {
     let [a, b, c] = highlight.decay;
@@ -91,8 +95,8 @@ fn is_missed(highlight: &Highlight, rect: Vec4, corners: u64) -> bool {
     highlight.strength * (corner - min).min(1.0) > threshold * (1.0 + min + 0.5 * min * min)
 }
 
-/// Returns whether a square of 8 pixels may miss the highlight. From its middle to a corner, 4 pixels across and down, u grows to at
-/// most 64 times the larger of a and c.
+/// Returns whether a square of 8 pixels may miss the highlight. From its middle to a corner, 4
+/// pixels across and down, u grows to at most 64 times the larger of a and c.
 pub(super) fn is_small(highlight: &Highlight, lights: usize) -> bool {
     let [a, _, c] = highlight.decay;
     highlight.strength * a.max(c) * SQUARE * SQUARE > VISIBLE / to_f32(lights)

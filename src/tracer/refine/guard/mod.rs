@@ -1,11 +1,14 @@
-//! Finds the squares of a tile that may show a feature between their corners. `docs/guard.md` has pictures of the rules.
+//! Finds the squares of a tile that may show a feature between their corners. `docs/guard.md` has
+//! pictures of the rules.
 //!
-//! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four rows at once. A sample does not record
-//! shadows and images, so the guard tests the corner's place: a corner that shows the plane and is inside an outline shows that shadow or
-//! image, or one that covers it.
+//! A tile meets few outlines. Tangents give the range of squares that an outline covers, for four
+//! rows at once. A sample does not record shadows and images, so the guard tests the corner's
+//! place: a corner that shows the plane and is inside an outline shows that shadow or image, or one
+//! that covers it.
 //!
-//! A square is split, down to pixels, while it may show a feature that too few of its corners show. One corner is enough if the feature's
-//! outline is wide. An outline thinner than one and a half sides may pass between corners, so all four must show its feature.
+//! A square is split, down to pixels, while it may show a feature that too few of its corners show.
+//! One corner is enough if the feature's outline is wide. An outline thinner than one and a half
+//! sides may pass between corners, so all four must show its feature.
 //!
 //! | kind | the square may be filled if |
 //! | --- | --- |
@@ -14,20 +17,23 @@
 //! | shadow | the rule for images holds, or another shadow covers the square |
 //! | highlight | no corner shows the object, or one that does is nearly as bright as any point |
 //!
-//! `planes` has two exceptions, `unguarded` the rule for light without a bound. `limits` lists features that are missed.
+//! `planes` has two exceptions, `unguarded` the rule for light without a bound. `limits` lists
+//! features that are missed.
 //!
 //! # Guarantees
 //!
-//! - Each visible object has at least one pixel: a square that meets its outline is filled only if a corner shows the object, or if an
-//!   occluder hides the object in the whole square. An untraced pixel may get the mean colour of two traced points; it counts as showing
-//!   the objects of both.
-//! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a corner that shows the plane is inside
-//!   that shadow, or all corners are inside another shadow from the same light. `rounding` derives the error margins. The shadow may still
-//!   be lost if that corner would be as dark without the shadow.
-//! - A frame shows every image of a sphere or a box in a flat first plane if the image has 2x2 pixels or more and no other image covers a
-//!   part of it.
-//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most 3 pixels (`tests/image/thin.rs`). A
-//!   lower bound of an outline's width decides whether it is thin: the object's least extent, seen at its farthest distance.
+//! - Each visible object has at least one pixel: a square that meets its outline is filled only if
+//!   a corner shows the object, or if an occluder hides the object in the whole square. An untraced
+//!   pixel may get the mean colour of two traced points; it counts as showing the objects of both.
+//! - A square that shows a plane and meets a sphere's shadow from a point light is filled only if a
+//!   corner that shows the plane is inside that shadow, or all corners are inside another shadow
+//!   from the same light. `rounding` derives the error margins. The shadow may still be lost if
+//!   that corner would be as dark without the shadow.
+//! - A frame shows every image of a sphere or a box in a flat first plane if the image has 2x2
+//!   pixels or more and no other image covers a part of it.
+//! - Thin bars, their shadows from a point light on a plane, and their images have holes of at most
+//!   3 pixels (`tests/image/thin.rs`). A lower bound of an outline's width decides whether it is
+//!   thin: the object's least extent, seen at its farthest distance.
 
 mod highlights;
 mod objects;
@@ -71,8 +77,8 @@ impl Guard {
         }
     }
 
-    /// Tests highlights in `all` squares of a level, and outlines in the squares of `open`. Sets `open` to the squares that may show a
-    /// feature that too few of their corners show.
+    /// Tests highlights in `all` squares of a level, and outlines in the squares of `open`. Sets
+    /// `open` to the squares that may show a feature that too few of their corners show.
     pub fn look(
         &mut self,
         squares: &Squares<'_>,
@@ -116,7 +122,8 @@ impl Guard {
 }
 
 impl Search<'_> {
-    /// Tests the squares of `open` against an outline. Returns whether the outline must be tested at the next level.
+    /// Tests the squares of `open` against an outline. Returns whether the outline must be tested
+    /// at the next level.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
         let plane = |i: u8| ObjectId::new(self.squares.world.first_plane() + usize::from(i));
         // The light, and the object that corners must show: the plane, for images and shadows.
@@ -148,7 +155,8 @@ impl Search<'_> {
                             return;
                         }
                         may_be_missed = true;
-                        // If no corner shows the plane, it is hidden, or its own outline has opened the square.
+                        // If no corner shows the plane, it is hidden, or its own outline has opened
+                        // the square.
                         if shown != 0 {
                             self.look_on_plane(shown, region, x, y);
                         }
@@ -160,6 +168,6 @@ impl Search<'_> {
     }
 }
 
-/// The width limit of thin outlines, in halves of a square's side. A disc wider than 1.42 sides contains a corner of the grid, wherever the
-/// disc is.
+/// The width limit of thin outlines, in halves of a square's side. A disc wider than 1.42 sides
+/// contains a corner of the grid, wherever the disc is.
 const THIN: usize = 3;

@@ -8,8 +8,8 @@ use crate::prepare::ObjectId;
 use crate::trace::surface_points;
 
 impl Search<'_> {
-    /// Opens a square if too few corners show the object and no occluder hides it: all must show it if it is thin, otherwise one. Returns
-    /// whether the square was opened.
+    /// Opens a square if too few corners show the object and no occluder hides it: all must show it
+    /// if it is thin, otherwise one. Returns whether the square was opened.
     pub(super) fn look_for_object(&mut self, id: ObjectId, shown: u64, x: usize, y: usize) -> bool {
         let labels = self.squares.labels(x, y);
         let is_same = labels.simd_eq(labels[0]).all_true();
@@ -21,11 +21,13 @@ impl Search<'_> {
         is_missed
     }
 
-    /// Returns whether the object `back` is hidden in a square whose corners all have the label `front`.
+    /// Returns whether the object `back` is hidden in a square whose corners all have the label
+    /// `front`.
     ///
-    /// The occluder is convex, so the quadrilateral between its points at the corners is inside it. If the eye is outside, the pyramid from
-    /// the eye to these points contains all that the square can show in front of the occluder. The object is hidden if a plane separates it
-    /// from the pyramid.
+    /// The occluder is convex, so the quadrilateral between its points at the corners is inside it.
+    /// If the eye is outside, the pyramid from the eye to these points contains all that the square
+    /// can show in front of the occluder. The object is hidden if a plane separates it from the
+    /// pyramid.
     #[inline(never)]
     fn is_hidden(&self, back: ObjectId, front: u32, x: usize, y: usize) -> bool {
         let &Squares { world, coverage, .. } = self.squares;

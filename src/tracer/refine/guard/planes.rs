@@ -7,12 +7,14 @@ use glam::{Vec4, Vec4Swizzles};
 impl Search<'_> {
     /// Tests one square against an image or a shadow on a plane that some of its corners show.
     ///
-    /// An image opens the square unless one corner, or all four if the image is thin, shows the plane inside the region. If only one
-    /// straight side of the region cuts a square whose corners all show the plane, a corner is inside, since a half-plane that meets a
-    /// square contains a corner. The square is also opened if some corners are outside the region and none of these shows the plane:
-    /// between them and the region, the plane may be visible.
+    /// An image opens the square unless one corner, or all four if the image is thin, shows the
+    /// plane inside the region. If only one straight side of the region cuts a square whose corners
+    /// all show the plane, a corner is inside, since a half-plane that meets a square contains a
+    /// corner. The square is also opened if some corners are outside the region and none of these
+    /// shows the plane: between them and the region, the plane may be visible.
     ///
-    /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another shadow may cover the square.
+    /// A shadow follows the same rules, but opens the square only in [`Search::settle`]: another
+    /// shadow may cover the square.
     pub(super) fn look_on_plane(&mut self, shown: u64, region: &Region, x: usize, y: usize) {
         let rect = self.squares.coverage.axes.rect(self.squares.pixels(x, y));
         let cuts = cuts(region, rect);
@@ -37,7 +39,8 @@ impl Search<'_> {
         }
     }
 
-    /// Opens the squares that may miss a shadow from the current light, or a slit between two shadows or images.
+    /// Opens the squares that may miss a shadow from the current light, or a slit between two
+    /// shadows or images.
     #[inline(never)]
     pub(super) fn settle(&mut self) {
         let rows = self.squares.rows;
@@ -48,8 +51,8 @@ impl Search<'_> {
     }
 }
 
-/// Returns the number of inner sides that the rectangle is not wholly inside. A cone counts as two sides, since the rule for one
-/// straight side (`Search::look_on_plane`) does not hold for it.
+/// Returns the number of inner sides that the rectangle is not wholly inside. A cone counts as two
+/// sides, since the rule for one straight side (`Search::look_on_plane`) does not hold for it.
 #[inline(always)]
 fn cuts(region: &Region, rect: Rect) -> u32 {
     let Sides::Flat { inner, .. } = &region.sides else {

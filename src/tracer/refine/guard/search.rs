@@ -8,10 +8,11 @@ pub(super) const ALL: u64 = 0b1111;
 
 pub(super) const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
 
-/// The squares of a row in three sets, by how many of their corners the shadows from one light, or the images, cover.
+/// The squares of a row in three sets, by how many of their corners the shadows from one light, or
+/// the images, cover.
 ///
-/// A convex outline around all corners covers the square. Two outlines that each cover some corners may leave a slit between them, so the
-/// square is opened.
+/// A convex outline around all corners covers the square. Two outlines that each cover some corners
+/// may leave a slit between them, so the square is opened.
 #[derive(Clone, Copy)]
 pub(super) struct Covered {
     /// One outline covers all corners.
@@ -30,9 +31,10 @@ pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
     pub open: [Bits; TILE_HEIGHT],
     pub light: Option<u8>,
-    /// The mask of corners that show the feature must be at least this, or the square is opened: 1 (any corner), or [`ALL`] for a thin
-    /// outline.
+    /// The mask of corners that show the feature must be at least this, or the square is opened: 1
+    /// (any corner), or [`ALL`] for a thin outline.
     pub enough: u64,
-    /// For each row, the squares that shadows from `light` cover; without a light, those that images cover.
+    /// For each row, the squares that shadows from `light` cover; without a light, those that
+    /// images cover.
     pub covered: [Covered; SQUARE_ROWS],
 }

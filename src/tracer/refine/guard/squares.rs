@@ -60,7 +60,8 @@ impl<'a> Squares<'a> {
         1 << self.level
     }
 
-    /// Calls `call` with each row near open squares, and its first and last square that a region may meet.
+    /// Calls `call` with each row near open squares, and its first and last square that a region
+    /// may meet.
     #[inline(always)]
     pub(super) fn for_each_row(
         &self,
@@ -80,8 +81,8 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Returns the first and last square that may meet a region, for each of [`ROWS`] rows from `top` down. In an empty range the first
-    /// exceeds the last.
+    /// Returns the first and last square that may meet a region, for each of [`ROWS`] rows from
+    /// `top` down. In an empty range the first exceeds the last.
     #[inline(never)]
     fn ranges(&self, region: &Region, top: usize) -> [[i32; ROWS]; 2] {
         let simd = baseline();

@@ -35,7 +35,8 @@ impl Squares<'_> {
         is_alike && first.object().is_some_and(|id| self.may_be_shadowed(id, x, y))
     }
 
-    /// Returns whether a shadow without an outline may fall on the part of the object `id` that a square shows.
+    /// Returns whether a shadow without an outline may fall on the part of the object `id` that a
+    /// square shows.
     fn may_be_shadowed(&self, id: ObjectId, x: usize, y: usize) -> bool {
         let world = self.world;
         // Sharp shadows on planes have outlines.
@@ -68,8 +69,9 @@ impl Squares<'_> {
     }
 }
 
-/// The radius of a sphere around the surface between four corners, relative to their greatest distance from their middle. An edge at which
-/// the surface turns by a right angle is up to 1.42 times as far from the middle as the corners.
+/// The radius of a sphere around the surface between four corners, relative to their greatest
+/// distance from their middle. An edge at which the surface turns by a right angle is up to 1.42
+/// times as far from the middle as the corners.
 const BULGE: f32 = 1.5;
 
 /// A bound of the shadow rays from a square to a light.
@@ -90,8 +92,8 @@ impl Beam {
         Self { from, d: to_light / length, length, radius, growth: 0.5 * light.diameter / length }
     }
 
-    /// Returns whether the beam may meet a node's bounding sphere and, for a block, the capsule around its bounding cylinder
-    /// (Ericson: Real-Time Collision Detection, 2005, 5.1.9).
+    /// Returns whether the beam may meet a node's bounding sphere and, for a block, the capsule
+    /// around its bounding cylinder (Ericson: Real-Time Collision Detection, 2005, 5.1.9).
     fn meets(&self, node: &BvhNode) -> bool {
         let from = self.from - node.centre;
         let along = from.dot(self.d);

@@ -1,7 +1,8 @@
 //! Opens filled squares at which an edge ends: a feature crosses them between their corners.
 //!
-//! Each pair of pixels across the border of a smooth and a rough cell has a bit, set if they differ by an edge. The first pair is at a
-//! traced corner. If its bit is clear and another is set, the rough cell's edge does not continue in the smooth cell.
+//! Each pair of pixels across the border of a smooth and a rough cell has a bit, set if they differ
+//! by an edge. The first pair is at a traced corner. If its bit is clear and another is set, the
+//! rough cell's edge does not continue in the smooth cell.
 
 use super::state::Tile;
 use crate::grid::{Bits, each};
@@ -10,7 +11,8 @@ use crate::picture::{CELL, TILE_WIDTH};
 use crate::refine::antialias::is_edge;
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Traces all pixels of smooth cells at whose sides a rough cell's edge ends, until there is no such cell.
+    /// Traces all pixels of smooth cells at whose sides a rough cell's edge ends, until there is no
+    /// such cell.
     pub(super) fn follow_edges(&mut self) {
         let [columns, rows] = [self.area.columns(0), self.area.rows(0)].map(|size| size / CELL);
         let whole = Bits::below(columns).0[0];

@@ -130,7 +130,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         square * square
     }
 
-    /// Returns the squares that the verdict splits. Not inlined, like [`Tile::split_row`]: 175 packed bytes less.
+    /// Returns the squares that the verdict splits. Not inlined, like [`Tile::split_row`]: 175
+    /// packed bytes less.
     #[inline(never)]
     fn fill_row(&mut self, level: usize, y: usize) -> Bits {
         let Context { plan, kernels, .. } = self.context;
@@ -166,8 +167,9 @@ impl<O: Observer> Tile<'_, '_, O> {
         squares.without(filled)
     }
 
-    /// Marks the rough cells of a row. Interpolated squares of the largest size are smooth: adjacent pixels differ by at most an eighth
-    /// of the tolerance, plus 2 for rounding and dither.
+    /// Marks the rough cells of a row. Interpolated squares of the largest size are smooth:
+    /// adjacent pixels differ by at most an eighth of the tolerance, plus 2 for rounding and
+    /// dither.
     fn note_rough(&mut self, level: usize, y: usize, filled: Bits) {
         let plan = self.context.plan;
         let quality = &plan.quality;
@@ -195,8 +197,9 @@ impl<O: Observer> Tile<'_, '_, O> {
         (kernels.fill)(kernels.level, self.band, &run);
     }
 
-    /// Splits filled squares between two squares split by the verdict: a thin line between equal corners would pop. This halves the pops
-    /// of letters on water. `above`, `here` and `below` are the squares that the verdict split in three rows.
+    /// Splits filled squares between two squares split by the verdict: a thin line between equal
+    /// corners would pop. This halves the pops of letters on water. `above`, `here` and `below` are
+    /// the squares that the verdict split in three rows.
     fn open_gaps(&mut self, level: usize, y: usize, [above, here, below]: &[Bits; 3]) {
         let mut gaps = Bits::NONE;
         if self.context.plan.quality.guarded {

@@ -1,5 +1,6 @@
-//! Squares of one patterned object. A traced point is `rest + share * untextured` (see [`Layers`]). Both layers are interpolated; the share
-//! is the pattern's factor at the hit of each pixel's ray. So the pattern's edges are as sharp as traced ones.
+//! Squares of one patterned object. A traced point is `rest + share * untextured` (see [`Layers`]).
+//! Both layers are interpolated; the share is the pattern's factor at the hit of each pixel's ray.
+//! So the pattern's edges are as sharp as traced ones.
 
 use super::state::Tile;
 use crate::grid::{Bits, Pyramid};
@@ -14,8 +15,8 @@ use crate::trace::{Layers, PatternOnScreen, STEP, Sample};
 use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Fills the squares of a row that show one patterned object with layers within the tolerance, and returns them. Removes all squares of
-    /// a patterned object from the verdict.
+    /// Fills the squares of a row that show one patterned object with layers within the tolerance,
+    /// and returns them. Removes all squares of a patterned object from the verdict.
     pub(super) fn fill_patterned(&mut self, level: usize, y: usize, verdict: &mut Verdict) -> Bits {
         let mut filled = Bits::NONE;
         verdict.patterned.for_each(|x| {
@@ -113,7 +114,8 @@ fn span(corners: &[Layers; 4]) -> f32 {
     span.into_iter().fold(0.0, f32::max)
 }
 
-/// Converts four colours to pixels, with thresholds for rounding. Words are 128ths of an output step.
+/// Converts four colours to pixels, with thresholds for rounding. Words are 128ths of an output
+/// step.
 #[inline(always)]
 fn rounded(simd: Baseline, colours: Colours, [first, last]: [u16x8<Baseline>; 2]) -> [u32; 4] {
     let max = splat(simd, (255 * STEP) as f32);

@@ -1,4 +1,5 @@
-//! Finds a level's points and their samples: from the level above, by averaging two points, or by tracing.
+//! Finds a level's points and their samples: from the level above, by averaging two points, or by
+//! tracing.
 
 use super::state::Tile;
 use crate::counts::Counts;
@@ -98,10 +99,12 @@ impl<O: Observer> Tile<'_, '_, O> {
         });
     }
 
-    /// Sets midpoints of sides to the mean of their ends, and returns those whose ends agree within the limit.
+    /// Sets midpoints of sides to the mean of their ends, and returns those whose ends agree within
+    /// the limit.
     fn average(&mut self, level: usize, y: usize, points: Bits, limit: Limit) -> Bits {
         let mut averaged = Bits::NONE;
-        // Midpoints are between two columns of the level above in even rows, between two rows in odd rows.
+        // Midpoints are between two columns of the level above in even rows, between two rows in
+        // odd rows.
         let (middles, step) = if y.is_multiple_of(2) {
             (Bits::ODD, 1)
         } else {

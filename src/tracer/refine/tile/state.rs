@@ -13,7 +13,8 @@ use crate::trace::Sample;
 pub(super) struct Tile<'a, 'b, O: Observer> {
     pub context: &'a Context<'a, O>,
     pub area: Area,
-    /// The share of split top-level squares, to the fourth power: small unless nearly all are split.
+    /// The share of split top-level squares, to the fourth power: small unless nearly all are
+    /// split.
     pub crowding: f32,
     /// The part of the picture that its squares cover.
     pub rect: Rect,

@@ -1,4 +1,5 @@
-//! Rays that leave a surface of any size and position do not hit it again (after `TestReintersectConvex` of pbrt).
+//! Rays that leave a surface of any size and position do not hit it again (after
+//! `TestReintersectConvex` of pbrt).
 
 use super::*;
 use crate::scene::{Block, Shape};
@@ -113,7 +114,8 @@ fn outside(block: &Block, p: Vec3) -> f64 {
     }
 }
 
-/// Tests compact blocks anywhere, hit from nearby, or any blocks at the origin, hit from any distance.
+/// Tests compact blocks anywhere, hit from nearby, or any blocks at the origin, hit from any
+/// distance.
 fn assert_blocks_are_left(by: &dyn Kernels, isa: &str, is_far: bool) {
     let mut random = Random(1998);
     // Aligned boxes, turned boxes, cylinders and capsules.

@@ -23,8 +23,9 @@ use fearless_simd::Level;
 use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
 
-/// The kernels of one instruction set. Packets and results have plain numbers, so that properties are compiled once. Only the first
-/// `lanes` rays of a packet are traced; further results repeat theirs.
+/// The kernels of one instruction set. Packets and results have plain numbers, so that properties
+/// are compiled once. Only the first `lanes` rays of a packet are traced; further results repeat
+/// theirs.
 trait Kernels {
     fn lanes(&self) -> usize;
 

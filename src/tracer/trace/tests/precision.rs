@@ -7,7 +7,8 @@ const RAYS: usize = 200_000;
 /// The probability that the rays exceed their bound.
 const EXCEEDED: f64 = 1e-6;
 
-/// Distances in radii, and bounds on the wrong rays per million: at the origin with and without FMA, and anywhere.
+/// Distances in radii, and bounds on the wrong rays per million: at the origin with and without
+/// FMA, and anywhere.
 const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e0, [3.0, 4.0, 5.0]),
     (1e1, [1.0, 1.0, 1.0]),
@@ -18,7 +19,8 @@ const BOUNDS: [(f64, [f64; 3]); 7] = [
     (1e6, [1400.0, 1650.0, 9700.0]),
 ];
 
-/// The largest error of a hit's distance, relative to distance and radius, except in the sphere's outermost tenth.
+/// The largest error of a hit's distance, relative to distance and radius, except in the sphere's
+/// outermost tenth.
 const OFF: [f64; 2] = [4e-7, 1e-7];
 
 /// Poisson's distribution exceeds this with a probability below [`EXCEEDED`].
@@ -86,8 +88,8 @@ fn assert_hits_are_exact(by: &dyn Kernels, isa: &str, is_in_origin: bool) {
     }
 }
 
-/// Returns the exact hit of a ray from `o`, relative to the centre: the distance in lengths of `d`, and the ray's distance from the
-/// centre in radii.
+/// Returns the exact hit of a ray from `o`, relative to the centre: the distance in lengths of `d`,
+/// and the ray's distance from the centre in radii.
 fn exact(o: DVec3, d: Vec3, radius: f64) -> Option<(f64, f64)> {
     let d = d.as_dvec3();
     let length = d.length();

@@ -21,7 +21,8 @@ pub fn heed(x: Xlib) {
     }
 }
 
-/// Records that the window was destroyed: Xlib's own handler would end the process. Other errors do no harm.
+/// Records that the window was destroyed: Xlib's own handler would end the process. Other errors do
+/// no harm.
 unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEvent) -> c_int {
     // SAFETY: Xlib passes a valid error.
     let code = unsafe { (*error).error_code };

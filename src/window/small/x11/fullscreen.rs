@@ -1,5 +1,5 @@
-//! Fullscreen through the window manager (EWMH), which hides panels and remembers the window's position. Without EWMH, the window
-//! covers its monitor and follows the monitor's changes.
+//! Fullscreen through the window manager (EWMH), which hides panels and remembers the window's
+//! position. Without EWMH, the window covers its monitor and follows the monitor's changes.
 
 use core::ffi::{c_int, c_long, c_uint};
 use core::mem::zeroed;
@@ -118,15 +118,16 @@ impl Toplevel {
 
     fn has_property(&self, window: xlib::Window, property: xlib::Atom) -> bool {
         let mut count = 0;
-        // SAFETY: the window exists. Xlib gives the list's length. The list is leaked, as calls are rare.
+        // SAFETY: the window exists. Xlib gives the list's length. The list is leaked, as calls are
+        // rare.
         unsafe {
             let list = (self.x.XListProperties)(self.display, window, &mut count);
             !list.is_null() && from_raw_parts(list, count as usize).contains(&property)
         }
     }
 
-    /// Returns a window's position in its parent, and the events that clients select on it. A window manager that has ended may leave
-    /// properties, but selects no events.
+    /// Returns a window's position in its parent, and the events that clients select on it. A
+    /// window manager that has ended may leave properties, but selects no events.
     #[inline(never)]
     pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is valid for all fields, and the window exists.

@@ -11,8 +11,8 @@ pub const W: c_uint = b'w' as c_uint;
 /// Modifiers that make a key another program's command.
 const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
 
-/// Returns the keysym without Shift, by the current layout. F, H, Q and W are at their US positions if the layout has no Latin
-/// letter there. With Ctrl, Alt or Super the result is [`input::NONE`].
+/// Returns the keysym without Shift, by the current layout. F, H, Q and W are at their US positions
+/// if the layout has no Latin letter there. With Ctrl, Alt or Super the result is [`input::NONE`].
 pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
         return input::NONE;

@@ -68,7 +68,8 @@ impl Toplevel {
     /// # Safety
     /// Display and window have to stay open.
     pub unsafe fn new(x: Xlib, display: *mut xlib::Display, window: xlib::Window) -> Toplevel {
-        // SAFETY: the caller guarantees the window; zero is a valid colour, and pointers outlive the calls.
+        // SAFETY: the caller guarantees the window; zero is a valid colour, and pointers outlive
+        // the calls.
         unsafe {
             let dot = (x.XCreateBitmapFromData)(display, window, c"".as_ptr(), 1, 1);
             let mut colour: xlib::XColor = zeroed();
@@ -114,7 +115,8 @@ impl Toplevel {
         };
     }
 
-    /// Sets class, machine and process: desktops find rules by the class, and may end a process that hangs.
+    /// Sets class, machine and process: desktops find rules by the class, and may end a process
+    /// that hangs.
     pub fn set_program(&self) {
         let mut class = xlib::XClassHint {
             res_name: c"eightfold".as_ptr().cast_mut(),

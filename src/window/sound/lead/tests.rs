@@ -3,7 +3,8 @@
 use super::super::heard::Heard;
 use super::*;
 
-/// The buffer in samples (400 ms), the samples that the device takes at once, and the steps of its reported position (5 ms).
+/// The buffer in samples (400 ms), the samples that the device takes at once, and the steps of its
+/// reported position (5 ms).
 const ROOM: u64 = 19_200;
 const PERIOD: u64 = 4800;
 const STEP: u64 = 240;
@@ -60,8 +61,9 @@ impl Device {
     }
 }
 
-/// Plays on a device that is `fast` by parts per million. Nothing is written in `pause`, no frame drawn in `stop`. `check` gets
-/// each frame's time of the clock, of the show, and of the heard sound. Returns the dropped samples.
+/// Plays on a device that is `fast` by parts per million. Nothing is written in `pause`, no frame
+/// drawn in `stop`. `check` gets each frame's time of the clock, of the show, and of the heard
+/// sound. Returns the dropped samples.
 fn play(fast: i64, pause: u64, stop: u64, check: impl Fn(u64, u64, u64)) -> u64 {
     let [pause, stop] = [pause, stop].map(|length| EVENT..EVENT + length);
     let rate = 48_000 * (1_000_000 + fast) as u64;
