@@ -23,8 +23,8 @@ static ENVIRONMENT: Environment = Environment {
     ],
     softboxes: &[
         // Daylight, evening sun, and a pale sky above.
-        softbox([-9.0, 2.0, 5.0], [0.5, 20.0, 0.8], [16.0, 14.0, 11.0]),
-        softbox([9.0, -1.0, 5.0], [0.5, 20.0, 0.8], [8.0, 3.5, 2.0]),
+        softbox([-9.0, 2.0, 5.0], [0.6, 2.4, 2.4], [32.0, 28.0, 21.0]),
+        softbox([9.0, -1.0, 5.0], [0.6, 2.4, 2.4], [16.0, 7.0, 4.0]),
         softbox([0.0, 1.0, 0.2], [2.5, 2.5, 2.5], [1.2, 1.0, 1.1]),
     ],
     add,
