@@ -60,7 +60,7 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
 /// The width of flags and values in `--help`, in characters.
 const COLUMN: usize = 16;
 
-// Check the number of flags, the column's width, and the help's numbers.
+// Check the number of flags, the column's width, and the help's length and largest size.
 const _: () = {
     assert!(show::LENGTH == 116.0 && MAX_WIDTH == 3840 && MAX_HEIGHT == 2160);
     assert!(FLAGS.len() == Switch::Version as usize + 1);

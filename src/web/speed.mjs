@@ -32,7 +32,7 @@ const native = (() => {
 const byModule = (exports, setScene = exports.set_model, rows = height) => (place, time) => {
   const before = process.cpuUsage();
   setScene(time);
-  exports.set_quality(place, false);
+  if (!exports.set_quality(place, false)) throw new Error(`no quality ${place}`);
   for (let pass = 0, passes = 1; pass < passes; pass++) passes = exports.draw(0, rows, pass, 0, about.probes, pass);
   const { user, system } = process.cpuUsage(before);
   return (user + system) / 1000;

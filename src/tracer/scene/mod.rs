@@ -31,7 +31,7 @@ use crate::zero::Zero;
 use glam::Vec3;
 use ranges::{LENGTH, SHARE, THOUSAND, each};
 
-/// The maximum number of spheres. The show uses up to 71.
+/// The maximum number of spheres. The show uses up to 73.
 pub const MAX_SPHERES: usize = 320;
 /// The maximum number of planes.
 pub const MAX_PLANES: usize = 8;

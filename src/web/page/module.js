@@ -32,6 +32,6 @@ export class Module {
     }
     this.calls[`set_${scene.kind}`](scene.time, scene.isResting);
     if (method) this.calls.set_method(...method);
-    this.calls.set_quality(quality, isReference);
+    if (!this.calls.set_quality(quality, isReference)) throw new Error(`no quality ${quality}`);
   }
 }

@@ -175,7 +175,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         let quality = &plan.quality;
         let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
         let is_smooth = tolerance / CELL as f32 + 2.0 < f32::from(quality.edge);
-        if quality.square >= CELL && is_smooth && plan.coarse < 2 {
+        if quality.square == CELL && is_smooth && plan.coarse < 2 {
             let squares = &self.worker.marks.squares[level][y];
             self.band.rough[y][self.area.left / TILE_WIDTH] = squares.0[0] & !filled.0[0];
         }
