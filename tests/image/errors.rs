@@ -254,6 +254,7 @@ fn long_finest_shows_thin_things_without_bounds() {
         println!("{} by default: {patched} of 40, up to {patch} pixels, {psnr:.1} dB", kind.0);
     }
 }
+
 /// The pixel of a [`GREY`] floor in shadow: 0.2 of 0.8.
 pub const SHADED: u32 = 0x29_2929;
 

@@ -69,6 +69,7 @@ impl Machine {
     }
 
     fn frame(&mut self, factor: f64) {
+        assert!(self.governor.divisor() == 1 || self.governor.preset() == Preset::Fastest);
         let noise = between(&mut self.random, 1.0 - self.noise, 1.0 + self.noise);
         let time = self.cost() * noise * factor * self.budget;
         let rung = self.rung();
