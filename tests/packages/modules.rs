@@ -35,8 +35,14 @@ fn modules(folder: &Path, parent: &str) -> Modules {
 fn paths(text: &str) -> Vec<String> {
     let text = text.split("#[cfg(all(test").next().expect("a part");
     let text = text.split("#[cfg(test)]\nmod tests {").next().expect("a part");
-    let is_code =
-        |line: &&str| !line.trim_start().starts_with("//") && !line.starts_with("    use super::");
+    let mut is_inline = false;
+    let is_code = |line: &&str| {
+        let is_start =
+            line.starts_with(|c| c != ' ') && line.contains("mod ") && line.ends_with('{');
+        is_inline = (is_inline || is_start) && *line != "}";
+        let is_to_file = is_inline && line.starts_with("    use super::");
+        !line.trim_start().starts_with("//") && !is_to_file
+    };
     let code = text.lines().filter(is_code).collect::<Vec<_>>().join("\n");
     let starts = ["use ", "crate::", "super::"].into_iter().flat_map(|it| code.match_indices(it));
     let starts = starts.filter(|&(at, _)| !code[..at].ends_with("(in "));
@@ -50,6 +56,12 @@ fn paths(text: &str) -> Vec<String> {
     });
     let paths = paths.filter(|path| !path.ends_with("::"));
     paths.map(|path| path.trim_end_matches("::self").to_owned()).collect()
+}
+
+#[test]
+fn import_in_a_function_is_a_path() {
+    let text = "fn f() {\n    use super::a::B;\n}\nmod m {\n    use super::C;\n}\n";
+    assert!(paths(text).iter().collect::<BTreeSet<_>>().into_iter().eq(["super::a::B"]));
 }
 
 /// Returns the module that defines the last name of a path, through imports and exports.
