@@ -66,8 +66,8 @@
 //! # Scenes as data
 //!
 //! The feature `serde` implements serialisation of a [`Scene`](scene::Scene) and a [`Quality`].
-//! Missing fields get their defaults, except an object's position, size and material; unknown fields
-//! are errors. Some qualities contain infinity, which JSON cannot represent.
+//! Missing fields get their defaults, except an object's position, size and material; unknown
+//! fields are errors. Some qualities contain infinity, which JSON cannot represent.
 //!
 //! # Conventions
 //!

@@ -131,7 +131,6 @@ impl Case {
         }
     }
 
-    /// Returns the mean error.
     fn assert_near(&self, renderer: &mut ThreadedRenderer, pixels: &[u32], traced: &[u32]) -> f64 {
         let off = Difference::between(traced, pixels).mean;
         if off > MAX_MEAN_ERROR {

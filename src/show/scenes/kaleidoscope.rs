@@ -61,7 +61,6 @@ static COLOURS: [Vec3; 4] =
 fn add(now: Now, scene: &mut Scene) {
     let kick = now.cue(Track::Kick);
     let kicked = 1.0 - smooth_step(kick.since);
-    // Half a gem's spacing per kick.
     let mut turns = (kick.count as f32 + smooth_step(kick.since * 3.0)) * 0.0625;
     scene.lights[0].colour *= 1.0 + 0.3 * kicked;
     let mut distance = 3.0 + 0.22 * kicked;
